@@ -1,0 +1,84 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "snug/base/result.h"
+#include "snug/base/vec.h"
+
+// Everything that a user chooses, one struct for each stage of the method, with its default beside each
+// field.
+
+namespace snug {
+
+/// Limits of what may be asked for.
+constexpr int kMostBlocks = 4096;
+constexpr double kLeastBlockSize = 0.1;        // mm
+constexpr double kGreatestBlockSize = 10000;   // mm
+constexpr double kLeastClearanceShare = -0.4;  // of the smallest block side
+constexpr double kGreatestLength = 1e6;        // mm: offsets, walls, clearances
+
+enum class Unit { mm, cm, m, in };
+[[nodiscard]] double millimetres(Unit unit);
+[[nodiscard]] std::string_view unit_name(Unit unit);
+[[nodiscard]] std::optional<Unit> unit_from_name(std::string_view name);
+
+struct ObjectOptions {
+    std::optional<Unit> units;         ///< of the file; not chosen: mm, if the size is plausible
+    double scale = 1;                  ///< on top of the unit, > 0
+    std::optional<double> longest_mm;  ///< scales the longest side to this instead of units and scale
+    bool cap = false;                  ///< span the holes of an open object
+    friend bool operator==(const ObjectOptions&, const ObjectOptions&) = default;
+};
+
+struct SpaceOptions {
+    std::string preset = "paper";                     ///< the foam's name, see presets.h
+    std::optional<Vec3i> blocks = Vec3i{30, 18, 18};  ///< 1 to 4096 an axis; none: the object plus walls
+    Vec3d block_mm{15, 15, 22};                       ///< 0.1 to 10,000 an axis
+    std::optional<double> wall_mm;  ///< least foam on each side; none: 50 where the space is fitted
+    friend bool operator==(const SpaceOptions&, const SpaceOptions&) = default;
+};
+
+struct PlacementOptions {
+    Vec3d rotation_deg;  ///< Euler angles psi, theta, phi about the fixed axes x, then y, then z
+    Vec3d offset_mm;     ///< from the centre of the space
+    friend bool operator==(const PlacementOptions&, const PlacementOptions&) = default;
+};
+
+struct CutOptions {
+    double clearance_mm = 0;  ///< the object is grown by this; from -0.4 of the smallest block side upward
+    bool cut_on_touch =
+        false;  ///< the paper's literal "overlap or touch": blocks that only touch are cut too
+    friend bool operator==(const CutOptions&, const CutOptions&) = default;
+};
+
+struct PartingOptions {
+    std::optional<int> level;  ///< lower blocks where the object does not touch, 0 to nx; none: chosen
+    friend bool operator==(const PartingOptions&, const PartingOptions&) = default;
+};
+
+struct OutputOptions {
+    std::vector<std::string> formats{"stl", "ply"};  ///< of the foams
+    friend bool operator==(const OutputOptions&, const OutputOptions&) = default;
+};
+
+struct Design {
+    ObjectOptions object;
+    SpaceOptions space;
+    PlacementOptions placement;
+    CutOptions cut;
+    PartingOptions parting;
+    OutputOptions output;
+    friend bool operator==(const Design&, const Design&) = default;
+};
+
+/// The wall that the design asks for: the chosen one, or 50 mm (the usual least for parcels) where the space
+/// is fitted to the object, or none.
+[[nodiscard]] double wanted_wall_mm(const SpaceOptions& space);
+
+/// The first thing that is out of range, as an Error of kind `usage`.
+[[nodiscard]] Result<Design> checked(Design design);
+
+}  // namespace snug

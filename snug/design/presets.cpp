@@ -1,0 +1,128 @@
+#include "snug/design/presets.h"
+
+#include <algorithm>
+
+#include "snug/base/text.h"
+#include "snug/design/json_reader.h"
+
+namespace snug {
+namespace {
+
+Result<Preset> preset_from(const nlohmann::json& json, const std::string& path) {
+    JsonReader reader(json, path);
+    Preset preset;
+    reader.require("name");
+    reader.require("block_mm");
+    reader.read("name", preset.name)
+        .read("title", preset.title)
+        .read("block_mm", preset.block_mm)
+        .read("clearance_mm", preset.clearance_mm)
+        .read("density_kg_m3", preset.density_kg_m3)
+        .read("rigid", preset.rigid)
+        .read("worked", preset.worked);
+    if (preset.name.empty()) reader.refuse("name", "a word");
+    if (preset.density_kg_m3 && *preset.density_kg_m3 <= 0) reader.refuse("density_kg_m3", "above 0");
+    if (const auto problem = reader.problem()) return fail(ErrorKind::usage, *problem);
+
+    Design design;
+    apply(preset, design);
+    if (const auto possible = checked(design); !possible)
+        return fail(ErrorKind::usage, path + ": " + possible.error().message);
+    return preset;
+}
+
+}  // namespace
+
+const std::vector<Preset>& built_in_presets() {
+    static const std::vector<Preset> presets{
+        {"paper",
+         "block sponge as in the paper, 15 x 15 x 22 mm",
+         {15, 15, 22},
+         0,
+         {},
+         false,
+         "pull the blocks out of their slits"},
+        {"slit-10",
+         "slit sponge, 10 mm grid in layers of 20 mm",
+         {20, 10, 10},
+         0,
+         25,
+         false,
+         "pull the blocks out of their slits"},
+        {"slit-12.7",
+         "slit sponge, half-inch grid in layers of 25.4 mm",
+         {25.4, 12.7, 12.7},
+         0,
+         25,
+         false,
+         "pull the blocks out of their slits"},
+        {"slit-15",
+         "slit sponge, 15 mm grid in layers of 15 mm",
+         {15, 15, 15},
+         0,
+         25,
+         false,
+         "pull the blocks out of their slits"},
+        {"cube-25", "loose foam cubes of 25 mm", {25, 25, 25}, 0, 25, false, "glue or stack the cubes"},
+        {"sheet-5",
+         "polyethylene sheets of 5 mm, cut to contour in steps of 2.5 mm",
+         {5, 2.5, 2.5},
+         1,
+         33,
+         false,
+         "cut each sheet, then glue the stack"},
+        {"sheet-10",
+         "polyethylene sheets of 10 mm, cut to contour in steps of 2.5 mm",
+         {10, 2.5, 2.5},
+         1,
+         33,
+         false,
+         "cut each sheet, then glue the stack"},
+        {"lego-brick",
+         "toy bricks on an 8 mm pitch, 9.6 mm high",
+         {9.6, 8, 8},
+         1,
+         {},
+         true,
+         "build it layer by layer"},
+        {"lego-plate",
+         "toy plates on an 8 mm pitch, 3.2 mm high",
+         {3.2, 8, 8},
+         1,
+         {},
+         true,
+         "build it layer by layer"},
+        {"print", "3D print in steps of 2 mm", {2, 2, 2}, 1, {}, true, "print each half cavity up"},
+    };
+    return presets;
+}
+
+Result<std::vector<Preset>> parse_presets(std::string_view text) {
+    const auto json = parse_json(text, ErrorKind::usage);
+    if (!json) return tl::unexpected(json.error());
+    if (!json->is_array()) return fail(ErrorKind::usage, "presets must be a JSON list: [{...}, {...}]");
+    std::vector<Preset> presets;
+    for (std::size_t i = 0; i < json->size(); ++i) {
+        auto preset = preset_from((*json)[i], "preset " + std::to_string(i + 1));
+        if (!preset) return tl::unexpected(preset.error());
+        presets.push_back(std::move(*preset));
+    }
+    return presets;
+}
+
+Result<Preset> find_preset(const std::vector<Preset>& known, std::string_view name) {
+    const auto found =
+        std::find_if(known.rbegin(), known.rend(), [&](const Preset& p) { return p.name == name; });
+    if (found != known.rend()) return *found;
+    std::string names;
+    for (const Preset& preset : known) names += (names.empty() ? "" : ", ") + preset.name;
+    return fail(ErrorKind::usage, "unknown preset " + quoted(name) + "; known are: " + names);
+}
+
+void apply(const Preset& preset, Design& design) {
+    design.space.preset = preset.name;
+    design.space.block_mm = preset.block_mm;
+    design.cut.clearance_mm = preset.clearance_mm;
+}
+
+}  // namespace snug

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "snug/base/result.h"
+#include "snug/base/vec.h"
+#include "snug/design/design.h"
+
+namespace snug {
+
+/// A real foam or material: its blocks along x (the insertion axis), y and z, and how it is worked.
+struct Preset {
+    std::string name;   ///< what --preset takes
+    std::string title;  ///< one line for people
+    Vec3d block_mm;
+    double clearance_mm = 0;
+    std::optional<double> density_kg_m3;  ///< none where it depends on the maker
+    bool rigid = false;                   ///< true: holds, but does not cushion
+    std::string worked;                   ///< how a person gets the blocks out
+    friend bool operator==(const Preset&, const Preset&) = default;
+};
+
+/// The presets that Snug brings, the default ("paper") first.
+[[nodiscard]] const std::vector<Preset>& built_in_presets();
+
+/// Presets from a user's own file: a JSON array of objects with the fields of Preset; name and block_mm are
+/// required. Fails (kind usage) with the entry and the field that are wrong.
+[[nodiscard]] Result<std::vector<Preset>> parse_presets(std::string_view json);
+
+/// The last preset of that name, or an Error (kind usage) that lists the known names.
+[[nodiscard]] Result<Preset> find_preset(const std::vector<Preset>& known, std::string_view name);
+
+/// Sets the block size and clearance to the preset's.
+void apply(const Preset& preset, Design& design);
+
+}  // namespace snug

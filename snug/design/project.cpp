@@ -1,0 +1,175 @@
+#include "snug/design/project.h"
+
+#include <algorithm>
+
+#include "snug/base/text.h"
+#include "snug/design/json_reader.h"
+
+namespace snug {
+namespace {
+
+using Json = nlohmann::ordered_json;
+constexpr int kVersion = 1;
+
+template <class T>
+Json array(Vec3<T> v) {
+    return Json::array({v.x, v.y, v.z});
+}
+
+template <class T>
+Json value_or_null(const std::optional<T>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+
+Json to_json(const Design& design) {
+    const auto& [object, space, placement, cut, parting, output] = design;
+    Json json;
+    json["object"] = {{"units", object.units ? Json(std::string(unit_name(*object.units))) : Json(nullptr)},
+                      {"scale", object.scale},
+                      {"longest_mm", value_or_null(object.longest_mm)},
+                      {"cap", object.cap}};
+    json["space"] = {{"preset", space.preset},
+                     {"blocks", space.blocks ? array(*space.blocks) : Json("auto")},
+                     {"block_mm", array(space.block_mm)},
+                     {"wall_mm", value_or_null(space.wall_mm)}};
+    json["placement"] = {{"rotation_deg", array(placement.rotation_deg)},
+                         {"offset_mm", array(placement.offset_mm)}};
+    json["cut"] = {{"clearance_mm", cut.clearance_mm}, {"cut_on_touch", cut.cut_on_touch}};
+    json["parting"] = {{"level", parting.level ? Json(*parting.level) : Json("auto")}};
+    json["output"] = {{"formats", output.formats}};
+    return json;
+}
+
+void read_object(JsonReader json, ObjectOptions& object, JsonReader& parent) {
+    std::optional<std::string> units;
+    json.read("units", units)
+        .read("scale", object.scale)
+        .read("longest_mm", object.longest_mm)
+        .read("cap", object.cap);
+    object.units = units ? unit_from_name(*units) : std::nullopt;
+    if (units && !object.units) json.refuse("units", "mm, cm, m, in or null");
+    parent.adopt(json);
+}
+
+/// A field that holds either the word auto (then `target` is none) or a value.
+template <class T>
+void read_or_auto(JsonReader& json, const char* name, std::optional<T>& target) {
+    std::string word;
+    JsonReader as_word = json;
+    if (json.has(name) && (as_word.read(name, word), word == "auto")) {
+        target.reset();
+        json.read(name, word);
+        return;
+    }
+    T value = target.value_or(T{});
+    if (json.has(name)) {
+        json.read(name, value);
+        target = value;
+    }
+}
+
+void read_space(JsonReader json, SpaceOptions& space, JsonReader& parent) {
+    json.read("preset", space.preset).read("block_mm", space.block_mm).read("wall_mm", space.wall_mm);
+    read_or_auto(json, "blocks", space.blocks);
+    parent.adopt(json);
+}
+
+void read_placement(JsonReader json, PlacementOptions& placement, JsonReader& parent) {
+    json.read("rotation_deg", placement.rotation_deg).read("offset_mm", placement.offset_mm);
+    parent.adopt(json);
+}
+
+void read_cut(JsonReader json, CutOptions& cut, JsonReader& parent) {
+    json.read("clearance_mm", cut.clearance_mm).read("cut_on_touch", cut.cut_on_touch);
+    parent.adopt(json);
+}
+
+void read_parting(JsonReader json, PartingOptions& parting, JsonReader& parent) {
+    read_or_auto(json, "level", parting.level);
+    parent.adopt(json);
+}
+
+void read_output(JsonReader json, OutputOptions& output, JsonReader& parent) {
+    json.read("formats", output.formats);
+    parent.adopt(json);
+}
+
+Result<Design> design_from(JsonReader json) {
+    Design design;
+    read_object(json.object("object"), design.object, json);
+    read_space(json.object("space"), design.space, json);
+    read_placement(json.object("placement"), design.placement, json);
+    read_cut(json.object("cut"), design.cut, json);
+    read_parting(json.object("parting"), design.parting, json);
+    read_output(json.object("output"), design.output, json);
+    if (const auto problem = json.problem()) return fail(ErrorKind::input, *problem);
+    auto result = checked(design);
+    if (!result) return fail(ErrorKind::input, result.error().message);
+    return result;
+}
+
+bool is_sha256(const std::string& text) {
+    return text.size() == 64 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
+}
+
+std::string text_of(const Json& json) {
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+std::string design_json(const Design& design) {
+    return text_of(to_json(design));
+}
+
+Result<Design> parse_design(std::string_view text) {
+    const auto json = parse_json(text, ErrorKind::input);
+    if (!json) return tl::unexpected(json.error());
+    return design_from(JsonReader(*json, ""));
+}
+
+std::string project_json(const Project& project) {
+    Json json;
+    json["snug"] = kVersion;
+    json["object"] = {
+        {"name", project.object.name}, {"bytes", project.object.bytes}, {"sha256", project.object.sha256}};
+    json["design"] = to_json(project.design);
+    return text_of(json);
+}
+
+Result<Project> parse_project(std::string_view text) {
+    const auto json = parse_json(text, ErrorKind::input);
+    if (!json) return tl::unexpected(json.error());
+    JsonReader reader(*json, "");
+    int version = 0;
+    reader.require("snug");
+    reader.read("snug", version);
+    if (version > kVersion)
+        return fail(ErrorKind::input, "the project is of version " + std::to_string(version) +
+                                          ", newer than this Snug understands (1): update Snug");
+    if (version < 1) reader.refuse("snug", "the version number 1");
+
+    Project project;
+    reader.require("object");
+    reader.require("design");
+    JsonReader object = reader.object("object");
+    object.read("name", project.object.name)
+        .read("bytes", project.object.bytes)
+        .read("sha256", project.object.sha256);
+    object.require("name");
+    const bool has_folder = project.object.name.find_first_of("/\\") != std::string::npos;
+    if (project.object.name.empty() || has_folder || project.object.name == "..")
+        object.refuse("name", "a file name without folders");
+    if (!project.object.sha256.empty() && !is_sha256(project.object.sha256))
+        object.refuse("sha256", "64 hexadecimal digits");
+    reader.adopt(object);
+
+    JsonReader design_reader = reader.object("design");
+    if (const auto problem = reader.problem()) return fail(ErrorKind::input, *problem);
+    auto design = design_from(std::move(design_reader));
+    if (!design) return tl::unexpected(design.error());
+    project.design = std::move(*design);
+    return project;
+}
+
+}  // namespace snug

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "snug/base/vec.h"
+#include "snug/fabricate/isometric.h"
+#include "snug/fabricate/mesh_files.h"
+
+// Small pieces of SVG text that drawings are made of. Page coordinates: px of the viewBox, y downward.
+
+namespace snug {
+
+/// "#4084d6"
+[[nodiscard]] std::string hex(Color color);
+/// From `a` (share 0) to `b` (share 1).
+[[nodiscard]] Color mixed(Color a, Color b, double share);
+
+/// Text for an XML element or attribute: markup escaped; what is not UTF-8, or a character that XML forbids,
+/// becomes a replacement character.
+[[nodiscard]] std::string xml_text(std::string_view text);
+
+/// The lines that `text` (UTF-8) fills when none is longer than `longest` characters: broken at spaces,
+/// longer words anywhere, and as even as that many lines can be. At most `most_lines`; the last one ends in
+/// an ellipsis if more would follow.
+[[nodiscard]] std::vector<std::string> wrapped(std::string_view text, std::size_t longest,
+                                               std::size_t most_lines);
+
+/// How a scene appears on the page.
+struct Page {
+    double scale = 1;  ///< px per mm of the drawing
+    Vec2d shift;
+
+    [[nodiscard]] Vec2d at(Vec2d drawing) const { return drawing * scale + shift; }
+    [[nodiscard]] Vec2d at(Vec3d scene) const { return at(project(scene).at); }
+};
+
+/// d="..." of closed outlines on the page, in px.
+[[nodiscard]] std::string path_data(const std::vector<std::vector<Vec2d>>& loops);
+
+/// Writes many small filled polygons and lines compactly: whole numbers in tenths of a px, and one <path> for
+/// as long as the colour stays. Later ones cover earlier ones; strokes in the fill's colour close the seams
+/// between neighbours. The text belongs into a group that is scaled by 0.1 and sets the stroke's width.
+class PathWriter {
+  public:
+    void polygon(Color color, const std::vector<Vec2d>& corners);
+    void line(Color color, Vec2d from, Vec2d to);
+    [[nodiscard]] std::string finish();
+
+  private:
+    void use(Color color);
+
+    std::string text_;
+    std::string color_;
+};
+
+}  // namespace snug

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <vector>
+
+#include "snug/foam/depth_map.h"
+#include "snug/foam/design_space.h"
+
+namespace snug {
+
+/// Indices first..last of neighbouring cells, both included; empty where first > last.
+struct CellRange {
+    int first = 0;
+    int last = -1;
+    friend bool operator==(CellRange, CellRange) = default;
+};
+
+/// The cells of the grid along one axis (y or z), each grown by the reach on both sides: they overlap where
+/// the reach is positive and leave slots between them where it is negative.
+class GrownCells {
+  public:
+    GrownCells(const DesignSpace& space, int axis, Reach reach);
+
+    [[nodiscard]] int count() const { return static_cast<int>(low_.size()); }
+    [[nodiscard]] double low(int cell) const { return low_[static_cast<std::size_t>(cell)]; }
+    [[nodiscard]] double high(int cell) const { return high_[static_cast<std::size_t>(cell)]; }
+
+    /// The cells that meet the interval from a to b (a <= b), bounds included.
+    [[nodiscard]] CellRange meeting(double a, double b) const;
+    [[nodiscard]] CellRange holding(double value) const { return meeting(value, value); }
+
+  private:
+    std::vector<double> low_;
+    std::vector<double> high_;
+    double cells_per_mm_;
+};
+
+}  // namespace snug

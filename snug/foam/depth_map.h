@@ -1,0 +1,48 @@
+#pragma once
+
+#include <algorithm>
+#include <limits>
+
+#include "snug/base/grid.h"
+#include "snug/foam/design_space.h"
+#include "snug/foam/placement.h"
+#include "snug/mesh/mesh.h"
+
+namespace snug {
+
+/// How far the object is grown before it is compared with cells and blocks, on every side, in mm; may be
+/// negative. One rule for all three axes, so that a face which merely coincides with a block's face cuts
+/// nothing.
+struct Reach {
+    double mm = 0;
+};
+
+/// The clearance less 0.01 mm; with `cut_on_touch` the clearance itself, so that touching counts (the paper's
+/// literal "overlap or touch", section 3.2). Both with a billionth of a millimetre on top: coordinates that
+/// should tie but are rounded apart count as touching.
+[[nodiscard]] Reach reach(double clearance_mm, bool cut_on_touch);
+
+/// The lowest and highest x of the object's surface within one column; none where lowest > highest.
+struct DepthRange {
+    double lowest = std::numeric_limits<double>::infinity();
+    double highest = -std::numeric_limits<double>::infinity();
+
+    [[nodiscard]] bool none() const { return lowest > highest; }
+    void include(double x) {
+        lowest = std::min(lowest, x);
+        highest = std::max(highest, x);
+    }
+    void include(DepthRange other) {
+        lowest = std::min(lowest, other.lowest);
+        highest = std::max(highest, other.highest);
+    }
+};
+
+/// The paper's depth textures A and B (section 3.2), exact instead of sampled: for each column the extremes
+/// of x over all points of the surface whose y and z lie in the column's cell grown by `reach`, bounds
+/// included.
+using DepthMap = Grid<DepthRange>;
+[[nodiscard]] DepthMap depth_map(const Mesh& mesh, const Placement& placement, const DesignSpace& space,
+                                 Reach reach);
+
+}  // namespace snug

@@ -1,0 +1,235 @@
+#include "snug/foam/find_problems.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "snug/base/text.h"
+#include "snug/foam/cells.h"
+
+namespace snug {
+namespace {
+
+constexpr double kLeastGoodWall = 25;  // mm; thinner pads do not follow cushion curves
+constexpr double kSpeckShare = 0.02;   // of the object's diagonal
+constexpr std::size_t kPartsNamed = 5;
+
+void add(std::vector<Finding>& findings, Severity severity, std::string code, std::string message,
+         std::optional<Vec3d> where = {}) {
+    findings.push_back({severity, std::move(code), std::move(message), where});
+}
+
+std::string mm(double value) {
+    return number(value, 1) + " mm";
+}
+
+Vec3d column_centre(const DesignSpace& space, int j, int k, CutRun run) {
+    return {(space.face(0, run.first) + space.face(0, run.end)) / 2,
+            (space.face(1, j) + space.face(1, j + 1)) / 2, (space.face(2, k) + space.face(2, k + 1)) / 2};
+}
+
+double diagonal(const Box3d& box) {
+    return std::sqrt(dot(box.size(), box.size()));
+}
+
+/// Whether a vertex alone cuts a block: it lies in a grown cell and not in a slot between two shrunk blocks.
+class VertexCut {
+  public:
+    VertexCut(const DesignSpace& space, Reach reach)
+        : layers_(space, 0, reach), rows_(space, 1, reach), columns_(space, 2, reach) {}
+
+    bool operator()(Vec3d p) const {
+        return holds(layers_, p.x) && holds(rows_, p.y) && holds(columns_, p.z);
+    }
+
+  private:
+    static bool holds(const GrownCells& cells, double value) {
+        const CellRange range = cells.holding(value);
+        return range.first <= range.last;
+    }
+    GrownCells layers_, rows_, columns_;
+};
+
+/// The triangles of one part as a mesh of their own.
+Mesh part_of(const Mesh& mesh, const MeshMeasure& measure, std::uint32_t part) {
+    Mesh alone;
+    alone.origin = mesh.origin;
+    for (std::size_t t = 0; t < measure.part_of_triangle.size(); ++t) {
+        if (measure.part_of_triangle[t] != part) continue;
+        const auto first = static_cast<std::uint32_t>(alone.vertices.size());
+        for (const std::uint32_t v : mesh.triangles[t]) alone.vertices.push_back(mesh.vertices[v]);
+        alone.triangles.push_back({first, first + 1, first + 2});
+    }
+    return alone;
+}
+
+/// A column that leaves least foam on a side, to show where it is.
+std::optional<Vec3d> thinnest_place(const BlockMap& blocks, const DesignSpace& space, Side side) {
+    std::optional<Vec3d> place;
+    int thinnest = 0;
+    for (int j = 0; j < blocks.ny(); ++j) {
+        for (int k = 0; k < blocks.nz(); ++k) {
+            const CutRun run = blocks(j, k);
+            if (run.none()) continue;
+            const int left[6] = {run.first, space.blocks.x - run.end, j, space.blocks.y - 1 - j,
+                                 k,         space.blocks.z - 1 - k};
+            if (place && left[side] >= thinnest) continue;
+            thinnest = left[side];
+            place = column_centre(space, j, k, run);
+        }
+    }
+    return place;
+}
+
+struct SideWords {
+    const char* name;  ///< in a sentence
+    const char* none_code;
+    const char* thin_code;
+};
+constexpr SideWords kSides[6] = {
+    {"under the object (-x)", "no_floor", "thin_floor"}, {"over the object (+x)", "no_roof", "thin_roof"},
+    {"at the back (-y)", "touches_case", "thin_wall"},   {"at the front (+y)", "touches_case", "thin_wall"},
+    {"at the left (-z)", "touches_case", "thin_wall"},   {"at the right (+z)", "touches_case", "thin_wall"}};
+
+}  // namespace
+
+void find_open_holes(const Mesh& hole_spans, const Placement& placement, const DesignSpace& space,
+                     Reach reach, const DepthMap& depths, const BlockMap& blocks,
+                     std::vector<Finding>& findings) {
+    if (hole_spans.triangles.empty()) return;
+    DepthMap spanned = depth_map(hole_spans, placement, space, reach);
+    for (std::size_t column = 0; column < spanned.size(); ++column) spanned[column].include(depths[column]);
+    const BlockMap closed = block_map(spanned, space, reach);
+    long long columns = 0, inside = 0;
+    int most = 0;
+    Vec3d where;
+    for (int j = 0; j < blocks.ny(); ++j) {
+        for (int k = 0; k < blocks.nz(); ++k) {
+            const CutRun whole = closed(j, k);
+            const int grown = whole.blocks() - blocks(j, k).blocks();
+            if (grown <= 0) continue;
+            ++columns;
+            inside += grown;
+            if (grown <= most) continue;
+            most = grown;
+            where = column_centre(space, j, k, whole);
+        }
+    }
+    if (columns == 0) return;
+    const double cm3 = static_cast<double>(inside) * space.block_volume() * 1e-3;
+    add(findings, Severity::danger, "open",
+        "the object is open, and foam would grow inside it: " +
+            counted(static_cast<unsigned long long>(inside), "block", "blocks") + " (" +
+            number(cm3, cm3 < 10 ? 1 : 0) + " cm3) in " +
+            counted(static_cast<unsigned long long>(columns), "column", "columns") +
+            "; close the holes with --cap, or repair the scan",
+        where);
+}
+
+void find_uncut_parts(const Mesh& mesh, const MeshMeasure& measure, const Placement& placement,
+                      const DesignSpace& space, Reach reach, const BlockMap& blocks,
+                      std::vector<Finding>& findings) {
+    if (blocks.size() == 0) return;
+    const VertexCut cuts(space, reach);
+    std::vector<bool> cut(measure.parts.size());
+    std::size_t uncut = cut.size();
+    for (std::size_t t = 0; t < measure.part_of_triangle.size() && uncut > 0; ++t) {
+        const std::uint32_t part = measure.part_of_triangle[t];
+        if (cut[part]) continue;
+        for (const std::uint32_t v : mesh.triangles[t]) {
+            if (cut[part] || !cuts(placement(mesh.vertices[v]))) continue;
+            cut[part] = true;
+            --uncut;
+        }
+    }
+    std::size_t named = 0;
+    for (std::uint32_t part = 0; part < cut.size(); ++part) {
+        if (cut[part]) continue;
+        const Mesh alone = part_of(mesh, measure, part);
+        const BlockMap own = block_map(depth_map(alone, placement, space, reach), space, reach);
+        if (std::any_of(own.begin(), own.end(), [](CutRun run) { return !run.none(); })) continue;
+        if (++named > kPartsNamed) continue;
+        add(findings, Severity::danger, "uncut_part",
+            "a part of the object (" + dimensions(measure.parts[part].bounds.size()) +
+                " mm) cuts no block, so foam would press on it: choose a larger clearance or smaller blocks, "
+                "or move "
+                "the object",
+            placement(alone.vertices.front()));
+    }
+}
+
+void find_thin_walls(const FitReport& fit, const BlockMap& blocks, const DesignSpace& space, double wanted_mm,
+                     std::vector<Finding>& findings) {
+    if (fit.cut_blocks == 0) return;
+    for (int i = 0; i < 6; ++i) {
+        const auto side = static_cast<Side>(i);
+        const double wall = fit.wall_mm[static_cast<std::size_t>(i)];
+        if (wall >= std::max(kLeastGoodWall, wanted_mm)) continue;
+        const std::string place = std::string(kSides[i].name);
+        const auto where = thinnest_place(blocks, space, side);
+        if (wall <= 0)
+            add(findings, Severity::danger, kSides[i].none_code,
+                "no foam is left " + place +
+                    ": the object would touch the case; use more blocks or turn the object",
+                where);
+        else if (wall < kLeastGoodWall)
+            add(findings, Severity::warning, kSides[i].thin_code,
+                "only " + mm(wall) + " of foam " + place +
+                    "; 25 mm is the least that cushions, 50 mm is usual",
+                where);
+        else
+            add(findings, Severity::warning, "wall_below_wanted",
+                "only " + mm(wall) + " of foam " + place + " where " + mm(wanted_mm) +
+                    " is wanted; use more blocks",
+                where);
+    }
+}
+
+void find_pieces(const FitReport& fit, std::vector<Finding>& findings) {
+    const auto look = [&](int pieces, const char* half, const char* no_code, const char* pieces_code) {
+        if (pieces == 0)
+            add(findings, Severity::danger, no_code,
+                std::string("the ") + half + " foam is empty: choose another parting level or more blocks");
+        if (pieces > 1)
+            add(findings, Severity::warning, pieces_code,
+                std::string("the ") + half + " foam falls into " + std::to_string(pieces) +
+                    " pieces: glue them to the case, or use more blocks along x");
+    };
+    look(fit.lower_pieces, "lower", "no_lower", "lower_pieces");
+    look(fit.upper_pieces, "upper", "no_upper", "upper_pieces");
+}
+
+void find_parts(const MeshMeasure& measure, const Placement& placement, std::vector<Finding>& findings) {
+    const auto& parts = measure.parts;
+    if (parts.size() < 2) return;
+    const double whole = diagonal(measure.bounds);
+    const auto apart = [](const Box3d& a, const Box3d& b) {
+        return a.min.x > b.max.x || b.min.x > a.max.x || a.min.y > b.max.y || b.min.y > a.max.y ||
+               a.min.z > b.max.z || b.min.z > a.max.z;
+    };
+    Box3d large;
+    for (const MeshPart& part : parts)
+        if (diagonal(part.bounds) >= kSpeckShare * whole) large.include(part.bounds);
+    std::size_t specks = 0;
+    std::optional<Vec3d> where;
+    for (const MeshPart& part : parts) {
+        if (diagonal(part.bounds) >= kSpeckShare * whole || !apart(part.bounds, large)) continue;
+        ++specks;
+        if (!where) where = placement(vec_cast<float>(part.bounds.centre()));
+    }
+    std::string sizes;
+    for (std::size_t i = 0; i < std::min(parts.size(), kPartsNamed); ++i)
+        sizes += (i ? "; " : "") + dimensions(parts[i].bounds.size());
+    if (parts.size() > kPartsNamed) sizes += "; ...";
+    const std::string count =
+        "the object has " + grouped(parts.size()) + " separate parts (" + sizes + " mm)";
+    if (specks > 0)
+        add(findings, Severity::warning, "specks",
+            count + ", " + counted(specks, "of them a speck", "of them specks") +
+                " away from the rest: clean the scan if they are dirt, they cut foam too",
+            where);
+    else
+        add(findings, Severity::note, "parts", count);
+}
+
+}  // namespace snug

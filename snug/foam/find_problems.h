@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "snug/design/design.h"
+#include "snug/foam/block_map.h"
+#include "snug/foam/design_space.h"
+#include "snug/foam/finding.h"
+#include "snug/foam/fit_report.h"
+#include "snug/foam/placement.h"
+#include "snug/mesh/measure.h"
+#include "snug/mesh/mesh.h"
+
+// Each function looks for one kind of trouble and appends what it found.
+
+namespace snug {
+
+/// Foam that would grow inside an open object: columns in which the spans of its holes reach beyond the
+/// surface itself, so that the two together would cut more blocks. `hole_spans` as made by span_of_loops().
+/// Code `open` (danger).
+void find_open_holes(const Mesh& hole_spans, const Placement& placement, const DesignSpace& space,
+                     Reach reach, const DepthMap& depths, const BlockMap& blocks,
+                     std::vector<Finding>& findings);
+
+/// A connected part of the object that cuts no block at all: `uncut_part` (danger).
+void find_uncut_parts(const Mesh& mesh, const MeshMeasure& measure, const Placement& placement,
+                      const DesignSpace& space, Reach reach, const BlockMap& blocks,
+                      std::vector<Finding>& findings);
+
+/// No foam between object and case: `no_floor`, `no_roof`, `touches_case` (danger); below 25 mm:
+/// `thin_floor`, `thin_roof`, `thin_wall`; below the wall that the design wants: `wall_below_wanted`
+/// (warnings).
+void find_thin_walls(const FitReport& fit, const BlockMap& blocks, const DesignSpace& space, double wanted_mm,
+                     std::vector<Finding>& findings);
+
+/// A foam half in more than one piece, or without any foam: `lower_pieces`, `upper_pieces` (warning),
+/// `no_lower`, `no_upper` (danger).
+void find_pieces(const FitReport& fit, std::vector<Finding>& findings);
+
+/// An object in several separate parts, with sizes: `parts` (note), `specks` (warning) where a part is tiny
+/// and far from all others.
+void find_parts(const MeshMeasure& measure, const Placement& placement, std::vector<Finding>& findings);
+
+}  // namespace snug

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "snug/base/vec.h"
+
+namespace snug {
+
+enum class Severity {
+    danger,  ///< a foam that would harm the object, or cannot be made
+    warning,
+    note,
+};
+[[nodiscard]] std::string_view severity_name(Severity severity);
+
+/// Something a person must know.
+struct Finding {
+    Severity severity = Severity::note;
+    std::string code;            ///< stable word for programs, e.g. "open"
+    std::string message;         ///< a sentence that says what it is and what to do
+    std::optional<Vec3d> where;  ///< a place in design coordinates, if it has one
+};
+
+/// Dangers first, then warnings, then notes; within each the order they were found in.
+void sort_by_severity(std::vector<Finding>& findings);
+
+}  // namespace snug

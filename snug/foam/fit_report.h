@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+
+#include "snug/foam/block_map.h"
+#include "snug/foam/design_space.h"
+#include "snug/foam/foam_pair.h"
+
+namespace snug {
+
+/// Sides of the design space, in the order of FitReport::wall_mm.
+enum Side { kFloor, kRoof, kBack, kFront, kLeft, kRight };  // -x, +x, -y, +y, -z, +z
+
+/// What can be read off the foams without looking at the object again.
+struct FitReport {
+    long long lower_blocks = 0;
+    long long upper_blocks = 0;
+    long long cut_blocks = 0;
+    double foam_mm3 = 0;
+    double fill_ratio = 0;            ///< F: foam volume / design-space volume (the paper, section 3.4)
+    std::array<double, 6> wall_mm{};  ///< thinnest foam between the cut and each side, whole blocks
+    int lower_pieces = 0;             ///< pieces of foam that do not share a block face
+    int upper_pieces = 0;
+};
+
+[[nodiscard]] FitReport fit_report(const FoamPair& foams, const BlockMap& blocks, const DesignSpace& space);
+
+}  // namespace snug

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+
+#include "snug/base/progress.h"
+#include "snug/base/result.h"
+#include "snug/foam/block_map.h"
+#include "snug/foam/design_space.h"
+#include "snug/foam/placement.h"
+#include "snug/mesh/mesh.h"
+
+namespace snug {
+
+/// The cut-away space that the object does not fill, sampled on lines along x (LineLattice).
+///   hull      what lies between the first and last hit of each line
+///   solid     where the winding number is not 0
+///   step      cut - hull: what the blocks' size costs
+///   undercut  hull - solid: what the height fields cost
+/// hull and solid are those of the whole object, step and undercut lie within the cut. So where the object
+/// sticks out of the cut (a negative clearance squeezes it in), step is more than the difference of the
+/// volumes.
+struct GapReport {
+    int lines_per_column = 0;  ///< 256: 16 x 16
+    double cut_mm3 = 0;        ///< exact
+    double hull_mm3 = 0;
+    std::optional<double> solid_mm3;  ///< none unless the object is closed
+    double step_mm3 = 0;
+    std::optional<double> undercut_mm3;  ///< none unless the object is closed
+    double error_mm3 = 0;        ///< of the sampled volumes: two standard errors, estimated from how 16
+                                 ///< interleaved sixteenths of the lines differ, of the worst of them
+    double widest_mm = 0;        ///< diameter of the largest ball in the gap (outside the hull where solid
+                                 ///< is unknown; there the hull is taken as its lines see it)
+    double widest_error_mm = 0;  ///< the true diameter is at most this much larger
+    Vec3d widest_at;             ///< that ball's centre, in design coordinates; no place if widest_mm is 0
+};
+
+/// `closed` is MeshMeasure::watertight. Fails only when cancelled.
+[[nodiscard]] Result<GapReport> gap_report(const Mesh& mesh, const Placement& placement,
+                                           const DesignSpace& space, const BlockMap& blocks, bool closed,
+                                           const Progress& progress = {});
+
+}  // namespace snug

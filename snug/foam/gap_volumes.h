@@ -1,0 +1,67 @@
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "snug/base/grid.h"
+#include "snug/foam/block_map.h"
+#include "snug/foam/design_space.h"
+#include "snug/foam/line_hits.h"
+#include "snug/foam/prism_field.h"
+
+namespace snug {
+
+/// Volumes in mm3, or lengths in mm along one line; see GapReport.
+struct GapVolumes {
+    double hull = 0;
+    double solid = 0;
+    double step = 0;
+    double undercut = 0;
+};
+
+/// Of one line: its crossings by x, and the cut run of its column.
+[[nodiscard]] GapVolumes gap_lengths(std::span<const Crossing> crossings, PrismSpan cut);
+
+/// Adds up lines, band by band.
+class GapSampler {
+  public:
+    GapSampler(const BlockMap& blocks, const DesignSpace& space) : blocks_(blocks), space_(space) {}
+
+    void add(const LineBand& band);
+
+    [[nodiscard]] GapVolumes volumes() const;
+
+    /// The standard error of the mean of 16 estimates, each from a sixteenth of the lines that has one line
+    /// in every row and every column of lines of a column. The lines of all sixteenths lie more evenly than
+    /// chance would have it, so this is mostly a few times larger than the true error.
+    [[nodiscard]] GapVolumes errors() const;
+
+  private:
+    static constexpr int kGroups = LineLattice::kPerColumn;
+
+    [[nodiscard]] double area_of_line() const {
+        return space_.block_mm.y * space_.block_mm.z / (LineLattice::kPerColumn * LineLattice::kPerColumn);
+    }
+
+    const BlockMap& blocks_;
+    const DesignSpace& space_;
+    std::array<GapVolumes, kGroups> lengths_{};  ///< summed for each sixteenth of the lines
+};
+
+/// Between the first and last hit of each line, for a whole object: a prism a line, or where that would take
+/// too much memory a prism for 2 x 2, 4 x 4 ... lines that reaches as far as any of them.
+class HullSampler {
+  public:
+    explicit HullSampler(const DesignSpace& space);
+
+    void add(const LineBand& band);
+
+    [[nodiscard]] PrismField take();
+
+  private:
+    const DesignSpace& space_;
+    int lines_per_prism_;  ///< along each axis
+    Grid<PrismSpan> spans_;
+};
+
+}  // namespace snug

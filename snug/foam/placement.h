@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+
+#include "snug/base/box.h"
+#include "snug/base/rotation.h"
+#include "snug/mesh/mesh.h"
+
+namespace snug {
+
+/// Where the object lies in the design space: turned, its turned bounding box centred, then shifted.
+struct Placement {
+    Rotation rotation;
+    Vec3d shift;   ///< added after turning: minus the turned box's centre, plus the offset
+    Box3d bounds;  ///< of the placed object, in design coordinates
+
+    [[nodiscard]] Vec3d operator()(Vec3f vertex) const { return rotation(vec_cast<double>(vertex)) + shift; }
+};
+
+/// The placement by Euler angles psi, theta, phi (degrees; see rotation_from_euler) and an offset in mm. Only
+/// the first `own_vertices` decide where the centre is, so that caps do not move the object; all of them are
+/// in `bounds`.
+[[nodiscard]] Placement place(const Mesh& mesh, Vec3d rotation_deg, Vec3d offset_mm,
+                              std::size_t own_vertices);
+[[nodiscard]] Placement place(const Mesh& mesh, Vec3d rotation_deg, Vec3d offset_mm);
+
+}  // namespace snug

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+#include "snug/base/box.h"
+#include "snug/base/vec.h"
+
+namespace snug {
+
+/// The object: a triangle mesh of any quality. Open, self-crossing, badly wound and degenerate triangles are
+/// normal. Every vertex is finite and used by a triangle, every index is in range: readers see to that.
+struct Mesh {
+    std::vector<Vec3f> vertices;  ///< relative to `origin`
+    std::vector<Triangle> triangles;
+    Vec3d origin;  ///< scans lie at survey coordinates that a float cannot hold
+};
+
+/// Bounding box of the vertices, relative to mesh.origin.
+[[nodiscard]] Box3d bounds(const Mesh& mesh);
+
+/// Every length times `factor` (origin included): from a file's unit to millimetres.
+[[nodiscard]] Mesh scaled(Mesh mesh, double factor);
+
+}  // namespace snug

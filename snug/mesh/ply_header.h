@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "snug/base/result.h"
+#include "snug/mesh/read.h"
+
+namespace snug {
+
+enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+[[nodiscard]] std::size_t size_of(PlyType type);
+[[nodiscard]] bool is_integer(PlyType type);
+
+struct PlyProperty {
+    std::string name;
+    PlyType type = PlyType::float32;    ///< of the value, or of a list's items
+    std::optional<PlyType> count_type;  ///< set for lists
+};
+
+struct PlyElement {
+    std::string name;
+    std::size_t count = 0;
+    std::vector<PlyProperty> properties;
+
+    /// The place of a property, or properties.size().
+    [[nodiscard]] std::size_t find(std::string_view property) const;
+};
+
+enum class PlyEncoding { ascii, little_endian, big_endian };
+
+struct PlyHeader {
+    PlyEncoding encoding = PlyEncoding::ascii;
+    std::vector<PlyElement> elements;
+    std::size_t bytes = 0;  ///< where the data begins
+    std::size_t lines = 0;  ///< of the header
+};
+
+/// Fails with the line that is wrong; counts that the file is too short for are refused.
+[[nodiscard]] Result<PlyHeader> read_ply_header(Bytes file);
+
+}  // namespace snug

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+#include "snug/base/result.h"
+#include "snug/mesh/mesh.h"
+
+// Readers for the mesh formats that scanners and modellers write. They take the bytes of a whole file and
+// give a mesh in the file's own unit, or an Error of kind `input` whose sentence names the place (line or
+// byte) and what is wrong there. Bytes are hostile until checked: every count against the size of the file
+// before any memory is asked for, every index, every coordinate for being finite. Nothing depends on the
+// locale.
+
+namespace snug {
+
+using Bytes = std::span<const std::byte>;
+
+enum class MeshFormat { stl, obj, ply, off };
+
+/// Binary or ASCII, told apart by the size that the triangle count asks for, then by the first word. Vertices
+/// are welded by bits (-0 = 0), since the format has no shared ones. Several solids in one file are one mesh.
+[[nodiscard]] Result<Mesh> read_stl(Bytes file);
+
+/// Wavefront OBJ: v and f; polygons, negative and v/vt/vn indices, continued lines; groups and materials
+/// ignored.
+[[nodiscard]] Result<Mesh> read_obj(Bytes file);
+
+/// ASCII or binary of either byte order; any further properties and elements are skipped; faces as
+/// vertex_indices or vertex_index of any integer type, polygons and triangle strips.
+[[nodiscard]] Result<Mesh> read_ply(Bytes file);
+
+/// OFF and its relatives COFF, NOFF, CNOFF, STOFF in ASCII; colours and comments skipped.
+[[nodiscard]] Result<Mesh> read_off(Bytes file);
+
+/// Which of the formats this is, by content first and by the name's ending second.
+[[nodiscard]] Result<MeshFormat> mesh_format(Bytes file, std::string_view name);
+
+/// mesh_format, then its reader.
+[[nodiscard]] Result<Mesh> read_mesh(Bytes file, std::string_view name);
+
+}  // namespace snug

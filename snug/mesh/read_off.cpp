@@ -1,0 +1,115 @@
+#include <algorithm>
+
+#include "snug/base/text.h"
+#include "snug/mesh/raw_mesh.h"
+#include "snug/mesh/read.h"
+#include "snug/mesh/text_scan.h"
+
+namespace snug {
+namespace {
+
+class OffReader {
+  public:
+    explicit OffReader(Bytes file) : text_(file), size_(file.size()) {}
+
+    Result<Mesh> read() {
+        if (!read_header() || !read_vertices() || !read_faces()) return tl::unexpected(error_);
+        return finish(std::move(mesh_));
+    }
+
+  private:
+    bool refuse(std::string message) {
+        error_ = {ErrorKind::input, std::move(message)};
+        return false;
+    }
+
+    bool read_count(std::string_view word, const char* what, std::size_t& count) {
+        std::int64_t value = 0;
+        if (!to_number(word, value) || value < 0 || value > 0xfffffffe)
+            return refuse(text_.place() + "the number of " + what +
+                          " is missing or no number: " + quoted(word));
+        // Each vertex and face needs at least a digit and a blank.
+        if (static_cast<std::size_t>(value) > size_)
+            return refuse("the file says " + grouped(static_cast<unsigned long long>(value)) + " " + what +
+                          " but is too short for them; copy or export it again");
+        count = static_cast<std::size_t>(value);
+        return true;
+    }
+
+    bool read_header() {
+        const std::string_view magic = text_.word_anywhere();
+        static constexpr std::string_view kKnown[] = {"OFF",   "COFF",   "NOFF",    "CNOFF",
+                                                      "STOFF", "STNOFF", "STCNOFF", "STCOFF"};
+        if (std::find(std::begin(kKnown), std::end(kKnown), magic) == std::end(kKnown))
+            return refuse(text_.place() + quoted(magic) +
+                          " is no kind of OFF that Snug reads: export it as plain OFF, PLY or STL");
+        std::string_view word = text_.word_anywhere();
+        if (word == "BINARY") return refuse("this is a binary OFF file: export it as text, or as PLY or STL");
+        std::size_t edges = 0;
+        return read_count(word, "vertices", vertices_) &&
+               read_count(text_.word_anywhere(), "faces", faces_) &&
+               read_count(text_.word_anywhere(), "edges", edges);
+    }
+
+    /// Goes to the next line that has a word and gives that word.
+    std::string_view next_line_word() {
+        if (!text_.at_end()) text_.next_line();
+        return text_.word_anywhere();
+    }
+
+    bool read_vertices() {
+        mesh_.vertices.reserve(vertices_);
+        for (std::size_t v = 0; v < vertices_; ++v) {
+            Vec3d p;
+            for (int axis = 0; axis < 3; ++axis) {
+                const std::string_view word = axis == 0 ? next_line_word() : text_.word();
+                if (word.empty() && text_.at_end())
+                    return refuse("the file is cut off: it says " + counted(vertices_, "vertex", "vertices") +
+                                  " but ends after " + grouped(v));
+                if (!to_number(word, p[axis]))
+                    return refuse(text_.place() + "a vertex needs three numbers, not " + quoted(word));
+            }
+            mesh_.vertices.push_back(p);
+        }
+        return true;
+    }
+
+    bool read_faces() {
+        std::vector<std::uint32_t> corners;
+        for (std::size_t f = 0; f < faces_; ++f) {
+            std::int64_t count = 0;
+            const std::string_view word = next_line_word();
+            if (word.empty() && text_.at_end())
+                return refuse("the file is cut off: it says " + counted(faces_, "face", "faces") +
+                              " but ends after " + grouped(f));
+            if (!to_number(word, count) || count < 0 || static_cast<std::size_t>(count) > size_)
+                return refuse(text_.place() + quoted(word) + " is no number of corners");
+            corners.clear();
+            for (std::int64_t c = 0; c < count; ++c) {
+                std::int64_t index = 0;
+                const std::string_view shown = text_.word();
+                if (!to_number(shown, index) || index < 0 || static_cast<std::size_t>(index) >= vertices_)
+                    return refuse(text_.place() + quoted(shown) + " is no vertex; they run from 0 to " +
+                                  std::to_string(vertices_ == 0 ? 0 : vertices_ - 1));
+                corners.push_back(static_cast<std::uint32_t>(index));
+            }
+            if (corners.size() >= 3) append_polygon(mesh_, corners);
+        }
+        return true;
+    }
+
+    TextScan text_;
+    std::size_t size_;
+    std::size_t vertices_ = 0;
+    std::size_t faces_ = 0;
+    RawMesh mesh_;
+    Error error_;
+};
+
+}  // namespace
+
+Result<Mesh> read_off(Bytes file) {
+    return OffReader(file).read();
+}
+
+}  // namespace snug

@@ -1,0 +1,73 @@
+#include "snug/mesh/text_scan.h"
+
+#include <charconv>
+#include <cmath>
+
+#include <fast_float/fast_float.h>
+
+namespace snug {
+namespace {
+
+bool is_blank(char c) {
+    return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\0';
+}
+bool is_line_end(char c) {
+    return c == '\n' || c == '\r';
+}
+
+std::string_view without_plus(std::string_view word) {
+    if (word.size() > 1 && word[0] == '+' && word[1] != '-' && word[1] != '+') word.remove_prefix(1);
+    return word;
+}
+
+}  // namespace
+
+std::string_view TextScan::word(char comment) {
+    while (at_ < end_ && is_blank(*at_)) ++at_;
+    if (at_ < end_ && *at_ == comment)
+        while (at_ < end_ && !is_line_end(*at_)) ++at_;
+    const char* begin = at_;
+    while (at_ < end_ && !is_blank(*at_) && !is_line_end(*at_)) ++at_;
+    return {begin, static_cast<std::size_t>(at_ - begin)};
+}
+
+void TextScan::next_line() {
+    while (at_ < end_ && !is_line_end(*at_)) ++at_;
+    if (at_ == end_) return;
+    const char first = *at_++;
+    if (first == '\r' && at_ < end_ && *at_ == '\n') ++at_;
+    ++line_;
+}
+
+std::string_view TextScan::word_anywhere(char comment) {
+    for (;;) {
+        const std::string_view found = word(comment);
+        if (!found.empty() || at_end()) return found;
+        next_line();
+    }
+}
+
+bool to_number(std::string_view word, double& value) {
+    word = without_plus(word);
+    const char* end = word.data() + word.size();
+    const auto [stop, error] = fast_float::from_chars(word.data(), end, value);
+    return error == std::errc() && stop == end && !word.empty() && std::isfinite(value);
+}
+
+bool to_number(std::string_view word, std::int64_t& value) {
+    word = without_plus(word);
+    const char* end = word.data() + word.size();
+    const auto [stop, error] = std::from_chars(word.data(), end, value);
+    return error == std::errc() && stop == end && !word.empty();
+}
+
+bool same_word(std::string_view word, std::string_view lower) {
+    if (word.size() != lower.size()) return false;
+    for (std::size_t i = 0; i < word.size(); ++i) {
+        const char c = word[i];
+        if ((c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c) != lower[i]) return false;
+    }
+    return true;
+}
+
+}  // namespace snug

@@ -1,0 +1,144 @@
+#include "snug/outputs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <type_traits>
+
+#include <nlohmann/json.hpp>
+
+#include "snug/base/stopwatch.h"
+#include "snug/base/text.h"
+#include "snug/fabricate/preview.h"
+#include "snug/fabricate/solid.h"
+
+namespace snug {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Rounded to a nanometre so that the text shows no noise.
+double rounded(double value, double digits = 1e6) {
+    return std::floor(value * digits + 0.5) / digits;
+}
+
+template <class T>
+Json array(Vec3<T> v) {
+    if constexpr (std::is_floating_point_v<T>) return Json::array({rounded(v.x), rounded(v.y), rounded(v.z)});
+    return Json::array({v.x, v.y, v.z});
+}
+
+Json volume(const std::optional<double>& mm3) {
+    return mm3 ? Json(rounded(*mm3, 1e3)) : Json(nullptr);
+}
+
+Json gap_json(const GapReport& gap) {
+    return {{"cut_mm3", volume(gap.cut_mm3)},
+            {"hull_mm3", volume(gap.hull_mm3)},
+            {"solid_mm3", volume(gap.solid_mm3)},
+            {"step_mm3", volume(gap.step_mm3)},
+            {"undercut_mm3", volume(gap.undercut_mm3)},
+            {"error_mm3", volume(gap.error_mm3)},
+            {"lines_per_column", gap.lines_per_column},
+            {"widest_mm", rounded(gap.widest_mm, 1e4)},
+            {"widest_error_mm", rounded(gap.widest_error_mm, 1e4)},
+            {"widest_at_mm", array(gap.widest_at)}};
+}
+
+Json findings_json(const std::vector<Finding>& findings) {
+    Json list = Json::array();
+    for (const Finding& finding : findings)
+        list.push_back({{"severity", severity_name(finding.severity)},
+                        {"code", finding.code},
+                        {"message", finding.message},
+                        {"where", finding.where ? array(*finding.where) : Json(nullptr)}});
+    return list;
+}
+
+Json foam_json(const FitReport& fit, const FoamPair& foams) {
+    return {{"lower_blocks", fit.lower_blocks}, {"upper_blocks", fit.upper_blocks},
+            {"cut_blocks", fit.cut_blocks},     {"volume_mm3", rounded(fit.foam_mm3, 1e3)},
+            {"fill_ratio", fit.fill_ratio},     {"parting_level", foams.parting_level},
+            {"lower_pieces", fit.lower_pieces}, {"upper_pieces", fit.upper_pieces}};
+}
+
+FileBytes bytes_of(std::string_view text) {
+    const auto* data = reinterpret_cast<const std::byte*>(text.data());
+    return {data, data + text.size()};
+}
+
+FileBytes foam_file(const Solid& solid, const std::string& format, bool lower) {
+    if (format == "ply") return write_ply(solid.vertices, solid.triangles, lower ? kLowerBlue : kUpperOrange);
+    return write_stl(solid.vertices, solid.triangles, lower ? "Snug lower foam, mm" : "Snug upper foam, mm");
+}
+
+std::string caption(const Packing& packing, const std::string& object_name) {
+    const FitReport& fit = packing.fit;
+    double thinnest = fit.wall_mm[0];
+    for (const double wall : fit.wall_mm) thinnest = std::min(thinnest, wall);
+    return object_name + " · " + dimensions(vec_cast<double>(packing.space.blocks), 0) + " blocks of " +
+           dimensions(packing.space.block_mm) + " mm · thinnest wall " + number(thinnest, 1) + " mm · foam " +
+           number(fit.foam_mm3 * 1e-6, 1) + " litres";
+}
+
+}  // namespace
+
+std::string depths_csv(const FoamPair& foams) {
+    std::string text = "j,k,lower_blocks,upper_blocks\n";
+    for (int j = 0; j < foams.lower.ny(); ++j)
+        for (int k = 0; k < foams.lower.nz(); ++k)
+            text += std::to_string(j) + "," + std::to_string(k) + "," + std::to_string(foams.lower(j, k)) +
+                    "," + std::to_string(foams.upper(j, k)) + "\n";
+    return text;
+}
+
+std::string report_json(const Object& object, const ObjectFile& file, const Packing& packing,
+                        const std::optional<GapReport>& gap) {
+    const MeshMeasure& measure = object.measure;
+    Json json;
+    json["object"] = {{"file", file.name},
+                      {"vertices", object.read_vertices},
+                      {"triangles", object.read_triangles},
+                      {"size_mm", array(measure.bounds.size())},
+                      {"watertight", measure.watertight},
+                      {"volume_mm3", volume(measure.volume)}};
+    json["placement"] = {{"rotation_deg", array(packing.rotation_deg)},
+                         {"offset_mm", array(packing.offset_mm)}};
+    json["design_space"] = {{"blocks", array(packing.space.blocks)},
+                            {"block_mm", array(packing.space.block_mm)}};
+    json["foam"] = packing.foams ? foam_json(packing.fit, *packing.foams) : Json(nullptr);
+    json["gap"] = gap ? gap_json(*gap) : Json(nullptr);
+    json["wall_mm"] = nullptr;
+    if (packing.foams) {
+        json["wall_mm"] = Json::array();
+        for (const double wall : packing.fit.wall_mm) json["wall_mm"].push_back(rounded(wall));
+    }
+    json["findings"] = findings_json(packing.findings);
+    const Timing& timing = packing.timing;
+    json["timing_ms"] = {
+        {"read", rounded(timing.read, 1e3)},           {"depth_map", rounded(timing.depth_map, 1e3)},
+        {"block_map", rounded(timing.block_map, 1e3)}, {"foam_pair", rounded(timing.foam_pair, 1e3)},
+        {"solids", rounded(timing.solids, 1e3)},       {"write", rounded(timing.write, 1e3)}};
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::vector<OutputFile> output_files(const Object& object, const Project& project, Packing& packing) {
+    const FoamPair& foams = *packing.foams;
+    Stopwatch watch;
+    const Solid lower = lower_solid(foams, packing.space);
+    const Solid upper = upper_solid(foams, packing.space);
+    packing.timing.solids = watch.lap();
+
+    std::vector<OutputFile> files;
+    for (const std::string& format : project.design.output.formats) {
+        files.push_back({"lower." + format, foam_file(lower, format, true)});
+        files.push_back({"upper." + format, foam_file(upper, format, false)});
+    }
+    files.push_back({"depths.csv", bytes_of(depths_csv(foams))});
+    files.push_back({"preview.svg", bytes_of(preview_svg(foams, packing.space, object.mesh, packing.placement,
+                                                         caption(packing, project.object.name)))});
+    files.push_back({"project.snug.json", bytes_of(project_json(project))});
+    return files;
+}
+
+}  // namespace snug

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "snug/base/progress.h"
+#include "snug/base/result.h"
+#include "snug/design/design.h"
+#include "snug/foam/block_map.h"
+#include "snug/foam/design_space.h"
+#include "snug/foam/finding.h"
+#include "snug/foam/fit_report.h"
+#include "snug/foam/foam_pair.h"
+#include "snug/foam/gap.h"
+#include "snug/foam/placement.h"
+#include "snug/mesh/measure.h"
+#include "snug/mesh/mesh.h"
+
+// The whole method, from a mesh to two foams (Fukusato and Kita, Computational Design and Fabrication of
+// Protective Foam, 2025):
+//
+//   mesh in the file's unit --prepare--> object in mm, measured, its holes spanned
+//   object + design ----------pack----> placement -> depth map -> block map -> foam pair, report and findings
+//   packing ------------------gaps----> how far the cut space exceeds the object (sampled, slower)
+//
+// snug/outputs.h turns a packing into files.
+
+namespace snug {
+
+/// An object ready to be packed any number of times.
+struct Object {
+    std::size_t read_vertices = 0;
+    std::size_t read_triangles = 0;
+    Mesh mesh;            ///< in millimetres; with its caps if the design asks for them
+    MeshMeasure measure;  ///< of the mesh as it was read, in millimetres
+    Mesh hole_spans;      ///< what would span the holes; empty where they are capped or there are none
+    bool capped = false;
+};
+
+/// Milliseconds that each stage of the method took; never part of a comparison.
+struct Timing {
+    double read = 0, depth_map = 0, block_map = 0, foam_pair = 0, solids = 0, write = 0;
+};
+
+/// Everything that is known about an object in its foams.
+struct Packing {
+    Vec3d rotation_deg;  ///< as the design has them
+    Vec3d offset_mm;
+    Placement placement;
+    DesignSpace space;
+    BlockMap blocks;
+    std::optional<FoamPair> foams;  ///< none where the object leaves the space (finding `outside`)
+    FitReport fit;                  ///< of `foams`
+    std::vector<Finding> findings;  ///< dangers first
+    Timing timing;
+};
+
+/// Scales the mesh to millimetres, refuses an implausible size unless the unit was chosen, measures it and
+/// looks for holes. Fails with kind `input`.
+[[nodiscard]] Result<Object> prepare(Mesh mesh, const Design& design);
+
+/// The method. `design` must be checked() already. Fails with kind `usage` where a fitted space would need
+/// too many blocks, or where the parting level lies outside it.
+[[nodiscard]] Result<Packing> pack(const Object& object, const Design& design);
+
+/// The gap report of a packing that has foams. Fails only when cancelled.
+[[nodiscard]] Result<GapReport> gaps(const Object& object, const Packing& packing,
+                                     const Progress& progress = {});
+
+}  // namespace snug

@@ -1,0 +1,153 @@
+#include <limits>
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include "snug/base/text.h"
+#include "snug/design/presets.h"
+#include "snug/design/project.h"
+
+#include "tests/support/random.h"
+
+namespace snug {
+namespace {
+
+using test::Random;
+
+Design random_design_options(Random& random) {
+    Design design;
+    if (random.chance(0.5)) design.object.units = static_cast<Unit>(random.integer(0, 3));
+    design.object.scale = random.between(0.001, 1000);
+    if (random.chance(0.5)) design.object.longest_mm = random.between(1, 1000);
+    design.object.cap = random.chance(0.5);
+    design.space.preset = random.chance(0.5) ? "slit-10" : "Schaum \"ü\"";
+    design.space.blocks.reset();
+    if (random.chance(0.7))
+        design.space.blocks =
+            Vec3i{random.integer(1, 4096), random.integer(1, 4096), random.integer(1, 4096)};
+    design.space.block_mm = {random.between(0.1, 10000), random.between(0.1, 10), random.between(0.1, 100)};
+    if (random.chance(0.5)) design.space.wall_mm = random.between(0, 100);
+    design.placement.rotation_deg = {random.between(-360, 360), 90, random.between(-1, 1) * 1e-9};
+    design.placement.offset_mm = {random.between(-10, 10), 0, -0.5};
+    design.cut.clearance_mm = random.between(-0.04, 20);
+    design.cut.cut_on_touch = random.chance(0.5);
+    if (random.chance(0.5) && design.space.blocks)
+        design.parting.level = random.integer(0, design.space.blocks->x);
+    if (random.chance(0.5)) design.output.formats = {"ply"};
+    return design;
+}
+
+std::string problem_of(std::string_view json) {
+    const auto project = parse_project(json);
+    return project ? "" : project.error().message;
+}
+
+TEST(Project, ReadsBackAsItWasWritten) {
+    const bool held = rc::check("project -> JSON -> project", [](std::uint64_t seed) {
+        Random random(seed);
+        const Project project{{"vase.stl", random.bits() >> 20, std::string(64, 'a')},
+                              random_design_options(random)};
+        const std::string text = project_json(project);
+        const auto read = parse_project(text);
+        RC_ASSERT(read.has_value());
+        RC_ASSERT(*read == project);
+        RC_ASSERT(project_json(*read) == text);
+    });
+    EXPECT_TRUE(held);
+}
+
+TEST(Project, SaysWhatIsWrong) {
+    const std::string good = project_json({{"vase.stl", 1, std::string(64, '0')}, {}});
+    const auto with = [&](std::string_view from, std::string_view to) {
+        std::string text = good;
+        text.replace(text.find(from), from.size(), to);
+        return problem_of(text);
+    };
+    EXPECT_EQ(problem_of(good), "");
+    EXPECT_NE(with("\"snug\": 1", "\"snug\": 2").find("newer"), std::string::npos);
+    EXPECT_EQ(with("\"snug\": 1", "\"snug\": \"x\""), "snug must be a whole number");
+    EXPECT_EQ(with("\"scale\": 1.0", "\"scale\": \"big\""), "design.object.scale must be a number");
+    EXPECT_EQ(with("\"scale\"", "\"skale\""),
+              "design.object.skale is not an option that this version of Snug knows");
+    EXPECT_EQ(with("\"vase.stl\"", "\"../vase.stl\""), "object.name must be a file name without folders");
+    EXPECT_EQ(with("\"auto\"", "\"low\""), "design.parting.level must be a whole number");
+    EXPECT_NE(with("30,\n", "0,\n").find("block counts run from 1 to 4096"), std::string::npos);
+    EXPECT_NE(problem_of(good.substr(0, good.size() / 2)).find("not valid JSON"), std::string::npos);
+    EXPECT_NE(problem_of("[]").find("must be a JSON object"), std::string::npos);
+    EXPECT_NE(problem_of("{}").find("snug is missing"), std::string::npos);
+    EXPECT_NE(problem_of("").find("not valid JSON"), std::string::npos);
+}
+
+TEST(Project, AnyDamageIsASentenceAndNeverACrash) {
+    const std::string good = project_json({{"vase.stl", 1, std::string(64, '0')}, {}});
+    for (int seed = 0; seed < 3000; ++seed) {
+        Random random(static_cast<std::uint64_t>(seed));
+        std::string text = good;
+        for (int i = random.integer(1, 4); i > 0; --i) {
+            const auto at = static_cast<std::size_t>(random.integer(0, static_cast<int>(text.size()) - 1));
+            if (random.chance(0.5))
+                text[at] = static_cast<char>(random.integer(0, 255));
+            else
+                text.erase(at, static_cast<std::size_t>(random.integer(1, 9)));
+        }
+        const auto project = parse_project(text);
+        ASSERT_TRUE(project || !project.error().message.empty()) << seed;
+    }
+}
+
+TEST(Design, RefusesWhatNoOneCanCut) {
+    const auto refused = [](auto change) {
+        Design design;
+        change(design);
+        const auto result = checked(design);
+        return result ? std::string() : result.error().message;
+    };
+    EXPECT_EQ(refused([](Design&) {}), "");
+    EXPECT_NE(refused([](Design& d) { d.space.blocks = Vec3i{0, 1, 1}; }), "");
+    EXPECT_NE(refused([](Design& d) { d.space.blocks = Vec3i{1, 4097, 1}; }), "");
+    EXPECT_NE(refused([](Design& d) { d.space.block_mm.y = -1; }), "");
+    EXPECT_NE(refused([](Design& d) { d.space.block_mm.z = 10001; }), "");
+    EXPECT_NE(refused([](Design& d) { d.cut.clearance_mm = -6.1; }), "");
+    EXPECT_EQ(refused([](Design& d) { d.cut.clearance_mm = -6; }), "");
+    EXPECT_NE(refused([](Design& d) { d.parting.level = 31; }), "");
+    EXPECT_NE(refused([](Design& d) { d.object.scale = 0; }), "");
+    EXPECT_NE(refused([](Design& d) { d.object.scale = std::numeric_limits<double>::quiet_NaN(); }), "");
+    EXPECT_NE(refused([](Design& d) { d.output.formats = {"dwg"}; }), "");
+}
+
+TEST(Presets, AllBuiltInOnesArePossibleAndTheDefaultIsThePapers) {
+    Design untouched, preset;
+    apply(built_in_presets().front(), preset);
+    EXPECT_EQ(untouched, preset);
+    for (const Preset& each : built_in_presets()) {
+        Design design;
+        apply(each, design);
+        EXPECT_TRUE(checked(design).has_value()) << each.name;
+    }
+}
+
+TEST(Presets, OwnOnesAreReadAndWrongOnesNamed) {
+    const auto own = parse_presets(R"([{"name": "ours", "block_mm": [20, 12, 12], "clearance_mm": 1}])");
+    ASSERT_TRUE(own.has_value());
+    EXPECT_EQ(own->front().block_mm, (Vec3d{20, 12, 12}));
+    const auto wrong = parse_presets(R"([{"name": "a", "block_mm": [1, 2, 3]}, {"name": "b"}])");
+    ASSERT_FALSE(wrong.has_value());
+    EXPECT_EQ(wrong.error().message, "preset 2.block_mm is missing");
+    EXPECT_NE(find_preset(*own, "theirs").error().message.find("known are: ours"), std::string::npos);
+}
+
+TEST(Text, NumbersAreShortAndPlain) {
+    EXPECT_EQ(number(0), "0");
+    EXPECT_EQ(number(-0.0001), "0");
+    EXPECT_EQ(number(15), "15");
+    EXPECT_EQ(number(12.7), "12.7");
+    EXPECT_EQ(number(-1.005, 1), "-1");
+    EXPECT_EQ(number(0.05, 1), "0.1");
+    EXPECT_EQ(number(1e12, 3), "1000000000000");
+    EXPECT_EQ(grouped(1383712), "1,383,712");
+    EXPECT_EQ(grouped(12), "12");
+    EXPECT_EQ(counted(1, "block", "blocks"), "1 block");
+}
+
+}  // namespace
+}  // namespace snug

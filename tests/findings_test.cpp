@@ -1,0 +1,191 @@
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "snug/foam/fitted_space.h"
+#include "snug/mesh/samples.h"
+#include "snug/pipeline.h"
+
+namespace snug {
+namespace {
+
+/// A closed box, or one without its sides in the list (0: -x, 1: +x, 2: -y, 3: +y, 4: -z, 5: +z).
+Mesh box(Vec3f low, Vec3f high, std::initializer_list<int> missing = {}) {
+    static constexpr int kSides[6][4] = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
+                                         {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+    Mesh mesh;
+    for (int corner = 0; corner < 8; ++corner)
+        mesh.vertices.push_back(
+            {corner & 1 ? high.x : low.x, corner & 2 ? high.y : low.y, corner & 4 ? high.z : low.z});
+    for (int side = 0; side < 6; ++side) {
+        if (std::find(missing.begin(), missing.end(), side) != missing.end()) continue;
+        const auto& s = kSides[side];
+        mesh.triangles.push_back({static_cast<std::uint32_t>(s[0]), static_cast<std::uint32_t>(s[1]),
+                                  static_cast<std::uint32_t>(s[2])});
+        mesh.triangles.push_back({static_cast<std::uint32_t>(s[0]), static_cast<std::uint32_t>(s[2]),
+                                  static_cast<std::uint32_t>(s[3])});
+    }
+    return mesh;
+}
+
+Mesh joined(Mesh a, const Mesh& b) {
+    const auto first = static_cast<std::uint32_t>(a.vertices.size());
+    a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());
+    for (const auto& [i, j, k] : b.triangles) a.triangles.push_back({i + first, j + first, k + first});
+    return a;
+}
+
+Design design_of(Vec3i blocks, double size) {
+    Design design;
+    design.object.units = Unit::mm;
+    design.space.blocks = blocks;
+    design.space.block_mm = {size, size, size};
+    return design;
+}
+
+Packing packed(const Mesh& mesh, const Design& design) {
+    const auto object = prepare(mesh, design);
+    EXPECT_TRUE(object.has_value());
+    const auto packing = pack(*object, design);
+    EXPECT_TRUE(packing.has_value());
+    return *packing;
+}
+
+std::vector<std::string> codes(const Packing& packing) {
+    std::vector<std::string> found;
+    for (const Finding& finding : packing.findings) found.push_back(finding.code);
+    return found;
+}
+
+using Codes = std::vector<std::string>;
+
+TEST(Findings, AClosedBoxInItsMiddleHasNone) {
+    EXPECT_EQ(codes(packed(box({0, 0, 0}, {60, 60, 60}), design_of({10, 10, 10}, 15))), Codes{});
+}
+
+TEST(Findings, AMissingBaseIsADangerUntilItIsCapped) {
+    const Mesh open_below = box({0, 0, 0}, {58, 58, 58}, {0});
+    Design design = design_of({10, 10, 10}, 15);
+    const Packing open = packed(open_below, design);
+    // 2 x 2 columns inside see only the top: three of their four blocks would be foam.
+    ASSERT_EQ(codes(open), Codes{"open"});
+    EXPECT_EQ(open.findings[0].severity, Severity::danger);
+    EXPECT_NE(open.findings[0].message.find("12 blocks"), std::string::npos) << open.findings[0].message;
+
+    design.object.cap = true;
+    const Packing capped = packed(open_below, design);
+    EXPECT_EQ(codes(capped), Codes{"capped"});
+    EXPECT_EQ(capped.blocks, packed(box({0, 0, 0}, {58, 58, 58}), design).blocks);
+}
+
+TEST(Findings, AnOpenObjectWhoseFacesLieOnBlockFacesIsADangerToo) {
+    // Only the top is seen, and a sheet between two blocks cuts neither.
+    const Packing open = packed(box({0, 0, 0}, {60, 60, 60}, {0}), design_of({10, 10, 10}, 15));
+    EXPECT_EQ(codes(open), (Codes{"open", "uncut_part"}));
+}
+
+TEST(Findings, AnOpeningAtTheSideLetsNoFoamIn) {
+    EXPECT_EQ(codes(packed(box({0, 0, 0}, {60, 60, 60}, {3}), design_of({10, 10, 10}, 15))), Codes{});
+}
+
+TEST(Findings, AnOpenTubeAlongTheInsertionAxisIsADanger) {
+    const Packing tube = packed(box({0, 0, 0}, {58, 58, 58}, {0, 1}), design_of({10, 10, 10}, 15));
+    ASSERT_EQ(codes(tube), Codes{"open"});
+    EXPECT_NE(tube.findings[0].message.find("16 blocks"), std::string::npos) << tube.findings[0].message;
+}
+
+TEST(Findings, WallsAreNamedWhereTheyAreThinOrGone) {
+    const Mesh part = box({0, 0, 0}, {60, 60, 60});
+    EXPECT_EQ(codes(packed(part, design_of({6, 10, 10}, 15))), (Codes{"thin_floor", "thin_roof"}));
+    EXPECT_EQ(codes(packed(part, design_of({10, 4, 10}, 15))), (Codes{"touches_case", "touches_case"}));
+    Design wanted = design_of({10, 10, 10}, 15);
+    wanted.space.wall_mm = 50;
+    EXPECT_EQ(codes(packed(part, wanted)).size(), 6u);
+    EXPECT_EQ(codes(packed(part, wanted)).front(), "wall_below_wanted");
+}
+
+TEST(Findings, NoFoamUnderOrOverTheObjectIsADanger) {
+    const Packing filled = packed(box({0, 0, 0}, {60, 60, 60}), design_of({4, 10, 10}, 15));
+    EXPECT_EQ(codes(filled), (Codes{"no_floor", "no_roof"}));
+    EXPECT_EQ(filled.fit.wall_mm[kFloor], 0);
+}
+
+TEST(Findings, AFoamInTwoPiecesIsNamed) {
+    // A plate through the whole space parts the foam in two; it also touches the case.
+    const auto found = codes(packed(box({0, 0, 0}, {150, 30, 150}), design_of({10, 10, 10}, 15)));
+    EXPECT_NE(std::find(found.begin(), found.end(), "lower_pieces"), found.end());
+    EXPECT_NE(std::find(found.begin(), found.end(), "upper_pieces"), found.end());
+}
+
+TEST(Findings, AnObjectThatLeavesTheSpaceGetsNoFoams) {
+    const Packing outside = packed(box({0, 0, 0}, {60, 60, 60}), design_of({3, 10, 10}, 15));
+    EXPECT_FALSE(outside.foams.has_value());
+    EXPECT_EQ(codes(outside), Codes{"outside"});
+    EXPECT_TRUE(packed(box({0, 0, 0}, {60, 60, 60}), design_of({4, 4, 4}, 15)).foams.has_value());
+    Design moved = design_of({4, 4, 4}, 15);
+    moved.placement.offset_mm = {0, 0, 0.1};
+    EXPECT_FALSE(packed(box({0, 0, 0}, {60, 60, 60}), moved).foams.has_value());
+}
+
+TEST(Findings, APartThatCutsNothingIsADanger) {
+    // A thin plate exactly between two layers of blocks, squeezed.
+    const Mesh mesh = joined(box({0, 0, 0}, {60, 60, 60}), box({29.5f, 70, 0}, {30.5f, 100, 30}));
+    Design design = design_of({12, 16, 12}, 15);
+    design.cut.clearance_mm = -2;
+    const auto found = codes(packed(mesh, design));
+    EXPECT_EQ(found.front(), "uncut_part");
+    design.cut.clearance_mm = 0;
+    EXPECT_NE(codes(packed(mesh, design)).front(), "uncut_part");
+}
+
+TEST(Findings, SeparatePartsAreNotedAndSpecksWarnedOf) {
+    const Mesh two = joined(box({0, 0, 0}, {60, 60, 60}), box({0, 0, 70}, {60, 60, 90}));
+    EXPECT_EQ(codes(packed(two, design_of({10, 10, 12}, 15))), Codes{"parts"});
+    const Mesh speck = joined(box({0, 0, 0}, {60, 60, 60}), box({80, 0, 0}, {81, 1, 1}));
+    EXPECT_EQ(codes(packed(speck, design_of({12, 10, 10}, 15))), Codes{"specks"});
+}
+
+TEST(FittedSpace, CountsTheObjectAndItsWalls) {
+    const Vec3d block{15, 15, 22};
+    const Box3d object{{-30, -30, -33}, {30, 30, 33}};
+    EXPECT_EQ(fitted_blocks(object, block, 0, 0), (Vec3d{4, 4, 3}));
+    EXPECT_EQ(fitted_blocks(object, block, 0, 50), (Vec3d{4 + 8, 4 + 8, 3 + 6}));
+    EXPECT_EQ(fitted_blocks(object, block, 0.5, 0), (Vec3d{5, 5, 4}));
+    EXPECT_EQ(fitted_blocks({{0, 0, 0}, {0, 0, 0}}, block, 0, 15), (Vec3d{3, 3, 3}));
+}
+
+TEST(FittedSpace, KeepsTheWantedWallsInAnyPlacement) {
+    const Mesh vase = *sample("vase");
+    for (int turn = 0; turn < 30; ++turn) {
+        SCOPED_TRACE(turn);
+        Design design = design_of({1, 1, 1}, 7);
+        design.space.blocks.reset();
+        design.space.wall_mm = 5.0 * (turn % 8);
+        design.cut.clearance_mm = 0.7 * (turn % 5);
+        design.placement.rotation_deg = {37.0 * turn, 59.0 * turn, 83.0 * turn};
+        const Packing packing = packed(vase, design);
+        ASSERT_TRUE(packing.foams.has_value());
+        for (const double wall : packing.fit.wall_mm) EXPECT_GE(wall, *design.space.wall_mm);
+    }
+}
+
+TEST(Prepare, AsksForTheUnitOnlyWhenTheSizeIsImplausible) {
+    Design design;
+    const auto message = [&](float size) {
+        const auto object = prepare(box({0, 0, 0}, {size, size, size}), design);
+        return object ? std::string() : object.error().message;
+    };
+    EXPECT_EQ(message(60), "");
+    EXPECT_NE(message(0.2f).find("as m it measures 200 x 200 x 200 mm"), std::string::npos) << message(0.2f);
+    EXPECT_NE(message(6000).find("longer than 5 m"), std::string::npos);
+    EXPECT_NE(message(0).find("no size"), std::string::npos);
+    design.object.units = Unit::in;
+    EXPECT_EQ(message(0.2f), "");
+    design.object = {};
+    design.object.longest_mm = 100;
+    const auto scaled_box = prepare(box({0, 0, 0}, {1, 2, 4}), design);
+    EXPECT_EQ(scaled_box->measure.bounds.size(), (Vec3d{25, 50, 100}));
+}
+
+}  // namespace
+}  // namespace snug
