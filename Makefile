@@ -1,0 +1,42 @@
+# The commands that people use; cmake does the work. `make help` lists them.
+.DEFAULT_GOAL := build
+.PHONY: help build demo test soak bench pictures format clean
+JOBS ?= $(shell nproc)
+
+help:
+	@echo "make build  the program, at build/snug"
+	@echo "make demo   install what is missing, build, and make foams from a sample"
+	@echo "make test   install what is missing and run every test"
+	@echo "make soak   the long random tests and fuzzing (SOAK_CASES, SOAK_SECONDS)"
+	@echo "make bench  the benchmark"
+	@echo "make pictures / make format / make clean"
+
+build:
+	@scripts/install-packages build
+	@cmake --preset release --log-level=WARNING >/dev/null
+	@cmake --build --preset release -j $(JOBS) --target snug_program
+
+demo: build
+	@scripts/demo
+
+test:
+	@scripts/install-packages build test
+	@scripts/test
+
+soak:
+	@scripts/install-packages build test
+	@scripts/soak
+
+bench:
+	@scripts/install-packages build bench
+	@scripts/bench
+
+pictures: build
+	@scripts/install-packages test
+	@scripts/pictures
+
+format:
+	@git ls-files '*.h' '*.cpp' | xargs clang-format-14 -i
+
+clean:
+	@rm -rf build demo

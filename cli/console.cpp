@@ -1,0 +1,60 @@
+#include "cli/console.h"
+
+#include <cstdio>
+#include <unistd.h>
+
+#include <fmt/core.h>
+
+#include "cli/commands.h"
+
+namespace snug::cli {
+
+int exit_status(ErrorKind kind) {
+    switch (kind) {
+        case ErrorKind::usage:
+            return kWrongUsage;
+        case ErrorKind::input:
+            return kBadInput;
+        case ErrorKind::does_not_fit:
+            return kDoesNotFit;
+        case ErrorKind::output:
+            return kCannotWrite;
+        case ErrorKind::cancelled:
+            return kCancelled;
+    }
+    return kBadInput;
+}
+
+int report(const Error& error) {
+    std::fputs(fmt::format("snug: {}\n", error.message).c_str(), stderr);
+    return exit_status(error.kind);
+}
+
+Result<void> print(std::string_view text) {
+    const bool written =
+        std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+    if (!written) return fail(ErrorKind::output, "standard output cannot be written");
+    return {};
+}
+
+StatusLine::StatusLine(bool quiet) : visible_(!quiet && isatty(STDERR_FILENO) != 0) {}
+
+StatusLine::~StatusLine() {
+    show("");
+}
+
+void StatusLine::show(const std::string& text) {
+    if (!visible_ || text == shown_) return;
+    std::fputs(fmt::format("\r\033[K{}", text).c_str(), stderr);
+    std::fflush(stderr);
+    shown_ = text;
+}
+
+Progress StatusLine::progress(std::string text) {
+    return [this, text = std::move(text)](double fraction) {
+        show(fmt::format("{} {:.0f} %", text, fraction * 100));
+        return true;
+    };
+}
+
+}  // namespace snug::cli

@@ -1,0 +1,157 @@
+#include "cli/files.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <sha2.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <fmt/core.h>
+
+#include "cli/interrupt.h"
+
+namespace snug::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string reason(int error) {
+    return std::strerror(error);
+}
+
+/// A file descriptor that closes itself.
+class Descriptor {
+  public:
+    explicit Descriptor(int fd) : fd_(fd) {}
+    ~Descriptor() {
+        if (fd_ >= 0) ::close(fd_);
+    }
+    Descriptor(const Descriptor&) = delete;
+    Descriptor& operator=(const Descriptor&) = delete;
+
+    [[nodiscard]] int get() const { return fd_; }
+    [[nodiscard]] bool ok() const { return fd_ >= 0; }
+    /// Closes now; false if the system only now says that the data was lost.
+    [[nodiscard]] bool close() { return ::close(std::exchange(fd_, -1)) == 0; }
+
+  private:
+    int fd_;
+};
+
+tl::unexpected<Error> cannot_write(const fs::path& path, int error) {
+    return fail(ErrorKind::output, fmt::format("{}: cannot be written ({})", path.string(), reason(error)));
+}
+
+/// Gives 0 or the error number.
+int write_all(int fd, std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t count = ::write(fd, bytes.data(), std::min<std::size_t>(bytes.size(), 1 << 24));
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) return errno;
+        bytes = bytes.subspan(static_cast<std::size_t>(count));
+        if (InterruptGuard::interrupted()) return ECANCELED;
+    }
+    return 0;
+}
+
+}  // namespace
+
+Result<std::vector<std::byte>> read_file(const fs::path& path) {
+    const auto refuse = [&](const std::string& why) {
+        return fail(ErrorKind::input, fmt::format("{}: {}", path.string(), why));
+    };
+    const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+    if (!file.ok())
+        return refuse(errno == ENOENT ? "there is no such file" : "cannot be read (" + reason(errno) + ")");
+    struct stat status {};
+    if (fstat(file.get(), &status) != 0) return refuse("cannot be read (" + reason(errno) + ")");
+    if (S_ISDIR(status.st_mode)) return refuse("this is a folder, not a file");
+
+    std::vector<std::byte> bytes;
+    std::size_t used = 0;
+    // One byte more than the size, so that the end of a regular file is seen without growing.
+    bytes.resize(S_ISREG(status.st_mode) ? static_cast<std::size_t>(status.st_size) + 1 : 1 << 16);
+    for (;;) {
+        const ssize_t count = ::read(file.get(), bytes.data() + used, bytes.size() - used);
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) return refuse("cannot be read (" + reason(errno) + ")");
+        if (count == 0) break;
+        used += static_cast<std::size_t>(count);
+        if (used == bytes.size()) bytes.resize(bytes.size() * 2);
+    }
+    bytes.resize(used);
+    return bytes;
+}
+
+ObjectFile describe(const fs::path& path, std::span<const std::byte> bytes) {
+    SHA2_CTX context;
+    SHA256Init(&context);
+    SHA256Update(&context, reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+    char digest[SHA256_DIGEST_STRING_LENGTH];
+    SHA256End(&context, digest);
+    return {path.filename().string(), bytes.size(), digest};
+}
+
+FileSet::~FileSet() {
+    if (committed_) return;
+    std::error_code ignored;
+    for (const Pending& file : pending_) fs::remove(file.temporary, ignored);
+    for (auto folder = made_folders_.rbegin(); folder != made_folders_.rend(); ++folder)
+        fs::remove(*folder, ignored);
+}
+
+Result<void> FileSet::open() {
+    std::vector<fs::path> missing;
+    std::error_code error;
+    for (fs::path at = fs::absolute(folder_, error).lexically_normal(); !fs::exists(at, error);) {
+        if (at.has_filename()) missing.push_back(at);
+        if (at == at.parent_path()) break;
+        at = at.parent_path();
+    }
+    for (auto folder = missing.rbegin(); folder != missing.rend(); ++folder) {
+        if (!fs::create_directory(*folder, error))
+            return cannot_write(folder_, error ? error.value() : EEXIST);
+        made_folders_.push_back(*folder);
+    }
+    if (!fs::is_directory(folder_, error)) return cannot_write(folder_, ENOTDIR);
+    return {};
+}
+
+Result<void> FileSet::write(const std::string& name, std::span<const std::byte> bytes) {
+    const fs::path final = folder_ / name;
+    std::error_code ignored;
+    if (fs::is_directory(final, ignored)) return cannot_write(final, EISDIR);
+    const fs::path temporary = folder_ / fmt::format(".{}.{}.part", name, ::getpid());
+    Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+    if (!file.ok()) return cannot_write(final, errno);
+    pending_.push_back({temporary, final});
+    int error = write_all(file.get(), bytes);
+    if (error == 0 && ::fsync(file.get()) != 0 && errno != EINVAL) error = errno;
+    if (!file.close() && error == 0) error = errno;
+    if (error == ECANCELED || InterruptGuard::interrupted())
+        return fail(ErrorKind::cancelled, "cancelled; nothing was written");
+    if (error != 0) return cannot_write(final, error);
+    return {};
+}
+
+Result<void> FileSet::commit() {
+    for (const Pending& file : pending_)
+        if (::rename(file.temporary.c_str(), file.final.c_str()) != 0) return cannot_write(file.final, errno);
+    committed_ = true;
+    return {};
+}
+
+Result<void> write_file(const fs::path& path, std::span<const std::byte> bytes) {
+    const InterruptGuard guard;
+    FileSet set(path.has_parent_path() ? path.parent_path() : fs::path("."));
+    std::error_code error;
+    if (path.has_parent_path() && !fs::is_directory(path.parent_path(), error))
+        return fail(ErrorKind::output,
+                    fmt::format("{}: there is no folder {}", path.string(), path.parent_path().string()));
+    if (auto done = set.write(path.filename().string(), bytes); !done) return done;
+    return set.commit();
+}
+
+}  // namespace snug::cli

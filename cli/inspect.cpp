@@ -1,0 +1,125 @@
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <string>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include "snug/base/text.h"
+#include "snug/design/design.h"
+#include "snug/mesh/measure.h"
+#include "snug/mesh/read.h"
+
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/files.h"
+
+namespace snug::cli {
+namespace {
+
+constexpr std::array<Unit, 4> kUnits{Unit::mm, Unit::cm, Unit::m, Unit::in};
+constexpr std::size_t kPartsShown = 10;
+
+struct InspectArguments {
+    std::string object;
+    bool json = false;
+};
+
+/// What people ship is mostly between a matchbox and a table; a unit that gives another size is unlikely.
+bool likely(double longest_mm) {
+    return longest_mm >= 30 && longest_mm <= 1500;
+}
+
+/// The unit that the file is most probably in: mm if that is likely, else the first likely one.
+const Unit* likely_unit(double longest) {
+    for (const Unit& unit : kUnits)
+        if (likely(longest * millimetres(unit))) return &unit;
+    return nullptr;
+}
+
+std::string units_lines(Vec3d size) {
+    const double longest = std::max({size.x, size.y, size.z});
+    const Unit* best = likely_unit(longest);
+    std::string text;
+    for (const Unit& unit : kUnits)
+        text += fmt::format("  {:<4}{} mm{}\n", unit_name(unit), dimensions(size * millimetres(unit), 2),
+                            &unit == best ? "   <- likely" : "");
+    return text;
+}
+
+std::string described(const std::string& name, const Mesh& mesh, const MeshMeasure& measure) {
+    const Vec3d size = measure.bounds.size();
+    std::string text = fmt::format("{}\n", name);
+    text += fmt::format("Triangles   {} with {}\n", grouped(mesh.triangles.size()),
+                        counted(mesh.vertices.size(), "vertex", "vertices"));
+    text += fmt::format("Holes       {}\n", measure.holes.empty() ? "none" : grouped(measure.holes.size()));
+    text += fmt::format("Closed      {}\n", measure.watertight      ? "yes"
+                                            : measure.holes.empty() ? "no: its triangles are wound both ways"
+                                                                    : "no");
+    text += fmt::format("Parts       {}\n", grouped(measure.parts.size()));
+    if (measure.parts.size() > 1) {
+        for (std::size_t i = 0; i < std::min(measure.parts.size(), kPartsShown); ++i)
+            text += fmt::format("  {:<4}{} in the file's unit, {}\n", i + 1,
+                                dimensions(measure.parts[i].bounds.size(), 3),
+                                counted(measure.parts[i].triangles, "triangle", "triangles"));
+        if (measure.parts.size() > kPartsShown) text += "  ...\n";
+    }
+    text += "Size, if the file is in\n" + units_lines(size);
+    if (measure.volume) {
+        text += "Volume, if the file is in\n";
+        for (const Unit unit : kUnits) {
+            const double mm = millimetres(unit);
+            text += fmt::format("  {:<4}{} litres\n", unit_name(unit),
+                                number(*measure.volume * mm * mm * mm * 1e-6, 4));
+        }
+    } else {
+        text += "Volume      unknown: the surface is not closed\n";
+    }
+    return text;
+}
+
+std::string described_json(const std::string& name, const Mesh& mesh, const MeshMeasure& measure) {
+    using Json = nlohmann::ordered_json;
+    const Vec3d size = measure.bounds.size();
+    const Unit* best = likely_unit(std::max({size.x, size.y, size.z}));
+    Json json{{"file", name},
+              {"vertices", mesh.vertices.size()},
+              {"triangles", mesh.triangles.size()},
+              {"size", {size.x, size.y, size.z}},
+              {"watertight", measure.watertight},
+              {"holes", measure.holes.size()},
+              {"volume", measure.volume ? Json(*measure.volume) : Json(nullptr)},
+              {"likely_unit", best ? Json(std::string(unit_name(*best))) : Json(nullptr)}};
+    json["parts"] = Json::array();
+    for (const MeshPart& part : measure.parts) {
+        const Vec3d extent = part.bounds.size();
+        json["parts"].push_back({{"triangles", part.triangles}, {"size", {extent.x, extent.y, extent.z}}});
+    }
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+int inspect(const InspectArguments& arguments) {
+    const auto bytes = read_file(arguments.object);
+    if (!bytes) return report(bytes.error());
+    const auto mesh = read_mesh(*bytes, arguments.object);
+    if (!mesh)
+        return report({mesh.error().kind, fmt::format("{}: {}", arguments.object, mesh.error().message)});
+    const MeshMeasure measured = measure(*mesh);
+    const auto done = print(arguments.json ? described_json(arguments.object, *mesh, measured)
+                                           : described(arguments.object, *mesh, measured));
+    return done ? kDone : report(done.error());
+}
+
+}  // namespace
+
+void add_inspect(CLI::App& program, Command& chosen) {
+    CLI::App* command = program.add_subcommand("inspect", "Tell size, holes, parts, volume and likely units");
+    const auto arguments = std::make_shared<InspectArguments>();
+    command->add_option("OBJECT", arguments->object, "A mesh (STL, OBJ, PLY, OFF)")->required();
+    command->add_flag("--json", arguments->json, "Print it as JSON");
+    command->footer("Example: snug inspect scan.ply");
+    command->callback([arguments, &chosen] { chosen = [arguments] { return inspect(*arguments); }; });
+}
+
+}  // namespace snug::cli

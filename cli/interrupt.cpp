@@ -1,0 +1,48 @@
+#include "cli/interrupt.h"
+
+#include <csignal>
+#include <unistd.h>
+
+#include "cli/commands.h"
+
+namespace snug::cli {
+namespace {
+
+// A signal handler can reach nothing but globals.
+volatile std::sig_atomic_t deferred = 0;
+volatile std::sig_atomic_t raised = 0;
+
+void on_interrupt(int) {
+    raised = 1;
+    if (deferred) return;
+    constexpr char kMessage[] = "\nsnug: cancelled; nothing was written\n";
+    (void)!write(STDERR_FILENO, kMessage, sizeof kMessage - 1);
+    _exit(kCancelled);
+}
+
+}  // namespace
+
+void catch_interrupts() {
+    struct sigaction action {};
+    action.sa_handler = on_interrupt;
+    sigemptyset(&action.sa_mask);
+    action.sa_flags = SA_RESTART;
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
+    // A reader that goes away, or a limit on file sizes, is an error of the write, not the end of the
+    // program.
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
+}
+
+InterruptGuard::InterruptGuard() {
+    deferred = 1;
+}
+InterruptGuard::~InterruptGuard() {
+    deferred = 0;
+}
+bool InterruptGuard::interrupted() {
+    return raised != 0;
+}
+
+}  // namespace snug::cli

@@ -1,0 +1,20 @@
+#pragma once
+
+namespace snug::cli {
+
+/// From now on Ctrl-C (or a request to terminate) ends the program with status 5 and one sentence, at once
+/// while nothing is being written.
+void catch_interrupts();
+
+/// While one of these lives, an interrupt only raises a flag, so that half-written files can be taken away.
+class InterruptGuard {
+  public:
+    InterruptGuard();
+    ~InterruptGuard();
+    InterruptGuard(const InterruptGuard&) = delete;
+    InterruptGuard& operator=(const InterruptGuard&) = delete;
+
+    [[nodiscard]] static bool interrupted();
+};
+
+}  // namespace snug::cli

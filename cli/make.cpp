@@ -1,0 +1,274 @@
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <fmt/core.h>
+
+#include "snug/base/stopwatch.h"
+#include "snug/design/project.h"
+#include "snug/mesh/read.h"
+#include "snug/outputs.h"
+#include "snug/pipeline.h"
+
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/files.h"
+#include "cli/interrupt.h"
+#include "cli/option_values.h"
+#include "cli/summary.h"
+#include "cli/user_presets.h"
+
+namespace snug::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The options as they were typed; none where they were not.
+struct MakeArguments {
+    std::string object;
+    std::string folder;
+    std::optional<std::string> units, preset, blocks, block_size, rotate, move, parting, replacement_object;
+    std::optional<double> scale, longest, clearance, wall;
+    std::vector<std::string> formats;
+    bool cap = false, cut_on_touch = false, quiet = false, json = false;
+    int threads = 0;
+};
+
+void add_options(CLI::App& make, MakeArguments& arguments) {
+    auto& a = arguments;
+    make.add_option("OBJECT", a.object, "A mesh (STL, OBJ, PLY, OFF) or a project (*.snug.json)")->required();
+    make.add_option("-o,--output", a.folder, "The folder for the files that are made")
+        ->required()
+        ->type_name("DIR");
+    make.add_option("--units", a.units, "The unit of the file (mm)")->type_name("mm|cm|m|in");
+    make.add_option("--scale", a.scale, "Multiply every length by this (1)")->type_name("S");
+    make.add_option("--longest", a.longest, "Scale the object's longest side to this")->type_name("MM");
+    make.add_option("--preset", a.preset,
+                    "A foam that `snug presets` lists: block size and clearance (paper)");
+    make.add_option("--blocks", a.blocks, "Blocks along x, y, z, or auto: the object plus walls (30x18x18)")
+        ->type_name("30x18x18|auto");
+    make.add_option("--block-size", a.block_size, "Size of a block in mm (15x15x22)")->type_name("15x15x22");
+    make.add_option("--rotate", a.rotate, "Degrees about the fixed axes x, then y, then z (0,0,0)")
+        ->type_name("PSI,THETA,PHI");
+    make.add_option("--move", a.move, "Shift from the centre of the space, mm (0,0,0)")->type_name("X,Y,Z");
+    make.add_option("--clearance", a.clearance,
+                    "Grow the object by this on every side; negative squeezes it (0)")
+        ->type_name("MM");
+    make.add_option("--wall", a.wall,
+                    "Least foam between object and case, each side (0; 50 with --blocks auto)")
+        ->type_name("MM");
+    make.add_option("--parting", a.parting, "Blocks of the lower foam where the object does not touch (auto)")
+        ->type_name("auto|LEVEL");
+    make.add_flag("--cap", a.cap, "Close the holes of an open object before cutting");
+    make.add_flag("--cut-on-touch", a.cut_on_touch, "Also cut blocks that the object merely touches");
+    make.add_option("--object", a.replacement_object,
+                    "The object's file, for a project that does not lie beside it")
+        ->type_name("FILE");
+    make.add_option("--formats", a.formats, "Formats of the foams: stl, ply (both)")->delimiter(',');
+    make.add_option("--threads", a.threads, "Threads to use at most; the files are the same for any number")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1024));
+    make.add_flag("--quiet", a.quiet, "Print nothing but errors");
+    make.add_flag("--json", a.json, "Print the report to standard output instead of the summary");
+    make.footer(
+        "Examples:\n"
+        "  snug make vase.stl -o vase-foam\n"
+        "  snug make scan.ply --units m --preset slit-10 --blocks auto --clearance 1 -o scan-foam\n"
+        "  snug make scan-foam/project.snug.json --rotate 0,90,0 -o turned");
+}
+
+bool is_project(const fs::path& path) {
+    constexpr std::string_view kEnding = ".snug.json";
+    const std::string name = path.filename().string();
+    return name.size() >= kEnding.size() &&
+           name.compare(name.size() - kEnding.size(), kEnding.size(), kEnding) == 0;
+}
+
+/// Applies what was typed to the design, presets first so that explicit sizes win.
+Result<Design> design_from(const MakeArguments& a, Design design) {
+    if (a.preset) {
+        const auto presets = known_presets();
+        if (!presets) return tl::unexpected(presets.error());
+        const auto preset = find_preset(*presets, *a.preset);
+        if (!preset) return tl::unexpected(preset.error());
+        apply(*preset, design);
+    }
+    if (a.units) {
+        design.object.units = unit_from_name(*a.units);
+        if (!design.object.units)
+            return fail(ErrorKind::usage, fmt::format("--units takes mm, cm, m or in, not \"{}\"", *a.units));
+    }
+    if (a.scale) design.object.scale = *a.scale;
+    if (a.longest) design.object.longest_mm = *a.longest;
+    if (a.cap) design.object.cap = true;
+    if (a.blocks && *a.blocks == "auto") {
+        design.space.blocks.reset();
+    } else if (a.blocks) {
+        const auto counts = parse_counts("--blocks", *a.blocks);
+        if (!counts) return tl::unexpected(counts.error());
+        design.space.blocks = *counts;
+    }
+    const auto take = [](const char* option, const std::optional<std::string>& text, auto parse,
+                         Vec3d& target) {
+        if (!text) return std::optional<Error>();
+        const auto value = parse(option, *text);
+        if (!value) return std::optional<Error>(value.error());
+        target = *value;
+        return std::optional<Error>();
+    };
+    if (auto error = take("--block-size", a.block_size, parse_sizes, design.space.block_mm))
+        return tl::unexpected(*error);
+    if (auto error = take("--rotate", a.rotate, parse_vector, design.placement.rotation_deg))
+        return tl::unexpected(*error);
+    if (auto error = take("--move", a.move, parse_vector, design.placement.offset_mm))
+        return tl::unexpected(*error);
+    if (a.clearance) design.cut.clearance_mm = *a.clearance;
+    if (a.wall) design.space.wall_mm = *a.wall;
+    if (a.cut_on_touch) design.cut.cut_on_touch = true;
+    if (a.parting && *a.parting == "auto") {
+        design.parting.level.reset();
+    } else if (a.parting) {
+        const auto level = parse_integer("--parting", *a.parting);
+        if (!level) return tl::unexpected(level.error());
+        design.parting.level = *level;
+    }
+    if (!a.formats.empty()) design.output.formats = a.formats;
+    return checked(design);
+}
+
+/// What is to be made, and from which file.
+struct Task {
+    fs::path object_path;
+    Project project;
+    std::string expected_sha256;  ///< of a project's object; empty otherwise
+};
+
+Result<Task> task_from(const MakeArguments& arguments) {
+    Task task;
+    task.object_path = arguments.object;
+    if (is_project(arguments.object)) {
+        const fs::path path = arguments.object;
+        const auto bytes = read_file(path);
+        if (!bytes) return tl::unexpected(bytes.error());
+        const auto project = parse_project({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
+        if (!project)
+            return fail(ErrorKind::input, fmt::format("{}: {}", path.string(), project.error().message));
+        task.project = *project;
+        task.object_path = path.parent_path() / project->object.name;
+        task.expected_sha256 = project->object.sha256;
+        if (arguments.replacement_object) task.object_path = *arguments.replacement_object;
+        std::error_code error;
+        if (!fs::exists(task.object_path, error))
+            return fail(ErrorKind::input,
+                        fmt::format("{}: its object {} is not there; name it with --object FILE",
+                                    path.string(), task.object_path.string()));
+    } else if (arguments.replacement_object) {
+        return fail(ErrorKind::usage, "--object goes with a project (*.snug.json)");
+    }
+    auto design = design_from(arguments, task.project.design);
+    if (!design) return tl::unexpected(design.error());
+    task.project.design = std::move(*design);
+    return task;
+}
+
+/// Reads, measures and packs; adds what only the file knows to the findings.
+struct Packed {
+    Object object;
+    Packing packing;
+};
+
+Result<Packed> read_and_pack(Task& task, StatusLine& status) {
+    const std::string path = task.object_path.string();
+    status.show("Reading " + path);
+    Stopwatch watch;
+    const auto bytes = read_file(task.object_path);
+    if (!bytes) return tl::unexpected(bytes.error());
+    auto mesh = read_mesh(*bytes, path);
+    const double read_ms = watch.lap();
+    if (!mesh) return fail(mesh.error().kind, fmt::format("{}: {}", path, mesh.error().message));
+    task.project.object = describe(task.object_path, *bytes);
+
+    status.show("Cutting");
+    auto object = prepare(std::move(*mesh), task.project.design);
+    if (!object) return fail(object.error().kind, fmt::format("{}: {}", path, object.error().message));
+    auto packing = pack(*object, task.project.design);
+    if (!packing) return tl::unexpected(packing.error());
+    packing->timing.read = read_ms;
+    if (!task.expected_sha256.empty() && task.expected_sha256 != task.project.object.sha256) {
+        packing->findings.push_back({Severity::warning,
+                                     "object_changed",
+                                     "the object " + task.project.object.name +
+                                         " is not the one that the project was made with: check the result",
+                                     {}});
+        sort_by_severity(packing->findings);
+    }
+    return Packed{std::move(*object), std::move(*packing)};
+}
+
+/// Writes everything, the report last, since it tells how long the rest took.
+Result<std::string> write_outputs(const Packed& packed, Packing& packing, const std::optional<GapReport>& gap,
+                                  const Project& project, const std::string& folder) {
+    const std::vector<OutputFile> files = output_files(packed.object, project, packing);
+    const InterruptGuard guard;
+    FileSet set(folder);
+    Stopwatch watch;
+    if (auto done = set.open(); !done) return tl::unexpected(done.error());
+    for (const OutputFile& file : files)
+        if (auto done = set.write(file.name, file.bytes); !done) return tl::unexpected(done.error());
+    packing.timing.write = watch.lap();
+    const std::string report = report_json(packed.object, project.object, packing, gap);
+    if (auto done = set.write("report.json", std::as_bytes(std::span(report))); !done)
+        return tl::unexpected(done.error());
+    if (auto done = set.commit(); !done) return tl::unexpected(done.error());
+    return report;
+}
+
+int make(const MakeArguments& arguments) {
+    auto task = task_from(arguments);
+    if (!task) return report(task.error());
+
+    std::optional<StatusLine> status(std::in_place, arguments.quiet);
+    auto packed = read_and_pack(*task, *status);
+    if (!packed) {
+        status.reset();
+        return report(packed.error());
+    }
+    Packing& packing = packed->packing;
+    if (!packing.foams) {
+        status.reset();
+        if (arguments.json)
+            if (auto done = print(report_json(packed->object, task->project.object, packing, {})); !done)
+                return report(done.error());
+        return report({ErrorKind::does_not_fit,
+                       fmt::format("{}: {}", task->object_path.string(), packing.findings.front().message)});
+    }
+
+    const auto gap = gaps(packed->object, packing, status->progress("Measuring gaps"));
+    if (!gap) return report(gap.error());
+    status->show("Writing");
+    const auto report_text = write_outputs(*packed, packing, *gap, task->project, arguments.folder);
+    status.reset();
+    if (!report_text) return report(report_text.error());
+    if (arguments.json) {
+        if (auto done = print(*report_text); !done) return report(done.error());
+    } else if (!arguments.quiet) {
+        if (auto done = print(summary(packed->object, task->project, packing, *gap, arguments.folder)); !done)
+            return report(done.error());
+    }
+    return kDone;
+}
+
+}  // namespace
+
+void add_make(CLI::App& program, Command& chosen) {
+    CLI::App* command = program.add_subcommand("make", "Make foams from an object, or from a project file");
+    const auto arguments = std::make_shared<MakeArguments>();
+    add_options(*command, *arguments);
+    command->callback([arguments, &chosen] { chosen = [arguments] { return make(*arguments); }; });
+}
+
+}  // namespace snug::cli

@@ -1,0 +1,61 @@
+#include "cli/option_values.h"
+
+#include <charconv>
+
+#include <fast_float/fast_float.h>
+#include <fmt/core.h>
+
+#include "snug/base/text.h"
+
+namespace snug::cli {
+namespace {
+
+template <class T>
+bool parse_number(std::string_view text, T& value) {
+    const char* end = text.data() + text.size();
+    if constexpr (std::is_integral_v<T>) {
+        const auto [stop, error] = std::from_chars(text.data(), end, value);
+        return error == std::errc() && stop == end;
+    } else {
+        const auto [stop, error] = fast_float::from_chars(text.data(), end, value);
+        return error == std::errc() && stop == end;
+    }
+}
+
+template <class T>
+Result<Vec3<T>> parse_three(const std::string& option, std::string_view text, char separator,
+                            const char* example) {
+    Vec3<T> values;
+    std::string_view rest = text;
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::size_t end = axis < 2 ? rest.find(separator) : rest.size();
+        if (end == std::string_view::npos || !parse_number(rest.substr(0, end), values[axis]))
+            return fail(ErrorKind::usage, fmt::format("{} takes three numbers such as {}, not {}", option,
+                                                      example, quoted(text)));
+        rest.remove_prefix(axis < 2 ? end + 1 : end);
+    }
+    return values;
+}
+
+}  // namespace
+
+Result<Vec3i> parse_counts(const std::string& option, std::string_view text) {
+    return parse_three<int>(option, text, 'x', "30x18x18");
+}
+
+Result<Vec3d> parse_sizes(const std::string& option, std::string_view text) {
+    return parse_three<double>(option, text, 'x', "15x15x22");
+}
+
+Result<Vec3d> parse_vector(const std::string& option, std::string_view text) {
+    return parse_three<double>(option, text, ',', "0,90,0");
+}
+
+Result<int> parse_integer(const std::string& option, std::string_view text) {
+    int value = 0;
+    if (!parse_number(text, value))
+        return fail(ErrorKind::usage, fmt::format("{} takes a whole number, not {}", option, quoted(text)));
+    return value;
+}
+
+}  // namespace snug::cli

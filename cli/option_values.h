@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "snug/base/result.h"
+#include "snug/base/vec.h"
+
+namespace snug::cli {
+
+// The composite values of options. Errors (kind `usage`) name the option and show what it takes.
+
+/// "30x18x18"
+[[nodiscard]] Result<Vec3i> parse_counts(const std::string& option, std::string_view text);
+
+/// "15x15x22", mm
+[[nodiscard]] Result<Vec3d> parse_sizes(const std::string& option, std::string_view text);
+
+/// "0,90,0"
+[[nodiscard]] Result<Vec3d> parse_vector(const std::string& option, std::string_view text);
+
+/// "7"
+[[nodiscard]] Result<int> parse_integer(const std::string& option, std::string_view text);
+
+}  // namespace snug::cli

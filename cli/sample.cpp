@@ -1,0 +1,65 @@
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include <fmt/core.h>
+
+#include "snug/base/text.h"
+#include "snug/fabricate/mesh_files.h"
+#include "snug/mesh/samples.h"
+
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/files.h"
+
+namespace snug::cli {
+namespace {
+
+struct SampleArguments {
+    std::string name;
+    std::string file;
+};
+
+Result<FileBytes> encoded(const Mesh& mesh, const std::filesystem::path& path) {
+    std::string ending = path.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return std::tolower(c); });
+    if (ending == ".stl") return write_stl(mesh.vertices, mesh.triangles, "Snug sample, mm");
+    if (ending == ".ply") return write_ply(mesh.vertices, mesh.triangles, {});
+    if (ending == ".obj") return write_obj(mesh.vertices, mesh.triangles);
+    if (ending == ".off") return write_off(mesh.vertices, mesh.triangles);
+    return fail(ErrorKind::usage,
+                fmt::format("{}: the name must end in .stl, .ply, .obj or .off", path.string()));
+}
+
+int write_sample(const SampleArguments& arguments) {
+    const auto mesh = sample(arguments.name);
+    if (!mesh) return report(mesh.error());
+    const auto bytes = encoded(*mesh, arguments.file);
+    if (!bytes) return report(bytes.error());
+    if (auto done = write_file(arguments.file, *bytes); !done) return report(done.error());
+    const auto done = print(fmt::format("{}: {}, {} mm\n", arguments.file,
+                                        counted(mesh->vertices.size(), "vertex", "vertices"),
+                                        dimensions(bounds(*mesh).size())));
+    return done ? kDone : report(done.error());
+}
+
+}  // namespace
+
+void add_sample(CLI::App& program, Command& chosen) {
+    CLI::App* command =
+        program.add_subcommand("sample", "Write an object that Snug generates, to try things with");
+    const auto arguments = std::make_shared<SampleArguments>();
+    command->add_option("NAME", arguments->name, "torus, vase, figurine or camera")->required();
+    command
+        ->add_option("-o,--output", arguments->file,
+                     "The file; its ending says the format: .stl .ply .obj .off")
+        ->required()
+        ->type_name("FILE");
+    command->footer("Example: snug sample vase -o vase.stl");
+    command->callback([arguments, &chosen] { chosen = [arguments] { return write_sample(*arguments); }; });
+}
+
+}  // namespace snug::cli

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "snug/design/project.h"
+#include "snug/pipeline.h"
+
+namespace snug::cli {
+
+/// What a packer wants to know of a packing with foams, in a dozen lines.
+[[nodiscard]] std::string summary(const Object& object, const Project& project, const Packing& packing,
+                                  const GapReport& gap, const std::string& folder);
+
+/// "34,834 vertices, 69,451 triangles, 155.7 x 154.3 x 120.7 mm, open (5 holes)"
+[[nodiscard]] std::string object_line(const Object& object);
+
+}  // namespace snug::cli
