@@ -1,0 +1,96 @@
+#include "snug/search/greedy_climb.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+
+#include "snug/base/text.h"
+#include "snug/foam/block_map.h"
+#include "snug/foam/fit_report.h"
+#include "snug/foam/fitted_space.h"
+#include "snug/foam/foam_pair.h"
+#include "snug/foam/placement.h"
+
+namespace snug {
+namespace {
+
+/// The report for one rotation; none where the grown object leaves the space.
+std::optional<FitReport> evaluate(Climb& climb, const Mesh& mesh, Vec3d rotation_deg) {
+    ++climb.evaluations;
+    const Placement placement = place(mesh, rotation_deg, climb.offset_mm);
+    const Vec3d least = fitted_blocks(placement.bounds, climb.space.block_mm, climb.cut.clearance_mm, 0);
+    for (int axis = 0; axis < 3; ++axis)
+        if (least[axis] > climb.space.blocks[axis]) return {};
+    const Reach grown = reach(climb.cut.clearance_mm, climb.cut.cut_on_touch);
+    const BlockMap blocks = block_map(depth_map(mesh, placement, climb.space, grown), climb.space, grown);
+    // Where the halves meet changes neither the walls nor what is cut.
+    return fit_report(split(blocks, climb.space, 0), blocks, climb.space);
+}
+
+bool keeps_walls(const FitReport& fit, const std::array<double, 6>& least_wall) {
+    for (std::size_t side = 0; side < least_wall.size(); ++side)
+        if (fit.wall_mm[side] < least_wall[side]) return false;
+    return true;
+}
+
+void stand_at(Climb& climb, Vec3d rotation_deg, const FitReport& fit) {
+    climb.rotation_deg = rotation_deg;
+    climb.cut_blocks = fit.cut_blocks;
+    climb.fill_ratio = fit.fill_ratio;
+}
+
+/// The same direction within -180 to 180.
+double wrapped(double degrees) {
+    const double turn = std::fmod(degrees, 360);
+    return turn > 180 ? turn - 360 : turn < -180 ? turn + 360 : turn;
+}
+
+}  // namespace
+
+Result<Climb> start_climb(const Mesh& mesh, const Design& design, const DesignSpace& space) {
+    Climb climb;
+    climb.space = space;
+    climb.cut = design.cut;
+    climb.offset_mm = design.placement.offset_mm;
+    const auto fit = evaluate(climb, mesh, design.placement.rotation_deg);
+    if (!fit)
+        return fail(ErrorKind::does_not_fit,
+                    "the object leaves the design space of " + dimensions(space.size()) +
+                        " mm as it stands: make the space larger or turn the object before optimizing");
+    stand_at(climb, design.placement.rotation_deg, *fit);
+    const double wanted = wanted_wall_mm(design.space);
+    for (std::size_t side = 0; side < climb.least_wall.size(); ++side)
+        climb.least_wall[side] = std::min(wanted, fit->wall_mm[side]);
+    return climb;
+}
+
+bool climb_round(Climb& climb, const Mesh& mesh, const ClimbProgress& progress) {
+    const Vec3d from = climb.rotation_deg;
+    bool moved = false;
+    for (int angle = 0; angle < 3; ++angle) {
+        for (const double direction : {1.0, -1.0}) {
+            Vec3d rotation = from;
+            rotation[angle] = wrapped(rotation[angle] + direction * climb.step_deg);
+            const auto fit = evaluate(climb, mesh, rotation);
+            if (fit && fit->cut_blocks < climb.cut_blocks && keeps_walls(*fit, climb.least_wall)) {
+                stand_at(climb, rotation, *fit);
+                moved = true;
+            }
+            if (progress && !progress(climb)) return false;
+        }
+    }
+    if (!moved) climb.step_deg /= 2;
+    return true;
+}
+
+Result<Climb> greedy_climb(const Mesh& mesh, const Design& design, const DesignSpace& space,
+                           const ClimbProgress& progress) {
+    auto climb = start_climb(mesh, design, space);
+    if (!climb) return climb;
+    while (!ended(*climb))
+        if (!climb_round(*climb, mesh, progress)) break;
+    return climb;
+}
+
+}  // namespace snug
