@@ -1,0 +1,99 @@
+#include <string>
+#include <utility>
+
+#include <emscripten/bind.h>
+
+#include "snug/fabricate/mesh_files.h"
+#include "snug/mesh/read.h"
+#include "snug/mesh/samples.h"
+
+#include "wasm/session.h"
+#include "wasm/values.h"
+
+// What the browser calls. No logic: values in, values out, errors as {error, kind}.
+
+namespace snug::wasm {
+namespace {
+
+std::string version() {
+    return SNUG_VERSION;
+}
+
+std::string default_design() {
+    return design_json({});
+}
+
+val presets() {
+    val list = val::array();
+    for (const Preset& preset : built_in_presets()) list.call<void>("push", to_val(preset));
+    return list;
+}
+
+/// {object, design}, the design as a JSON text.
+val parse(const std::string& project_text) {
+    const auto project = parse_project(project_text);
+    if (!project) return to_val(project.error());
+    val result = val::object();
+    result.set("object", to_val(project->object));
+    result.set("design", design_json(project->design));
+    return result;
+}
+
+/// {text}
+val project_text(const std::string& design_text, const std::string& name, double bytes,
+                 const std::string& sha256) {
+    const auto design = parse_design(design_text);
+    if (!design) return to_val(design.error());
+    val result = val::object();
+    result.set("text", project_json({{name, static_cast<unsigned long long>(bytes), sha256}, *design}));
+    return result;
+}
+
+val samples() {
+    val list = val::array();
+    for (const std::string_view name : sample_names()) list.call<void>("push", std::string(name));
+    return list;
+}
+
+/// {name, bytes}: one of the objects that Snug generates itself, as a file.
+val sample_file(const std::string& name) {
+    const auto mesh = sample(name);
+    if (!mesh) return to_val(mesh.error());
+    return to_val(OutputFile{name + ".ply", write_ply(mesh->vertices, mesh->triangles, {})});
+}
+
+val make(const val& object_bytes, const std::string& project_text) {
+    const auto project = parse_project(project_text);
+    if (!project) return to_val(project.error());
+    auto mesh = read_mesh(bytes_from(object_bytes), project->object.name);
+    if (!mesh) return to_val(mesh.error());
+    const auto object = prepare(std::move(*mesh), project->design);
+    if (!object) return to_val(object.error());
+    return make_files(*object, *project, {});
+}
+
+}  // namespace
+}  // namespace snug::wasm
+
+EMSCRIPTEN_BINDINGS(snug) {
+    namespace bound = snug::wasm;
+    using emscripten::function;
+    function("version", &bound::version);
+    function("defaultDesign", &bound::default_design);
+    function("presets", &bound::presets);
+    function("parseProject", &bound::parse);
+    function("projectText", &bound::project_text);
+    function("samples", &bound::samples);
+    function("sampleFile", &bound::sample_file);
+    function("make", &bound::make);
+    emscripten::class_<bound::Session>("Session")
+        .constructor<>()
+        .function("load", &bound::Session::load)
+        .function("describe", &bound::Session::describe)
+        .function("mesh", &bound::Session::mesh)
+        .function("pack", &bound::Session::pack)
+        .function("gaps", &bound::Session::gaps)
+        .function("startClimb", &bound::Session::start_climb)
+        .function("climbRound", &bound::Session::climb_round)
+        .function("outputFiles", &bound::Session::output_files);
+}

@@ -1,0 +1,139 @@
+#include "wasm/session.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "snug/base/stopwatch.h"
+#include "snug/mesh/measure.h"
+#include "snug/mesh/read.h"
+
+namespace snug::wasm {
+namespace {
+
+const Error kNoObject{ErrorKind::usage, "there is no object yet: open one first"};
+const Error kNoFoams{ErrorKind::usage, "there are no foams yet that could be measured"};
+
+/// Whether a size is plausible is a question of the design, and cheap to ask: a mesh of two corners has it.
+std::optional<Error> implausible_size(const Box3d& box, const Design& design) {
+    Mesh corners;
+    corners.vertices = {vec_cast<float>(box.min), vec_cast<float>(box.max)};
+    corners.triangles = {{0, 1, 0}};
+    const auto object = prepare(std::move(corners), design);
+    if (object) return {};
+    return object.error();
+}
+
+bool asks_for_unit(const Box3d& box, const Design& design) {
+    return box.longest_side() > 0 && !design.object.units && !design.object.longest_mm;
+}
+
+Object unscaled(const Mesh& mesh) {
+    Object object;
+    object.read_vertices = mesh.vertices.size();
+    object.read_triangles = mesh.triangles.size();
+    object.measure = measure(mesh);
+    return object;
+}
+
+}  // namespace
+
+val make_files(const Object& object, const Project& project, const Progress& progress) {
+    auto packing = pack(object, project.design);
+    if (!packing) return to_val(packing.error());
+    if (!packing->foams) return to_val(Error{ErrorKind::does_not_fit, packing->findings.front().message});
+    const auto gap = gaps(object, *packing, progress);
+    if (!gap) return to_val(gap.error());
+    val result = val::object();
+    result.set("files", to_val(output_files(object, project, *packing)));
+    result.set("report", report_json(object, project.object, *packing, *gap));
+    return result;
+}
+
+val Session::load(const val& bytes, const std::string& name, const std::string& design_text) {
+    const auto design = parse_design(design_text);
+    if (!design) return to_val(design.error());
+    auto mesh = read_mesh(bytes_from(bytes), name);
+    if (!mesh) return to_val(mesh.error());
+    const Box3d box = bounds(*mesh);
+    auto object = prepare(*mesh, *design);
+    if (!object && !asks_for_unit(box, *design)) return to_val(object.error());
+
+    climb_.reset();
+    packing_.reset();
+    object_.reset();
+    read_ = std::move(*mesh);
+    options_ = design->object;
+    if (!object) return to_val(unscaled(*read_), box.size(), object.error());
+    object_ = std::move(*object);
+    return to_val(*object_, box.size(), {});
+}
+
+std::optional<Error> Session::prepare_for(const Design& design) {
+    if (!read_) return kNoObject;
+    if (object_ && options_ == design.object) return implausible_size(bounds(*read_), design);
+    auto object = prepare(*read_, design);
+    if (!object) return object.error();
+    climb_.reset();
+    packing_.reset();
+    options_ = design.object;
+    object_ = std::move(*object);
+    return {};
+}
+
+val Session::describe(const std::string& design_text) {
+    const auto design = parse_design(design_text);
+    if (!design) return to_val(design.error());
+    const auto error = prepare_for(*design);
+    if (!error) return to_val(*object_, bounds(*read_).size(), {});
+    if (!read_ || !asks_for_unit(bounds(*read_), *design)) return to_val(*error);
+    return to_val(unscaled(*read_), bounds(*read_).size(), error);
+}
+
+val Session::mesh() const {
+    if (object_) return to_val(object_->mesh);
+    return to_val(read_.value_or(Mesh{}));
+}
+
+val Session::pack(const std::string& design_text) {
+    Stopwatch watch;
+    const auto design = parse_design(design_text);
+    if (!design) return to_val(design.error());
+    if (const auto error = prepare_for(*design)) return to_val(*error);
+    auto packing = snug::pack(*object_, *design);
+    if (!packing) return to_val(packing.error());
+    packing_ = std::move(*packing);
+    return to_val(*packing_, watch.lap());
+}
+
+val Session::gaps(const val& progress) const {
+    if (!packing_ || !packing_->foams) return to_val(kNoFoams);
+    const auto gap = snug::gaps(*object_, *packing_, progress_from(progress));
+    return gap ? to_val(*gap) : to_val(gap.error());
+}
+
+val Session::start_climb(const std::string& design_text) {
+    const auto design = parse_design(design_text);
+    if (!design) return to_val(design.error());
+    if (const auto error = prepare_for(*design)) return to_val(*error);
+    const auto packing = snug::pack(*object_, *design);
+    if (!packing) return to_val(packing.error());
+    const auto climb = snug::start_climb(object_->mesh, *design, packing->space);
+    if (!climb) return to_val(climb.error());
+    climb_ = *climb;
+    return to_val(*climb_);
+}
+
+val Session::climb_round() {
+    if (!climb_) return to_val(Error{ErrorKind::cancelled, "the object changed while it was turned"});
+    if (!ended(*climb_)) snug::climb_round(*climb_, object_->mesh);
+    return to_val(*climb_);
+}
+
+val Session::output_files(const std::string& project_text, const val& progress) {
+    const auto project = parse_project(project_text);
+    if (!project) return to_val(project.error());
+    if (const auto error = prepare_for(project->design)) return to_val(*error);
+    return make_files(*object_, *project, progress_from(progress));
+}
+
+}  // namespace snug::wasm

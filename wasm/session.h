@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "snug/mesh/mesh.h"
+#include "snug/pipeline.h"
+#include "snug/search/greedy_climb.h"
+
+#include "wasm/values.h"
+
+namespace snug::wasm {
+
+/// {files: [{name, bytes}], report}: what `snug make` writes for an object.
+[[nodiscard]] val make_files(const Object& object, const Project& project, const Progress& progress);
+
+/// Keeps the object between calls, so that only designs and results pass between JavaScript and the library.
+/// Designs are JSON texts as they stand in a project. Failures are {error, kind} and change nothing.
+class Session {
+  public:
+    /// Reads a file and makes it the object. An implausible size is no failure: the object is kept, and its
+    /// size_mm is null until a design chooses the unit.
+    val load(const val& bytes, const std::string& name, const std::string& design);
+    /// What the design's object options make of the object that is loaded.
+    val describe(const std::string& design);
+    /// The object in mm, before the placement; as the file has it while it has no size in mm. {positions,
+    /// indices}.
+    [[nodiscard]] val mesh() const;
+    val pack(const std::string& design);
+    /// Of the last packing.
+    [[nodiscard]] val gaps(const val& progress) const;
+    /// Starts a climb where the design stands; the next packing of another object ends it.
+    val start_climb(const std::string& design);
+    val climb_round();
+    /// Everything that `snug make` writes for the design and the object's file.
+    val output_files(const std::string& project, const val& progress);
+
+  private:
+    [[nodiscard]] std::optional<Error> prepare_for(const Design& design);
+
+    std::optional<Mesh> read_;  ///< as the file has it, in its own unit
+    ObjectOptions options_;     ///< that object_ was prepared with
+    std::optional<Object> object_;
+    std::optional<Packing> packing_;
+    std::optional<Climb> climb_;
+};
+
+}  // namespace snug::wasm

@@ -1,0 +1,232 @@
+#include "wasm/values.h"
+
+#include <algorithm>
+#include <string>
+
+namespace snug::wasm {
+namespace {
+
+// More parts than anyone reads; a soup may have a million.
+constexpr std::size_t kMostParts = 1000;
+
+const char* kind_name(ErrorKind kind) {
+    switch (kind) {
+        case ErrorKind::usage:
+            return "usage";
+        case ErrorKind::input:
+            return "input";
+        case ErrorKind::does_not_fit:
+            return "does_not_fit";
+        case ErrorKind::output:
+            return "output";
+        case ErrorKind::cancelled:
+            return "cancelled";
+    }
+    return "input";
+}
+
+template <class T>
+val or_null(const std::optional<T>& value) {
+    return value ? val(*value) : val::null();
+}
+
+val triple(double x, double y, double z) {
+    val array = val::array();
+    array.set(0, x);
+    array.set(1, y);
+    array.set(2, z);
+    return array;
+}
+
+val findings_val(const std::vector<Finding>& findings) {
+    val list = val::array();
+    for (const Finding& finding : findings) {
+        val entry = val::object();
+        entry.set("severity", std::string(severity_name(finding.severity)));
+        entry.set("code", finding.code);
+        entry.set("message", finding.message);
+        entry.set("where", finding.where ? to_val(*finding.where) : val::null());
+        list.call<void>("push", entry);
+    }
+    return list;
+}
+
+val fit_val(const FitReport& fit) {
+    val walls = val::array();
+    for (const double wall : fit.wall_mm) walls.call<void>("push", wall);
+    val result = val::object();
+    result.set("lower_blocks", static_cast<double>(fit.lower_blocks));
+    result.set("upper_blocks", static_cast<double>(fit.upper_blocks));
+    result.set("cut_blocks", static_cast<double>(fit.cut_blocks));
+    result.set("volume_mm3", fit.foam_mm3);
+    result.set("fill_ratio", fit.fill_ratio);
+    result.set("wall_mm", walls);
+    return result;
+}
+
+/// Column-major 4 x 4.
+val matrix(const Placement& placement) {
+    val array = val::array();
+    for (int column = 0; column < 3; ++column) {
+        for (const Vec3d& row : placement.rotation.row) array.call<void>("push", row[column]);
+        array.call<void>("push", 0);
+    }
+    for (int axis = 0; axis < 3; ++axis) array.call<void>("push", placement.shift[axis]);
+    array.call<void>("push", 1);
+    return array;
+}
+
+template <class T>
+val grid_values(const Grid<T>& grid) {
+    return typed_array(grid.size() == 0 ? nullptr : &grid[0], grid.size());
+}
+
+void set_columns(val& result, const FoamPair& foams, const BlockMap& blocks) {
+    std::vector<std::int16_t> first(blocks.size()), end(blocks.size());
+    for (std::size_t column = 0; column < blocks.size(); ++column) {
+        first[column] = blocks[column].first;
+        end[column] = blocks[column].end;
+    }
+    result.set("lower", grid_values(foams.lower));
+    result.set("upper", grid_values(foams.upper));
+    result.set("cutFirst", typed_array(first.data(), first.size()));
+    result.set("cutEnd", typed_array(end.data(), end.size()));
+}
+
+}  // namespace
+
+std::vector<std::byte> bytes_from(const val& uint8_array) {
+    std::vector<std::byte> bytes(uint8_array["length"].as<std::size_t>());
+    const val view{
+        emscripten::typed_memory_view(bytes.size(), reinterpret_cast<std::uint8_t*>(bytes.data()))};
+    view.call<void>("set", uint8_array);
+    return bytes;
+}
+
+val to_uint8_array(const std::vector<std::byte>& bytes) {
+    return typed_array(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
+}
+
+Progress progress_from(const val& function) {
+    if (function.isNull() || function.isUndefined()) return {};
+    return [function](double fraction) { return function(fraction).as<bool>(); };
+}
+
+val to_val(Vec3d v) {
+    return triple(v.x, v.y, v.z);
+}
+
+val to_val(Vec3i v) {
+    return triple(v.x, v.y, v.z);
+}
+
+val to_val(const Error& error) {
+    val result = val::object();
+    result.set("error", error.message);
+    result.set("kind", std::string(kind_name(error.kind)));
+    return result;
+}
+
+val to_val(const Preset& preset) {
+    val result = val::object();
+    result.set("name", preset.name);
+    result.set("title", preset.title);
+    result.set("block_mm", to_val(preset.block_mm));
+    result.set("clearance_mm", preset.clearance_mm);
+    result.set("density_kg_m3", or_null(preset.density_kg_m3));
+    result.set("rigid", preset.rigid);
+    result.set("worked", preset.worked);
+    return result;
+}
+
+val to_val(const ObjectFile& file) {
+    val result = val::object();
+    result.set("name", file.name);
+    result.set("bytes", static_cast<double>(file.bytes));
+    result.set("sha256", file.sha256);
+    return result;
+}
+
+val to_val(const Object& object, Vec3d file_size, const std::optional<Error>& refused) {
+    const MeshMeasure& measure = object.measure;
+    val parts = val::array();
+    for (std::size_t i = 0; !refused && i < std::min(measure.parts.size(), kMostParts); ++i) {
+        val part = val::object();
+        part.set("triangles", measure.parts[i].triangles);
+        part.set("size_mm", to_val(measure.parts[i].bounds.size()));
+        parts.call<void>("push", part);
+    }
+    val result = val::object();
+    result.set("vertices", object.read_vertices);
+    result.set("triangles", object.read_triangles);
+    result.set("fileSize", to_val(file_size));
+    result.set("size_mm", refused ? val::null() : to_val(measure.bounds.size()));
+    result.set("sizeProblem", refused ? val(refused->message) : val::null());
+    result.set("watertight", measure.watertight);
+    result.set("volume_mm3", refused ? val::null() : or_null(measure.volume));
+    result.set("holes", measure.holes.size());
+    result.set("parts", parts);
+    result.set("partCount", measure.parts.size());
+    return result;
+}
+
+val to_val(const Mesh& mesh) {
+    static_assert(sizeof(Vec3f) == 3 * sizeof(float) && sizeof(Triangle) == 3 * sizeof(std::uint32_t));
+    val result = val::object();
+    result.set("positions",
+               typed_array(reinterpret_cast<const float*>(mesh.vertices.data()), mesh.vertices.size() * 3));
+    result.set("indices", typed_array(reinterpret_cast<const std::uint32_t*>(mesh.triangles.data()),
+                                      mesh.triangles.size() * 3));
+    return result;
+}
+
+val to_val(const Packing& packing, double library_ms) {
+    val bounds = val::object();
+    bounds.set("min", to_val(packing.placement.bounds.min));
+    bounds.set("max", to_val(packing.placement.bounds.max));
+    val result = val::object();
+    result.set("blocks", to_val(packing.space.blocks));
+    result.set("block_mm", to_val(packing.space.block_mm));
+    set_columns(result, packing.foams.value_or(FoamPair{}), packing.foams ? packing.blocks : BlockMap{});
+    result.set("partingLevel", packing.foams ? packing.foams->parting_level : 0);
+    result.set("placement", matrix(packing.placement));
+    result.set("bounds", bounds);
+    result.set("fit", packing.foams ? fit_val(packing.fit) : val::null());
+    result.set("findings", findings_val(packing.findings));
+    result.set("library_ms", library_ms);
+    return result;
+}
+
+val to_val(const GapReport& gap) {
+    val result = val::object();
+    result.set("widest_mm", gap.widest_mm);
+    result.set("widest_error_mm", gap.widest_error_mm);
+    result.set("widest_at", to_val(gap.widest_at));
+    result.set("step_mm3", gap.step_mm3);
+    result.set("undercut_mm3", or_null(gap.undercut_mm3));
+    return result;
+}
+
+val to_val(const Climb& climb) {
+    val result = val::object();
+    result.set("rotation_deg", to_val(climb.rotation_deg));
+    result.set("fill_ratio", climb.fill_ratio);
+    result.set("evaluations", static_cast<double>(climb.evaluations));
+    result.set("ended", ended(climb));
+    return result;
+}
+
+val to_val(const OutputFile& file) {
+    val result = val::object();
+    result.set("name", file.name);
+    result.set("bytes", to_uint8_array(file.bytes));
+    return result;
+}
+
+val to_val(const std::vector<OutputFile>& files) {
+    val list = val::array();
+    for (const OutputFile& file : files) list.call<void>("push", to_val(file));
+    return list;
+}
+
+}  // namespace snug::wasm

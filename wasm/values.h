@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include <emscripten/val.h>
+
+#include "snug/base/progress.h"
+#include "snug/base/result.h"
+#include "snug/base/vec.h"
+#include "snug/design/presets.h"
+#include "snug/design/project.h"
+#include "snug/foam/gap.h"
+#include "snug/outputs.h"
+#include "snug/pipeline.h"
+#include "snug/search/greedy_climb.h"
+
+// The library's values as the page has them (studio/src/engine/api.ts), field for field. Arrays are copies:
+// they stay valid when the module's memory grows, and may be transferred.
+
+namespace snug::wasm {
+
+using emscripten::val;
+
+[[nodiscard]] std::vector<std::byte> bytes_from(const val& uint8_array);
+[[nodiscard]] val to_uint8_array(const std::vector<std::byte>& bytes);
+
+template <class T>
+[[nodiscard]] val typed_array(const T* data, std::size_t size) {
+    return val(emscripten::typed_memory_view(size, data)).template call<val>("slice");
+}
+
+/// A JavaScript function of the fraction that is done, which returns whether to go on; null for none.
+[[nodiscard]] Progress progress_from(const val& function);
+
+[[nodiscard]] val to_val(Vec3d v);
+[[nodiscard]] val to_val(Vec3i v);
+/// {error, kind}
+[[nodiscard]] val to_val(const Error& error);
+[[nodiscard]] val to_val(const Preset& preset);
+[[nodiscard]] val to_val(const ObjectFile& file);
+/// `refused`: why the object has no size in mm yet; `object` then holds what can be said without it.
+[[nodiscard]] val to_val(const Object& object, Vec3d file_size, const std::optional<Error>& refused);
+[[nodiscard]] val to_val(const Mesh& mesh);
+[[nodiscard]] val to_val(const Packing& packing, double library_ms);
+[[nodiscard]] val to_val(const GapReport& gap);
+[[nodiscard]] val to_val(const Climb& climb);
+[[nodiscard]] val to_val(const OutputFile& file);
+[[nodiscard]] val to_val(const std::vector<OutputFile>& files);
+
+}  // namespace snug::wasm
