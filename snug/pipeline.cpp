@@ -117,8 +117,7 @@ Result<Packing> pack(const Object& object, const Design& design) {
     Packing packing;
     packing.rotation_deg = design.placement.rotation_deg;
     packing.offset_mm = design.placement.offset_mm;
-    packing.placement =
-        place(object.mesh, design.placement.rotation_deg, design.placement.offset_mm, object.read_vertices);
+    packing.placement = place(object.mesh, design.placement.rotation_deg, design.placement.offset_mm);
     const auto space = space_for(packing.placement.bounds, design);
     if (!space) return tl::unexpected(space.error());
     packing.space = *space;

@@ -13,19 +13,15 @@ Box3d turned_bounds(std::span<const Vec3f> vertices, const Rotation& rotation) {
 
 }  // namespace
 
-Placement place(const Mesh& mesh, Vec3d rotation_deg, Vec3d offset_mm, std::size_t own_vertices) {
-    const std::span<const Vec3f> vertices(mesh.vertices);
+Placement place(const Mesh& mesh, Vec3d rotation_deg, Vec3d offset_mm) {
+    const std::span<const Vec3f> vertices(mesh.vertices.data(), mesh.vertices.size());
     Placement placement;
     placement.rotation = rotation_from_euler(rotation_deg);
-    Box3d turned = turned_bounds(vertices.first(own_vertices), placement.rotation);
+    Box3d turned = turned_bounds(vertices.first(vertices.size() - mesh.cap_vertices), placement.rotation);
     placement.shift = offset_mm - turned.centre();
-    turned.include(turned_bounds(vertices.subspan(own_vertices), placement.rotation));
+    turned.include(turned_bounds(vertices.last(mesh.cap_vertices), placement.rotation));
     placement.bounds = {turned.min + placement.shift, turned.max + placement.shift};
     return placement;
-}
-
-Placement place(const Mesh& mesh, Vec3d rotation_deg, Vec3d offset_mm) {
-    return place(mesh, rotation_deg, offset_mm, mesh.vertices.size());
 }
 
 }  // namespace snug

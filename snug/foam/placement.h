@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstddef>
-
 #include "snug/base/box.h"
 #include "snug/base/rotation.h"
 #include "snug/mesh/mesh.h"
@@ -17,11 +15,8 @@ struct Placement {
     [[nodiscard]] Vec3d operator()(Vec3f vertex) const { return rotation(vec_cast<double>(vertex)) + shift; }
 };
 
-/// The placement by Euler angles psi, theta, phi (degrees; see rotation_from_euler) and an offset in mm. Only
-/// the first `own_vertices` decide where the centre is, so that caps do not move the object; all of them are
-/// in `bounds`.
-[[nodiscard]] Placement place(const Mesh& mesh, Vec3d rotation_deg, Vec3d offset_mm,
-                              std::size_t own_vertices);
+/// The placement by Euler angles psi, theta, phi (degrees; see rotation_from_euler) and an offset in mm. Caps
+/// do not decide where the object's centre is, so that an object lies the same with and without them.
 [[nodiscard]] Placement place(const Mesh& mesh, Vec3d rotation_deg, Vec3d offset_mm);
 
 }  // namespace snug

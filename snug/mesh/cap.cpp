@@ -156,6 +156,7 @@ Mesh capped(const Mesh& mesh, const std::vector<Loop>& loops) {
         const Range base = heights_of_base(mesh, shape, length(object_size));
         if (base.extent() > kFlat * shape.size) add_prism(result, shape, base);
     }
+    result.cap_vertices = result.vertices.size() - mesh.vertices.size();
     return result;
 }
 

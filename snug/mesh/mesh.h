@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "snug/base/box.h"
@@ -13,6 +14,8 @@ struct Mesh {
     std::vector<Vec3f> vertices;  ///< relative to `origin`
     std::vector<Triangle> triangles;
     Vec3d origin;  ///< scans lie at survey coordinates that a float cannot hold
+    /// The last vertices that only caps use (cap.h): they count for what is cut, not for where the centre is.
+    std::size_t cap_vertices = 0;
 };
 
 /// Bounding box of the vertices, relative to mesh.origin.
