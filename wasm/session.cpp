@@ -62,6 +62,7 @@ val Session::load(const val& bytes, const std::string& name, const std::string& 
     packing_.reset();
     object_.reset();
     read_ = std::move(*mesh);
+    box_ = box;
     options_ = design->object;
     if (!object) return to_val(unscaled(*read_), box.size(), object.error());
     object_ = std::move(*object);
@@ -70,7 +71,7 @@ val Session::load(const val& bytes, const std::string& name, const std::string& 
 
 std::optional<Error> Session::prepare_for(const Design& design) {
     if (!read_) return kNoObject;
-    if (object_ && options_ == design.object) return implausible_size(bounds(*read_), design);
+    if (object_ && options_ == design.object) return implausible_size(box_, design);
     auto object = prepare(*read_, design);
     if (!object) return object.error();
     climb_.reset();
@@ -84,9 +85,9 @@ val Session::describe(const std::string& design_text) {
     const auto design = parse_design(design_text);
     if (!design) return to_val(design.error());
     const auto error = prepare_for(*design);
-    if (!error) return to_val(*object_, bounds(*read_).size(), {});
-    if (!read_ || !asks_for_unit(bounds(*read_), *design)) return to_val(*error);
-    return to_val(unscaled(*read_), bounds(*read_).size(), error);
+    if (!error) return to_val(*object_, box_.size(), {});
+    if (!read_ || !asks_for_unit(box_, *design)) return to_val(*error);
+    return to_val(unscaled(*read_), box_.size(), error);
 }
 
 val Session::mesh() const {

@@ -39,6 +39,7 @@ class Session {
     [[nodiscard]] std::optional<Error> prepare_for(const Design& design);
 
     std::optional<Mesh> read_;  ///< as the file has it, in its own unit
+    Box3d box_;                 ///< of read_
     ObjectOptions options_;     ///< that object_ was prepared with
     std::optional<Object> object_;
     std::optional<Packing> packing_;

@@ -1,0 +1,161 @@
+// What the page and the worker say to each other. The worker holds the library (WebAssembly) and the object;
+// the page holds the design. Lengths in mm, angles in degrees, design coordinates as the library has them: x is
+// the insertion axis and points up, the space is centred at the origin.
+
+export type Triple = [number, number, number];
+
+/** Everything that a user chooses: the `design` of a project file, field for field (snug/design/design.h). */
+export interface Design {
+  object: {units: Unit | null; scale: number; longest_mm: number | null; cap: boolean};
+  space: {preset: string; blocks: Triple | 'auto'; block_mm: Triple; wall_mm: number | null};
+  placement: {rotation_deg: Triple; offset_mm: Triple};
+  cut: {clearance_mm: number; cut_on_touch: boolean};
+  parting: {level: number | 'auto'};
+  output: {formats: ('stl' | 'ply')[]};
+}
+export type Unit = 'mm' | 'cm' | 'm' | 'in';
+
+export interface Preset {
+  name: string;
+  title: string;
+  block_mm: Triple;
+  clearance_mm: number;
+  density_kg_m3: number | null;
+  rigid: boolean;
+  worked: string;
+}
+
+/** A sentence of the library for the person, and where it belongs. */
+export interface Failure {
+  error: string;
+  kind: 'usage' | 'input' | 'does_not_fit' | 'output' | 'cancelled' | 'memory';
+}
+
+export interface ObjectFile {
+  name: string;
+  bytes: number;
+  sha256: string;
+}
+
+export interface ObjectInfo {
+  file: ObjectFile;
+  vertices: number;
+  triangles: number;
+  /** In the unit of the file. */
+  fileSize: Triple;
+  /** What the design makes of it; null while the size is implausible and no unit is chosen. */
+  size_mm: Triple | null;
+  /** Why size_mm is null: the library's sentence. */
+  sizeProblem: string | null;
+  watertight: boolean;
+  volume_mm3: number | null;
+  holes: number;
+  /** The largest first, at most 1000; none while size_mm is null. */
+  parts: {triangles: number; size_mm: Triple}[];
+  partCount: number;
+}
+
+/** A simplified copy for drawing, in the object's own coordinates in mm (before the placement); in the unit of
+ *  the file while ObjectInfo.size_mm is null. */
+export interface DisplayMesh {
+  positions: Float32Array<ArrayBuffer>;
+  indices: Uint32Array<ArrayBuffer>;
+  /** How far the copy lies from the original, as the simplifier estimates it, in the same unit; 0 if it is the
+   *  original. */
+  deviation: number;
+}
+
+export interface Finding {
+  severity: 'danger' | 'warning' | 'note';
+  code: string;
+  message: string;
+  where: Triple | null;
+}
+
+export interface Packing {
+  blocks: Triple;
+  block_mm: Triple;
+  /** Per column, j (y) over k (z): blocks kept, counted from its own side. Empty if the object leaves the space. */
+  lower: Uint16Array<ArrayBuffer>;
+  upper: Uint16Array<ArrayBuffer>;
+  /** Per column: the run of blocks that is cut away, none where first >= end. */
+  cutFirst: Int16Array<ArrayBuffer>;
+  cutEnd: Int16Array<ArrayBuffer>;
+  partingLevel: number;
+  /** Column-major 4 x 4: from the object's own mm to design coordinates. */
+  placement: number[];
+  /** Of the placed object, design coordinates. */
+  bounds: {min: Triple; max: Triple};
+  fit: {
+    lower_blocks: number;
+    upper_blocks: number;
+    cut_blocks: number;
+    volume_mm3: number;
+    fill_ratio: number;
+    wall_mm: number[]; // -x, +x, -y, +y, -z, +z
+  } | null;
+  findings: Finding[];
+  /** Time inside the library for this packing. */
+  library_ms: number;
+}
+
+export interface Gap {
+  widest_mm: number;
+  widest_error_mm: number;
+  widest_at: Triple;
+  step_mm3: number;
+  undercut_mm3: number | null;
+}
+
+/** One step of the climb: where it stands now. */
+export interface ClimbStep {
+  rotation_deg: Triple;
+  fill_ratio: number;
+  evaluations: number;
+}
+
+export interface OutputFile {
+  name: string;
+  bytes: Uint8Array<ArrayBuffer>;
+}
+
+/** Is told how much of long work is done, 0 to 1. */
+export type OnProgress = (fraction: number) => void;
+
+/** Calls may overlap: pack() answers while gaps(), climb() and outputFiles() go on. */
+export interface Engine {
+  version(): Promise<string>;
+  defaultDesign(): Promise<Design>;
+  presets(): Promise<Preset[]>;
+  /** The objects that Snug generates itself, by name. */
+  samples(): Promise<string[]>;
+  /** One of them as a file for load(), the same bytes as `snug sample NAME -o NAME.ply`. */
+  sampleFile(name: string): Promise<OutputFile | Failure>;
+  /** Reads, measures and keeps the object (STL, OBJ, PLY, OFF; others go through convert.ts first); a failed
+   *  load keeps the last good object. An implausible size is no failure: size_mm is null then, and pack() says
+   *  why it cannot. `bytes` stays the caller's. */
+  load(name: string, bytes: ArrayBuffer | Blob, object: Design['object']): Promise<ObjectInfo | Failure>;
+  /** Applies other object options (units, scale, cap) to the object that is loaded. pack() does so by itself,
+   *  too; this tells what they made of the object. */
+  reprepare(design: Design): Promise<ObjectInfo | Failure>;
+  /** Cached until the object changes. */
+  displayMesh(mostTriangles: number): Promise<DisplayMesh>;
+  /** Validates a whole project text, or a design alone (then the object has no name). */
+  parseProject(text: string): Promise<{object: ObjectFile; design: Design} | Failure>;
+  /** Rejects a design that parseProject() would refuse, with the library's sentence. */
+  projectText(design: Design): Promise<string>;
+  /** While one packing is being made only the newest waiting request survives; the others get a Failure of kind
+   *  `cancelled`. */
+  pack(design: Design): Promise<Packing | Failure>;
+  /** Of the last packing. Cancelled by cancel(). */
+  gaps(onProgress?: OnProgress): Promise<Gap | Failure>;
+  /** The paper's greedy climb over the three angles, the space staying that of the start; `onStep` hears each
+   *  round. After cancel() the best so far is returned. */
+  climb(design: Design, onStep: (step: ClimbStep) => void): Promise<ClimbStep | Failure>;
+  /** Ends gaps(), climb() and outputFiles(), whichever runs; the first and the last then give a Failure of kind
+   *  `cancelled`. */
+  cancel(): Promise<void>;
+  /** Everything that `snug make` writes for this design, byte for byte (report.json's timing_ms aside).
+   *  Cancelled by cancel(). */
+  outputFiles(design: Design, onProgress?: OnProgress): Promise<OutputFile[] | Failure>;
+}

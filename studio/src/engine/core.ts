@@ -1,0 +1,175 @@
+import type {Session, SnugModule} from 'snug-wasm/snug.mjs';
+import type {
+  ClimbStep,
+  Design,
+  DisplayMesh,
+  Failure,
+  Gap,
+  ObjectFile,
+  ObjectInfo,
+  OnProgress,
+  OutputFile,
+  Packing,
+  Preset,
+} from './api';
+import {simplified} from './display_mesh';
+import {brokenModule, isFailure} from './failure';
+
+// Often enough for a progress bar.
+const PROGRESS_EVERY_MS = 50;
+
+/** What runs in a worker: one object and the library. After a Failure of kind `memory` it is of no more use. */
+export class EngineCore {
+  readonly #snug: SnugModule;
+  readonly #session: Session;
+  #file: Promise<ObjectFile> = Promise.resolve({name: '', bytes: 0, sha256: ''});
+  #climb = 0;
+
+  constructor(snug: SnugModule) {
+    this.#snug = snug;
+    this.#session = new snug.Session();
+  }
+
+  async version(): Promise<string> {
+    return this.#snug.version();
+  }
+
+  async defaultDesign(): Promise<Design> {
+    return JSON.parse(this.#snug.defaultDesign()) as Design;
+  }
+
+  async presets(): Promise<Preset[]> {
+    return this.#snug.presets();
+  }
+
+  async samples(): Promise<string[]> {
+    return this.#snug.samples();
+  }
+
+  async sampleFile(name: string): Promise<OutputFile | Failure> {
+    return guarded(() => this.#snug.sampleFile(name));
+  }
+
+  async load(name: string, content: Blob, object: Design['object']): Promise<ObjectInfo | Failure> {
+    const bytes = new Uint8Array(await content.arrayBuffer());
+    const design = JSON.stringify({...(await this.defaultDesign()), object});
+    const info = guarded(() => this.#session.load(bytes, name, design));
+    if (isFailure(info)) return info;
+    this.#climb++;
+    this.#file = sha256(bytes).then((hash) => ({name: withoutFolders(name), bytes: bytes.length, sha256: hash}));
+    return {file: await this.#file, ...info};
+  }
+
+  async reprepare(design: Design): Promise<ObjectInfo | Failure> {
+    const info = guarded(() => this.#session.describe(JSON.stringify(design)));
+    return isFailure(info) ? info : {file: await this.#file, ...info};
+  }
+
+  async displayMesh(mostTriangles: number): Promise<DisplayMesh | Failure> {
+    const mesh = guarded(() => this.#session.mesh());
+    if (isFailure(mesh)) return mesh;
+    return simplified(mesh, mostTriangles).catch(brokenModule);
+  }
+
+  async parseProject(text: string): Promise<{object: ObjectFile; design: Design} | Failure> {
+    const project = isDesignAlone(text) ? this.#snug.projectText(text, 'unnamed', 0, '') : {text};
+    if (isFailure(project)) return project;
+    const parsed = guarded(() => this.#snug.parseProject(project.text));
+    if (isFailure(parsed)) return parsed;
+    const object = project.text === text ? parsed.object : {name: '', bytes: 0, sha256: ''};
+    return {object, design: JSON.parse(parsed.design) as Design};
+  }
+
+  async projectText(design: Design): Promise<{text: string} | Failure> {
+    const {name, bytes, sha256: hash} = await this.#file;
+    return guarded(() => this.#snug.projectText(JSON.stringify(design), name, bytes, hash));
+  }
+
+  async pack(design: Design): Promise<Packing | Failure> {
+    return guarded(() => this.#session.pack(JSON.stringify(design)));
+  }
+
+  /** Of the last packing. Blocks its thread until it is done. */
+  async gaps(onProgress?: OnProgress): Promise<Gap | Failure> {
+    return guarded(() => this.#session.gaps(throttled(onProgress)));
+  }
+
+  /** Round by round, so that cancel() and everything else is heard in between. */
+  async climb(design: Design, onStep: (step: ClimbStep) => void): Promise<ClimbStep | Failure> {
+    const mine = ++this.#climb;
+    const start = guarded(() => this.#session.startClimb(JSON.stringify(design)));
+    if (isFailure(start)) return start;
+    let {ended, ...step} = start;
+    onStep(step);
+    while (!ended) {
+      await afterWaitingMessages();
+      if (mine !== this.#climb) break;
+      const next = guarded(() => this.#session.climbRound());
+      if (isFailure(next)) return next.kind === 'cancelled' ? step : next;
+      ({ended, ...step} = next);
+      onStep(step);
+    }
+    return step;
+  }
+
+  /** Ends the climb after its round. */
+  async cancel(): Promise<void> {
+    this.#climb++;
+  }
+
+  async outputFiles(design: Design, onProgress?: OnProgress): Promise<OutputFile[] | Failure> {
+    const project = await this.projectText(design);
+    if (isFailure(project)) return project;
+    const made = guarded(() => this.#session.outputFiles(project.text, throttled(onProgress)));
+    if (isFailure(made)) return made;
+    return [...made.files, {name: 'report.json', bytes: new TextEncoder().encode(made.report)}];
+  }
+}
+
+/** The library has no exceptions: what is thrown means that the module itself stopped. */
+function guarded<T>(call: () => T): T | Failure {
+  try {
+    return call();
+  } catch (reason) {
+    return brokenModule(reason);
+  }
+}
+
+function throttled(onProgress?: OnProgress): ((fraction: number) => boolean) | null {
+  if (!onProgress) return null;
+  let told = performance.now();
+  return (fraction) => {
+    const now = performance.now();
+    if (now - told >= PROGRESS_EVERY_MS) {
+      told = now;
+      onProgress(fraction);
+    }
+    return true;
+  };
+}
+
+/** In lower-case hexadecimal digits; empty where the page is not served securely, which a project may say. */
+async function sha256(bytes: Uint8Array<ArrayBuffer>): Promise<string> {
+  const subtle = globalThis.crypto?.subtle as SubtleCrypto | undefined;
+  if (!subtle) return '';
+  const digest = new Uint8Array(await subtle.digest('SHA-256', bytes));
+  return Array.from(digest, (byte) => byte.toString(16).padStart(2, '0')).join('');
+}
+
+function withoutFolders(name: string): string {
+  return name.slice(Math.max(name.lastIndexOf('/'), name.lastIndexOf('\\')) + 1);
+}
+
+function isDesignAlone(text: string): boolean {
+  try {
+    const value: unknown = JSON.parse(text);
+    if (typeof value !== 'object' || value === null || 'snug' in value || 'design' in value) return false;
+    return ['space', 'placement', 'cut', 'parting', 'output'].some((name) => name in value);
+  } catch {
+    return false;
+  }
+}
+
+function afterWaitingMessages(): Promise<void> {
+  return new Promise((resolve) => setTimeout(resolve));
+}

@@ -1,0 +1,251 @@
+import {proxy, wrap} from 'comlink';
+import type {
+  ClimbStep,
+  Design,
+  DisplayMesh,
+  Engine,
+  Failure,
+  Gap,
+  ObjectInfo,
+  OnProgress,
+  OutputFile,
+  Packing,
+} from './api';
+import type {EngineCore} from './core';
+import {brokenModule, failure, isFailure} from './failure';
+import {latest} from './latest';
+import {makeLine} from './make_line';
+
+/** A core somewhere else, as a rule in a worker. */
+export interface CoreHandle {
+  core: Pick<EngineCore, keyof EngineCore>;
+  /** Resolves when the core stopped by itself or was ended: calls that still wait get this answer. */
+  stopped: Promise<Failure>;
+  /** Stops it at once, whatever it is doing. */
+  end(answer: Failure): void;
+}
+
+export interface EngineOptions {
+  /** Hears that the library had to be started anew, and why; the object is loaded again by then. */
+  onRestart?: (reason: Failure) => void;
+  startCore?: () => CoreHandle;
+}
+
+/** Rejects where the browser cannot run the library at all. */
+export async function createEngine(options: EngineOptions = {}): Promise<Engine> {
+  const engine = new PageEngine(options);
+  await engine.start();
+  return engine;
+}
+
+function startWorker(): CoreHandle {
+  const worker = new Worker(new URL('./worker.ts', import.meta.url), {type: 'module'});
+  let stop: (answer: Failure) => void = () => {};
+  const stopped = new Promise<Failure>((resolve) => (stop = resolve));
+  worker.addEventListener('error', (event) => stop(brokenModule(event.message || 'its worker failed')));
+  const end = (answer: Failure) => {
+    worker.terminate();
+    stop(answer);
+  };
+  return {core: wrap(worker) as unknown as CoreHandle['core'], stopped, end};
+}
+
+const CANCELLED = failure('cancelled', 'cancelled');
+const SUPERSEDED = failure('cancelled', 'a newer request took its place');
+
+/** Two cores: one answers while sliders move; the other, started when it is first needed, does what takes long,
+ *  so that the first stays free and the second can be ended in the middle. */
+class PageEngine implements Engine {
+  readonly #options: EngineOptions;
+  #quick: CoreHandle;
+  /** Settles when #quick has its object back after a restart. */
+  #restored: Promise<void> = Promise.resolve();
+  #slow: {handle: CoreHandle; loaded: Promise<ObjectInfo | Failure | null>} | null = null;
+  #slowWork = {gaps: 0, climbs: 0, outputs: 0};
+  /** What a new core needs. A Blob lies outside the page's memory. */
+  #object: {name: string; content: Blob; options: Design['object']} | null = null;
+  #packed: Design | null = null;
+  #displayMeshes = new Map<number, Promise<DisplayMesh>>();
+  #defaults: Design | null = null;
+
+  constructor(options: EngineOptions) {
+    this.#options = options;
+    this.#quick = this.#start();
+  }
+
+  async start(): Promise<void> {
+    this.#defaults = await this.defaultDesign();
+  }
+
+  version = () => this.#quickly((core) => core.version()).then(orThrow);
+  defaultDesign = () => this.#quickly((core) => core.defaultDesign()).then(orThrow);
+  presets = () => this.#quickly((core) => core.presets()).then(orThrow);
+  samples = () => this.#quickly((core) => core.samples()).then(orThrow);
+  sampleFile = (name: string) => this.#quickly((core) => core.sampleFile(name));
+  parseProject = (text: string) => this.#quickly((core) => core.parseProject(text));
+  projectText = (design: Design) => {
+    const plain = copied(design);
+    return this.#quickly((core) => core.projectText(plain)).then((answer) => orThrow(answer).text);
+  };
+
+  async load(name: string, bytes: ArrayBuffer | Blob, object: Design['object']): Promise<ObjectInfo | Failure> {
+    const options = copied(object);
+    const content = bytes instanceof Blob ? bytes : new Blob([bytes]);
+    const answer = await this.#quickly((core) => core.load(name, content, options)).catch((reason: unknown) =>
+      failure('input', `${name}: cannot be read (${reason instanceof Error ? reason.message : String(reason)})`),
+    );
+    if (isFailure(answer)) return answer.kind === 'memory' ? this.#tooLarge(name, options) : answer;
+    this.#endSlow();
+    this.#object = {name, content, options};
+    this.#packed = null;
+    this.#displayMeshes.clear();
+    return answer;
+  }
+
+  async reprepare(design: Design): Promise<ObjectInfo | Failure> {
+    const plain = copied(design);
+    const answer = await this.#quickly((core) => core.reprepare(plain));
+    if (!isFailure(answer)) this.#usesOptions(plain.object);
+    return answer;
+  }
+
+  displayMesh(mostTriangles: number): Promise<DisplayMesh> {
+    const cached = this.#displayMeshes.get(mostTriangles);
+    if (cached) return cached;
+    const made = this.#quickly((core) => core.displayMesh(mostTriangles)).then(orThrow);
+    this.#displayMeshes.set(mostTriangles, made);
+    made.catch(() => this.#displayMeshes.delete(mostTriangles));
+    return made;
+  }
+
+  pack = (design: Design) => this.#packLatest(copied(design));
+
+  #packLatest = latest(
+    async (design: Design): Promise<Packing | Failure> => {
+      const answer = await this.#quickly((core) => core.pack(design));
+      if (isFailure(answer)) return answer;
+      this.#packed = design;
+      this.#usesOptions(design.object);
+      return answer;
+    },
+    (): Packing | Failure => SUPERSEDED,
+  );
+
+  async gaps(onProgress?: OnProgress): Promise<Gap | Failure> {
+    if (this.#slowWork.gaps > 0) this.#endSlow(SUPERSEDED);
+    const design = this.#packed;
+    if (!design) return failure('usage', 'there are no foams yet that could be measured');
+    return this.#slowly('gaps', async (core) => {
+      const packing = await core.pack(design);
+      if (isFailure(packing)) return packing;
+      return core.gaps(onProgress && proxy(onProgress));
+    });
+  }
+
+  async climb(design: Design, onStep: (step: ClimbStep) => void): Promise<ClimbStep | Failure> {
+    let last: ClimbStep | null = null;
+    const listen = (step: ClimbStep) => {
+      last = step;
+      onStep(step);
+    };
+    const plain = copied(design);
+    const answer = await this.#slowly('climbs', (core) => core.climb(plain, proxy(listen)));
+    return isFailure(answer) && answer.kind === 'cancelled' ? (last ?? answer) : answer;
+  }
+
+  outputFiles(design: Design, onProgress?: OnProgress): Promise<OutputFile[] | Failure> {
+    const plain = copied(design);
+    return this.#slowly('outputs', (core) => core.outputFiles(plain, onProgress && proxy(onProgress)));
+  }
+
+  async cancel(): Promise<void> {
+    const {gaps, climbs, outputs} = this.#slowWork;
+    // A climb listens between its rounds; the others have no ear until they are done.
+    if (gaps + outputs > 0) this.#endSlow();
+    else if (climbs > 0) await this.#slow?.handle.core.cancel();
+  }
+
+  #tooLarge(name: string, object: Design['object']): Failure {
+    const defaults = this.#defaults;
+    const line = defaults ? makeLine(name, {...defaults, object}, defaults) : 'snug make';
+    return failure(
+      'memory',
+      `${name} needs more memory than the browser gives; the command line has no such limit: ${line}`,
+    );
+  }
+
+  #start(): CoreHandle {
+    return (this.#options.startCore ?? startWorker)();
+  }
+
+  #usesOptions(options: Design['object']) {
+    if (!this.#object || JSON.stringify(this.#object.options) === JSON.stringify(options)) return;
+    this.#object = {...this.#object, options};
+    this.#displayMeshes.clear();
+  }
+
+  async #quickly<T>(ask: (core: CoreHandle['core']) => Promise<T | Failure>): Promise<T | Failure> {
+    await this.#restored;
+    const handle = this.#quick;
+    const answer = await Promise.race([ask(handle.core), handle.stopped]);
+    if (isFailure(answer) && answer.kind === 'memory') {
+      if (handle === this.#quick) this.#restart(answer);
+      await this.#restored;
+    }
+    return answer;
+  }
+
+  #restart(reason: Failure) {
+    this.#quick.end(reason);
+    this.#endSlow(reason);
+    this.#quick = this.#start();
+    const object = this.#object;
+    const {core, stopped} = this.#quick;
+    const reload = object ? core.load(object.name, object.content, object.options) : core.version();
+    this.#restored = Promise.race([reload, stopped])
+      .catch(brokenModule)
+      .then((answer) => {
+        // The object alone is too much now; it stays with the page, which may save it.
+        if (isFailure(answer)) this.#object = null;
+        this.#options.onRestart?.(isFailure(answer) ? answer : reason);
+      });
+  }
+
+  async #slowly<T>(
+    kind: 'gaps' | 'climbs' | 'outputs',
+    ask: (core: CoreHandle['core']) => Promise<T | Failure>,
+  ): Promise<T | Failure> {
+    const {handle, loaded} = (this.#slow ??= this.#startSlow());
+    this.#slowWork[kind]++;
+    const work = loaded.then((answer) => (isFailure(answer) ? answer : ask(handle.core)));
+    const answer = await Promise.race([work, handle.stopped]);
+    if (handle !== this.#slow?.handle) return answer;
+    this.#slowWork[kind]--;
+    if (isFailure(answer) && answer.kind === 'memory') this.#endSlow(answer);
+    return answer;
+  }
+
+  #startSlow() {
+    const handle = this.#start();
+    const object = this.#object;
+    const loaded = object ? handle.core.load(object.name, object.content, object.options) : Promise.resolve(null);
+    this.#slowWork = {gaps: 0, climbs: 0, outputs: 0};
+    return {handle, loaded};
+  }
+
+  #endSlow(answer: Failure = CANCELLED) {
+    this.#slow?.handle.end(answer);
+    this.#slow = null;
+    this.#slowWork = {gaps: 0, climbs: 0, outputs: 0};
+  }
+}
+
+/** As it is now, and as a plain value: a page's reactive state cannot be sent to a worker. */
+function copied<T>(value: T): T {
+  return JSON.parse(JSON.stringify(value)) as T;
+}
+
+function orThrow<T>(answer: T | Failure): T {
+  if (isFailure(answer)) throw new Error(answer.error);
+  return answer;
+}

@@ -1,0 +1,38 @@
+// The WebAssembly module that wasm/ builds. Designs and projects pass as JSON texts.
+
+declare module 'snug-wasm/snug.mjs' {
+  import type {ClimbStep, DisplayMesh, Failure, Gap, ObjectFile, ObjectInfo, OutputFile, Packing, Preset} from './api';
+
+  type Progress = ((fraction: number) => boolean) | null;
+  type Made = {files: OutputFile[]; report: string};
+
+  /** Keeps the object between calls. Failures change nothing. */
+  export interface Session {
+    load(bytes: Uint8Array, name: string, design: string): Omit<ObjectInfo, 'file'> | Failure;
+    describe(design: string): Omit<ObjectInfo, 'file'> | Failure;
+    mesh(): Omit<DisplayMesh, 'deviation'>;
+    pack(design: string): Packing | Failure;
+    gaps(progress: Progress): Gap | Failure;
+    startClimb(design: string): (ClimbStep & {ended: boolean}) | Failure;
+    climbRound(): (ClimbStep & {ended: boolean}) | Failure;
+    outputFiles(project: string, progress: Progress): Made | Failure;
+    delete(): void;
+  }
+
+  export interface SnugModule {
+    version(): string;
+    defaultDesign(): string;
+    presets(): Preset[];
+    samples(): string[];
+    sampleFile(name: string): OutputFile | Failure;
+    parseProject(text: string): {object: ObjectFile; design: string} | Failure;
+    projectText(design: string, name: string, bytes: number, sha256: string): {text: string} | Failure;
+    make(object: Uint8Array, project: string): Made | Failure;
+    Session: new () => Session;
+  }
+
+  export default function createSnug(options: {
+    wasmBinary?: Uint8Array;
+    locateFile?: (path: string) => string;
+  }): Promise<SnugModule>;
+}

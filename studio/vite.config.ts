@@ -1,0 +1,21 @@
+import {fileURLToPath} from 'node:url';
+import {svelte} from '@sveltejs/vite-plugin-svelte';
+import {defineConfig} from 'vitest/config';
+
+const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
+
+export default defineConfig({
+  // Relative addresses: the studio works from any folder of any static host.
+  base: './',
+  plugins: [svelte()],
+  resolve: {
+    // The library as WebAssembly, where `cmake --build --preset wasm` leaves it.
+    alias: {'snug-wasm': here('../build/wasm')},
+    // Component tests want Svelte's browser build.
+    ...(process.env.VITEST ? {conditions: ['browser']} : {}),
+  },
+  worker: {format: 'es'},
+  build: {target: 'es2022', outDir: 'dist', emptyOutDir: true, chunkSizeWarningLimit: 1500},
+  server: {fs: {allow: [here('.'), here('../build/wasm')]}},
+  test: {include: ['tests/**/*.test.ts'], environment: 'node', testTimeout: 60_000},
+});
