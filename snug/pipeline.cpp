@@ -23,27 +23,6 @@ double millimetres_per_unit(Vec3d size, const ObjectOptions& options) {
     return millimetres(options.units.value_or(Unit::mm)) * options.scale;
 }
 
-/// An object that no one ships in such blocks was measured in another unit: says what each unit would make of
-/// it.
-std::optional<Error> implausible_size(Vec3d size, const Design& design) {
-    if (design.object.units || design.object.longest_mm) return {};
-    const Vec3d mm = size * design.object.scale;
-    const Vec3d block = design.space.block_mm;
-    const bool tiny = mm.x < block.x && mm.y < block.y && mm.z < block.z;
-    const bool huge = std::max({mm.x, mm.y, mm.z}) > kLongestPlausible;
-    if (!tiny && !huge) return {};
-    std::string sentence = "the object would be " + dimensions(mm, 3) + " mm, " +
-                           (tiny ? "smaller than one block" : "longer than 5 m") +
-                           ". Which unit is it in? Read as ";
-    for (const Unit unit : {Unit::mm, Unit::cm, Unit::m, Unit::in})
-        sentence += std::string(unit == Unit::mm   ? ""
-                                : unit == Unit::in ? ", or as "
-                                                   : ", as ") +
-                    std::string(unit_name(unit)) + " it measures " + dimensions(mm * millimetres(unit), 1) +
-                    " mm";
-    return Error{ErrorKind::input, sentence + ". Choose with --units mm|cm|m|in"};
-}
-
 /// The design space, fitted to the placed object where the design leaves the counts open.
 Result<DesignSpace> space_for(const Box3d& placed, const Design& design) {
     const SpaceOptions& options = design.space;
@@ -93,6 +72,25 @@ std::vector<Finding> findings_of(const Object& object, const Design& design, con
 }
 
 }  // namespace
+
+std::optional<Error> implausible_size(Vec3d size, const Design& design) {
+    if (design.object.units || design.object.longest_mm) return {};
+    const Vec3d mm = size * design.object.scale;
+    const Vec3d block = design.space.block_mm;
+    const bool tiny = mm.x < block.x && mm.y < block.y && mm.z < block.z;
+    const bool huge = std::max({mm.x, mm.y, mm.z}) > kLongestPlausible;
+    if (!tiny && !huge) return {};
+    std::string sentence = "the object would be " + dimensions(mm, 3) + " mm, " +
+                           (tiny ? "smaller than one block" : "longer than 5 m") +
+                           ". Which unit is it in? Read as ";
+    for (const Unit unit : {Unit::mm, Unit::cm, Unit::m, Unit::in})
+        sentence += std::string(unit == Unit::mm   ? ""
+                                : unit == Unit::in ? ", or as "
+                                                   : ", as ") +
+                    std::string(unit_name(unit)) + " it measures " + dimensions(mm * millimetres(unit), 1) +
+                    " mm";
+    return Error{ErrorKind::input, sentence + ". Choose with --units mm|cm|m|in"};
+}
 
 Result<Object> prepare(Mesh mesh, const Design& design) {
     const Vec3d size = bounds(mesh).size();

@@ -56,6 +56,11 @@ struct Packing {
     Timing timing;
 };
 
+/// Whether an object of this size (in the file's unit) is one that no one packs in such blocks: smaller than
+/// a block on every axis, or longer than 5 m. The sentence says what each unit would make of it. None where
+/// the unit was chosen.
+[[nodiscard]] std::optional<Error> implausible_size(Vec3d size, const Design& design);
+
 /// Scales the mesh to millimetres, refuses an implausible size unless the unit was chosen, measures it and
 /// looks for holes. Fails with kind `input`.
 [[nodiscard]] Result<Object> prepare(Mesh mesh, const Design& design);

@@ -3,6 +3,7 @@
 Usage: cli_test.py SNUG [unittest arguments]
 """
 
+import collections
 import json
 import os
 import pty
@@ -26,6 +27,41 @@ TETRAHEDRON = "OFF\n4 4 6\n0 0 0\n60 0 0\n0 60 0\n0 0 60\n3 0 2 1\n3 0 1 3\n3 0 
 
 def snug(*arguments, **options):
     return subprocess.run([SNUG, *map(str, arguments)], capture_output=True, text=True, timeout=120, **options)
+
+
+def read_ply(path):
+    """Vertices and triangles of a binary PLY as the program writes it, by nothing of the program's own."""
+    header, data = path.read_bytes().split(b"end_header\n", 1)
+    counts = [int(line.split()[2]) for line in header.decode().splitlines() if line.startswith("element")]
+    colour = b"red" in header
+    step = 15 if colour else 12
+    vertices = [struct.unpack_from("<3f", data, i * step) for i in range(counts[0])]
+    faces = [struct.unpack_from("<B3i", data, counts[0] * step + i * 13) for i in range(counts[1])]
+    assert len(data) == counts[0] * step + counts[1] * 13 and all(face[0] == 3 for face in faces)
+    return vertices, [face[1:] for face in faces]
+
+
+def read_stl(path):
+    """The corners of a binary STL's triangles, welded by being equal."""
+    data = path.read_bytes()
+    triangles = [struct.unpack_from("<12x9f", data, 84 + 50 * i) for i in range(struct.unpack("<I", data[80:84])[0])]
+    return [[tuple(t[i:i + 3]) for i in (0, 3, 6)] for t in triangles]
+
+
+def edge_balance(triangles):
+    """For each undirected edge: how many triangles run each way."""
+    ways = collections.defaultdict(lambda: [0, 0])
+    for t in triangles:
+        for a, b in ((t[0], t[1]), (t[1], t[2]), (t[2], t[0])):
+            ways[min(a, b), max(a, b)][a < b] += 1
+    return ways.values()
+
+
+def signed_volume(triangles):
+    def determinant(a, b, c):
+        return (a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
+                + a[2] * (b[0] * c[1] - b[1] * c[0]))
+    return sum(determinant(*t) for t in triangles) / 6
 
 
 def files_in(folder):
@@ -132,6 +168,23 @@ class CliTest(unittest.TestCase):
             self.assertEqual(info.returncode, 0, info.stdout)
         data = (self.out / "lower.stl").read_bytes()
         self.assertEqual(len(data), 84 + 50 * struct.unpack("<I", data[80:84])[0])
+
+    def test_foams_on_disk_are_closed_and_hold_the_blocks_of_the_depths(self):
+        figurine = self.work / "figurine.stl"
+        snug("sample", "figurine", "-o", figurine)
+        for options in [[], ["--blocks", "60x40x50", "--block-size", "6x6x6", "--rotate", "20,30,40"],
+                        ["--parting", "0"], ["--parting", "30", "--cut-on-touch"]]:
+            self.assertEqual(self.make(figurine, *options).returncode, 0)
+            report = json.loads((self.out / "report.json").read_text())
+            sx, sy, sz = report["design_space"]["block_mm"]
+            for half in ("lower", "upper"):
+                volume = report["foam"][f"{half}_blocks"] * sx * sy * sz
+                vertices, faces = read_ply(self.out / f"{half}.ply")
+                self.assertTrue(all(way == [1, 1] for way in edge_balance(faces)))
+                self.assertAlmostEqual(signed_volume([[vertices[v] for v in f] for f in faces]) / volume, 1, 5)
+                triangles = read_stl(self.out / f"{half}.stl")
+                self.assertTrue(all(up == down for up, down in edge_balance(triangles)))
+                self.assertAlmostEqual(signed_volume(triangles) / volume, 1, 5)
 
     def test_findings_name_a_thin_wall(self):
         done = self.make(self.object, "--blocks", "6x6x6", "--block-size", "20x20x20", "--json")

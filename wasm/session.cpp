@@ -13,16 +13,6 @@ namespace {
 const Error kNoObject{ErrorKind::usage, "there is no object yet: open one first"};
 const Error kNoFoams{ErrorKind::usage, "there are no foams yet that could be measured"};
 
-/// Whether a size is plausible is a question of the design, and cheap to ask: a mesh of two corners has it.
-std::optional<Error> implausible_size(const Box3d& box, const Design& design) {
-    Mesh corners;
-    corners.vertices = {vec_cast<float>(box.min), vec_cast<float>(box.max)};
-    corners.triangles = {{0, 1, 0}};
-    const auto object = prepare(std::move(corners), design);
-    if (object) return {};
-    return object.error();
-}
-
 bool asks_for_unit(const Box3d& box, const Design& design) {
     return box.longest_side() > 0 && !design.object.units && !design.object.longest_mm;
 }
@@ -71,7 +61,7 @@ val Session::load(const val& bytes, const std::string& name, const std::string& 
 
 std::optional<Error> Session::prepare_for(const Design& design) {
     if (!read_) return kNoObject;
-    if (object_ && options_ == design.object) return implausible_size(box_, design);
+    if (object_ && options_ == design.object) return implausible_size(box_.size(), design);
     auto object = prepare(*read_, design);
     if (!object) return object.error();
     climb_.reset();
