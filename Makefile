@@ -20,7 +20,7 @@ demo: build
 	@scripts/demo
 
 test:
-	@scripts/install-packages build test
+	@scripts/install-packages build test bench
 	@scripts/test
 
 soak:
