@@ -48,7 +48,8 @@ void add_options(CLI::App& make, MakeArguments& arguments) {
     make.add_option("--scale", a.scale, "Multiply every length by this (1)")->type_name("S");
     make.add_option("--longest", a.longest, "Scale the object's longest side to this")->type_name("MM");
     make.add_option("--preset", a.preset,
-                    "A foam that `snug presets` lists: block size and clearance (paper)");
+                    "A foam that `snug presets` lists: block size and clearance (paper)")
+        ->type_name("NAME");
     make.add_option("--blocks", a.blocks, "Blocks along x, y, z, or auto: the object plus walls (30x18x18)")
         ->type_name("30x18x18|auto");
     make.add_option("--block-size", a.block_size, "Size of a block in mm (15x15x22)")->type_name("15x15x22");
@@ -68,7 +69,9 @@ void add_options(CLI::App& make, MakeArguments& arguments) {
     make.add_option("--object", a.replacement_object,
                     "The object's file, for a project that does not lie beside it")
         ->type_name("FILE");
-    make.add_option("--formats", a.formats, "Formats of the foams: stl, ply (both)")->delimiter(',');
+    make.add_option("--formats", a.formats, "Formats of the foams: stl, ply (both)")
+        ->type_name("stl,ply")
+        ->delimiter(',');
     make.add_option("--threads", a.threads, "Threads to use at most; the files are the same for any number")
         ->type_name("N")
         ->check(CLI::Range(1, 1024));

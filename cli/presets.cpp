@@ -14,7 +14,7 @@ namespace snug::cli {
 namespace {
 
 std::string line(const Preset& preset) {
-    return fmt::format("{:<13}{:<19}{:<11}{:<9}{}\n", preset.name, dimensions(preset.block_mm) + " mm",
+    return fmt::format("{:<13}{:<24}{:<11}{:<7}{}\n", preset.name, dimensions(preset.block_mm) + " mm",
                        number(preset.clearance_mm) + " mm",
                        preset.density_kg_m3 ? number(*preset.density_kg_m3) : std::string("-"),
                        preset.title + (preset.rigid ? " (rigid: holds, does not cushion)" : ""));
@@ -23,7 +23,7 @@ std::string line(const Preset& preset) {
 int list_presets() {
     const auto presets = known_presets();
     if (!presets) return report(presets.error());
-    std::string text = fmt::format("{:<13}{:<19}{:<11}{:<9}{}\n", "name", "block x, y, z", "clearance",
+    std::string text = fmt::format("{:<13}{:<24}{:<11}{:<7}{}\n", "name", "block x, y, z", "clearance",
                                    "kg/m3", "what it is");
     for (const Preset& preset : *presets) text += line(preset);
     text += fmt::format(

@@ -1,7 +1,6 @@
 #include "snug/foam/cells.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace snug {
 
@@ -19,9 +18,7 @@ GrownCells::GrownCells(const DesignSpace& space, int axis, Reach reach)
 CellRange GrownCells::meeting(double a, double b) const {
     // The division only guesses; the stored bounds decide.
     const int n = count();
-    const auto guess = [n](double cells) {
-        return static_cast<int>(std::clamp(std::floor(cells), 0.0, n - 1.0));
-    };
+    const auto guess = [n](double cells) { return static_cast<int>(std::clamp(cells, 0.0, n - 1.0)); };
     int first = guess((a - high_.front()) * cells_per_mm_);
     while (first > 0 && high(first - 1) >= a) --first;
     while (first < n && high(first) < a) ++first;
