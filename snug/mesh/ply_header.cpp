@@ -30,7 +30,9 @@ class HeaderReader {
         : text_(std::as_bytes(std::span(header.data(), header.size()))) {}
 
     Result<PlyHeader> read() {
-        text_.next_line();  // "ply"
+        const std::string_view magic = text_.word('\0');
+        if (magic != "ply") return fail(ErrorKind::input, text_.place() + quoted(magic) + " is no PLY file");
+        text_.next_line();
         bool has_format = false;
         for (; !text_.at_end(); text_.next_line()) {
             const std::string_view word = text_.word('\0');
@@ -149,11 +151,13 @@ Result<PlyHeader> read_ply_header(Bytes file) {
     if (end == std::string_view::npos)
         return fail(ErrorKind::input,
                     "the PLY header has no end (\"end_header\"): the file is cut off or damaged");
-    // The data begins behind the one line end of this line: LF, CR LF or CR.
+    // The data begins behind the one line end of this line: LF, CR LF or CR. With CR the data itself may
+    // begin with the byte of LF.
+    const bool ends_with_cr = text[end] == '\r';
     std::size_t data = end + 11;
     while (data < text.size() && (text[data] == ' ' || text[data] == '\t')) ++data;
     if (data < text.size() && text[data] == '\r') ++data;
-    if (data < text.size() && text[data] == '\n') ++data;
+    if (data < text.size() && text[data] == '\n' && !ends_with_cr) ++data;
 
     auto header = HeaderReader(text.substr(0, end + 1)).read();
     if (!header) return header;

@@ -22,7 +22,7 @@ void append_polygon(RawMesh& mesh, std::span<const std::uint32_t> corners);
 
 /// Drops unused vertices, moves the origin into the object where it lies far from zero, and rounds to float.
 /// Fails without triangles (a point cloud is named as such), with coordinates that are not finite or beyond
-/// float, and with more than 2^32 - 1 vertices. All indices must be in range already.
+/// float, and with more than 2^32 - 2 vertices. All indices must be in range already.
 [[nodiscard]] Result<Mesh> finish(RawMesh raw);
 
 }  // namespace snug

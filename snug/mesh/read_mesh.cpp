@@ -2,6 +2,7 @@
 #include <string>
 
 #include "snug/mesh/read.h"
+#include "snug/mesh/stl_kind.h"
 #include "snug/mesh/text_scan.h"
 
 namespace snug {
@@ -27,12 +28,9 @@ std::string_view foreign_format(std::string_view text) {
     return {};
 }
 
-bool is_binary_stl(Bytes file) {
-    if (file.size() < 84) return false;
-    std::size_t count = 0;
-    for (int i = 3; i >= 0; --i)
-        count = count << 8 | std::to_integer<std::size_t>(file[80 + static_cast<std::size_t>(i)]);
-    return file.size() == 84 + 50 * count;
+bool looks_like_ply(Bytes file) {
+    TextScan text(file.first(std::min<std::size_t>(file.size(), 256)));
+    return text.word('\0') == "ply" && text.word('\0').empty();
 }
 
 /// Whether the file's first statements are those of an OBJ file.
@@ -44,14 +42,6 @@ bool looks_like_obj(Bytes file) {
     return std::find(std::begin(kWords), std::end(kWords), word) != std::end(kWords);
 }
 
-bool looks_like_ascii_stl(Bytes file) {
-    TextScan text(file.first(std::min<std::size_t>(file.size(), 1 << 12)));
-    if (!same_word(text.word_anywhere('\0'), "solid")) return false;
-    text.next_line();
-    const std::string_view next = text.word_anywhere('\0');
-    return same_word(next, "facet") || same_word(next, "endsolid");
-}
-
 bool ends_with(std::string_view name, std::string_view lower) {
     return name.size() >= lower.size() && same_word(name.substr(name.size() - lower.size()), lower);
 }
@@ -61,8 +51,8 @@ bool ends_with(std::string_view name, std::string_view lower) {
 Result<MeshFormat> mesh_format(Bytes file, std::string_view name) {
     const std::string_view text = text_of(file);
     if (text.empty()) return fail(ErrorKind::input, "the file is empty");
-    if (starts_with(text, "ply\n") || starts_with(text, "ply\r")) return MeshFormat::ply;
-    if (is_binary_stl(file) || looks_like_ascii_stl(file)) return MeshFormat::stl;
+    if (looks_like_ply(file)) return MeshFormat::ply;
+    if (is_whole_binary_stl(file) || is_ascii_stl(file)) return MeshFormat::stl;
     if (const auto foreign = foreign_format(text); !foreign.empty())
         return fail(ErrorKind::input,
                     "this is " + std::string(foreign) + ": export it as STL, OBJ or PLY instead");

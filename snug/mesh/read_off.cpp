@@ -45,10 +45,19 @@ class OffReader {
                           " is no kind of OFF that Snug reads: export it as plain OFF, PLY or STL");
         std::string_view word = text_.word_anywhere();
         if (word == "BINARY") return refuse("this is a binary OFF file: export it as text, or as PLY or STL");
-        std::size_t edges = 0;
-        return read_count(word, "vertices", vertices_) &&
-               read_count(text_.word_anywhere(), "faces", faces_) &&
-               read_count(text_.word_anywhere(), "edges", edges);
+        if (!read_count(word, "vertices", vertices_) || !read_count(text_.word_anywhere(), "faces", faces_))
+            return false;
+        pass_edge_count();
+        return true;
+    }
+
+    /// Nobody needs the number of edges and some files lack it. It stands behind the faces or alone in a
+    /// line.
+    void pass_edge_count() {
+        TextScan ahead = text_;
+        if (!ahead.word().empty()) return;
+        ahead.word_anywhere();
+        if (ahead.word().empty()) text_ = ahead;
     }
 
     /// Goes to the next line that has a word and gives that word.

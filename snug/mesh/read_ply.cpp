@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <vector>
 
@@ -44,6 +45,8 @@ class BinaryValues {
     }
     [[nodiscard]] std::size_t left() const { return data_.size() - at_; }
     [[nodiscard]] std::string place() const { return ""; }
+    /// What stands where a value should; only text shows that.
+    [[nodiscard]] std::string_view wrong_word() const { return {}; }
 
   private:
     template <class T>
@@ -70,19 +73,26 @@ class AsciiValues {
     AsciiValues(Bytes data, std::size_t header_lines)
         : text_(data), size_(data.size()), header_lines_(header_lines) {}
 
-    bool next(PlyType, double& value) { return to_number(text_.word_anywhere('\0'), value); }
+    bool next(PlyType, double& value) {
+        word_ = text_.word_anywhere('\0');
+        return to_number(word_, value);
+    }
     bool skip(PlyType, std::size_t count) {
-        for (; count > 0; --count)
-            if (text_.word_anywhere('\0').empty()) return false;
+        for (; count > 0; --count) {
+            word_ = text_.word_anywhere('\0');
+            if (word_.empty()) return false;
+        }
         return true;
     }
     [[nodiscard]] std::size_t left() const { return text_.at_end() ? 0 : size_; }
     [[nodiscard]] std::string place() const {
         return "line " + std::to_string(text_.line() + header_lines_) + ": ";
     }
+    [[nodiscard]] std::string_view wrong_word() const { return word_; }
 
   private:
     TextScan text_;
+    std::string_view word_;
     std::size_t size_;
     std::size_t header_lines_;
 };
@@ -100,14 +110,15 @@ class PlyReader {
         }
         if (!has_vertices_)
             return fail(ErrorKind::input, "the PLY has no element \"vertex\" with x, y and z");
-        for (const auto& [first, count, strip] : faces_)
-            if (!append(std::span(corners_).subspan(first, count), strip)) return tl::unexpected(error_);
+        for (const Face& face : faces_)
+            if (!append(face)) return tl::unexpected(error_);
         return finish(std::move(mesh_));
     }
 
   private:
     struct Face {
-        std::size_t first, count;
+        std::size_t first, count;  ///< of its corners
+        std::size_t number;        ///< within its element, from 0
         bool strip;
     };
 
@@ -117,8 +128,12 @@ class PlyReader {
     }
 
     bool cut_off(std::size_t number) {
-        return refuse(values_.place() + "the file is cut off or damaged at " + element_->name + " " +
-                      grouped(number + 1) + " of " + grouped(element_->count) + "; copy or export it again");
+        const std::string where =
+            quoted(element_->name) + " " + grouped(number + 1) + " of " + grouped(element_->count);
+        if (const std::string_view word = values_.wrong_word(); !word.empty())
+            return refuse(values_.place() + quoted(word) + " is no number that can stand in " + where);
+        return refuse(values_.place() + "the file is cut off or damaged at " + where +
+                      "; copy or export it again");
     }
 
     bool read_element(const PlyElement& element) {
@@ -143,7 +158,7 @@ class PlyReader {
     bool read_list_length(const PlyProperty& property, std::size_t& length) {
         double value = 0;
         if (!values_.next(*property.count_type, value) || !(value >= 0) ||
-            value > static_cast<double>(values_.left()))
+            value > static_cast<double>(values_.left()) || value != std::floor(value))
             return false;
         length = static_cast<std::size_t>(value);
         return true;
@@ -176,40 +191,41 @@ class PlyReader {
                           " of this PLY are no list of whole numbers");
         for (std::size_t f = 0; f < element.count; ++f) {
             for (std::size_t i = 0; i < element.properties.size(); ++i) {
-                const bool good = i == list ? read_corners(element.properties[i], element.name == "tristrips")
-                                            : skip(element.properties[i]);
+                const bool good =
+                    i == list ? read_corners(element.properties[i], f) : skip(element.properties[i]);
                 if (!good) return cut_off(f);
             }
         }
         return true;
     }
 
-    bool read_corners(const PlyProperty& property, bool strip) {
+    bool read_corners(const PlyProperty& property, std::size_t number) {
         std::size_t length = 0;
         if (!read_list_length(property, length)) return false;
-        faces_.push_back({corners_.size(), length, strip});
+        faces_.push_back({corners_.size(), length, number, element_->name == "tristrips"});
         for (std::size_t c = 0; c < length; ++c) {
             double value = 0;
-            if (!values_.next(property.type, value)) return false;
+            if (!values_.next(property.type, value) || value != std::floor(value)) return false;
             corners_.push_back(static_cast<std::int64_t>(std::clamp(value, -2.0, 1e15)));
         }
         return true;
     }
 
-    bool append(std::span<const std::int64_t> corners, bool strip) {
+    bool append(const Face& face) {
         polygon_.clear();
-        for (const std::int64_t corner : corners) {
-            if (strip && corner == -1) {
+        for (const std::int64_t corner : std::span(corners_).subspan(face.first, face.count)) {
+            if (face.strip && corner == -1) {
                 append_strip();
                 polygon_.clear();
                 continue;
             }
             if (corner < 0 || corner >= static_cast<std::int64_t>(mesh_.vertices.size()))
-                return refuse("a face wants vertex " + std::to_string(corner) + ", but they run from 0 to " +
-                              std::to_string(static_cast<std::int64_t>(mesh_.vertices.size()) - 1));
+                return refuse((face.strip ? "triangle strip " : "face ") + grouped(face.number + 1) +
+                              " wants vertex " + std::to_string(corner) + ", but there are " +
+                              counted(mesh_.vertices.size(), "vertex", "vertices") + ", counted from 0");
             polygon_.push_back(static_cast<std::uint32_t>(corner));
         }
-        if (strip)
+        if (face.strip)
             append_strip();
         else if (polygon_.size() >= 3)
             append_polygon(mesh_, polygon_);

@@ -1,11 +1,12 @@
-#include <array>
-#include <bit>
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 
 #include "snug/base/text.h"
 #include "snug/mesh/raw_mesh.h"
 #include "snug/mesh/read.h"
+#include "snug/mesh/stl_kind.h"
 #include "snug/mesh/text_scan.h"
 
 namespace snug {
@@ -13,6 +14,7 @@ namespace {
 
 constexpr std::size_t kHeader = 84;
 constexpr std::size_t kFacet = 50;
+constexpr std::size_t kStart = 4096;  // bytes that are looked at to tell text from numbers
 
 /// Joins vertices with equal bits (-0 = 0), numbering them in the order of their first appearance. Open
 /// addressing; the table holds indices into the vertices.
@@ -93,7 +95,12 @@ Result<Mesh> read_binary(Bytes file) {
         const std::byte* corner = file.data() + kHeader + t * kFacet + 12;
         Triangle triangle{};
         for (std::uint32_t& v : triangle) {
-            v = welder.number({read_f32(corner), read_f32(corner + 4), read_f32(corner + 8)});
+            const Vec3d p{read_f32(corner), read_f32(corner + 4), read_f32(corner + 8)};
+            if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
+                return fail(ErrorKind::input, "triangle " + grouped(t + 1) + " of " + grouped(count) +
+                                                  " has a coordinate that is not a finite number: repair "
+                                                  "or export the mesh again");
+            v = welder.number(p);
             corner += 12;
         }
         mesh.triangles.push_back(triangle);
@@ -101,63 +108,99 @@ Result<Mesh> read_binary(Bytes file) {
     return finish(std::move(mesh));
 }
 
-Result<Mesh> read_ascii(Bytes file) {
-    RawMesh mesh;
-    Welder welder(mesh, file.size() / 40);
-    TextScan text(file);
-    std::array<std::uint32_t, 3> corners{};
-    std::size_t corner = 0;
-    for (; !text.at_end(); text.next_line()) {
-        const std::string_view word = text.word('\0');
-        if (same_word(word, "outer")) {
-            corner = 0;
-        } else if (same_word(word, "vertex")) {
-            double p[3];
-            for (double& value : p) {
-                const std::string_view shown = text.word('\0');
-                if (!to_number(shown, value))
-                    return fail(ErrorKind::input,
-                                text.place() + "a vertex needs three numbers, not " + quoted(shown));
-            }
-            if (corner == 3)
-                return fail(ErrorKind::input, text.place() + "a facet has more than three vertices");
-            corners[corner++] = welder.number({p[0], p[1], p[2]});
-        } else if (same_word(word, "endloop")) {
-            if (corner != 3)
-                return fail(ErrorKind::input,
-                            text.place() + "a facet has " + std::to_string(corner) + " vertices");
-            mesh.triangles.push_back(corners);
-        } else if (!(word.empty() || same_word(word, "solid") || same_word(word, "facet") ||
-                     same_word(word, "endfacet") || same_word(word, "endsolid"))) {
-            return fail(ErrorKind::input, text.place() + quoted(word) + " does not belong into an STL file");
-        }
+class AsciiReader {
+  public:
+    explicit AsciiReader(Bytes file) : welder_(mesh_, file.size() / 40), text_(file) {}
+
+    Result<Mesh> read() {
+        for (; !text_.at_end(); text_.next_line())
+            if (!read_line()) return fail(ErrorKind::input, text_.place() + problem_);
+        if (in_facet_)
+            return fail(ErrorKind::input,
+                        text_.place() + "the file is cut off within its last facet; copy or export it again");
+        return finish(std::move(mesh_));
     }
-    if (corner != 0 && corner != 3)
-        return fail(ErrorKind::input, "the file is cut off within its last facet");
-    return finish(std::move(mesh));
+
+  private:
+    bool refuse(std::string problem) {
+        problem_ = std::move(problem);
+        return false;
+    }
+
+    bool read_line() {
+        const std::string_view word = text_.word('\0');
+        if (word.empty()) return true;
+        if (same_word(word, "vertex")) return read_vertex();
+        if (same_word(word, "endloop")) return end_loop();
+        if (corner_ != 0)
+            return refuse("the facet before ends after " + counted(corner_, "vertex", "vertices"));
+        if (same_word(word, "facet") || same_word(word, "outer")) return in_facet_ = true;
+        return same_word(word, "solid") || same_word(word, "endfacet") || same_word(word, "endsolid") ||
+               refuse(quoted(word) + " does not belong into an STL file");
+    }
+
+    bool read_vertex() {
+        Vec3d p;
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::string_view word = text_.word('\0');
+            if (!to_number(word, p[axis])) return refuse("a vertex needs three numbers, not " + quoted(word));
+        }
+        if (corner_ == 3) return refuse("a facet has more than three vertices");
+        corners_[corner_++] = welder_.number(p);
+        in_facet_ = true;
+        return true;
+    }
+
+    bool end_loop() {
+        if (corner_ != 3) return refuse("a facet has only " + counted(corner_, "vertex", "vertices"));
+        mesh_.triangles.push_back(corners_);
+        corner_ = 0;
+        in_facet_ = false;
+        return true;
+    }
+
+    RawMesh mesh_;
+    Welder welder_;
+    TextScan text_;
+    Triangle corners_{};
+    std::size_t corner_ = 0;
+    bool in_facet_ = false;
+    std::string problem_;
+};
+
+/// How many triangles a binary STL says that it has.
+std::size_t stated_count(Bytes file) {
+    return read_u32(file.data() + 80);
 }
 
-bool starts_with_solid(Bytes file) {
-    TextScan text(file.first(std::min<std::size_t>(file.size(), 256)));
-    return same_word(text.word_anywhere('\0'), "solid");
-}
-
-/// Programs write "solid" at the start of binary files too: what follows the first line decides.
-bool looks_ascii(Bytes file) {
-    if (!starts_with_solid(file)) return false;
-    TextScan text(file.first(std::min<std::size_t>(file.size(), 4096)));
-    text.next_line();
-    const std::string_view next = text.word_anywhere('\0');
-    return next.empty() || same_word(next, "facet") || same_word(next, "endsolid");
+bool holds_zero_bytes(Bytes start) {
+    return std::find(start.begin(), start.end(), std::byte{0}) != start.end();
 }
 
 }  // namespace
 
+bool is_whole_binary_stl(Bytes file) {
+    return file.size() >= kHeader && (file.size() - kHeader) % kFacet == 0 &&
+           (file.size() - kHeader) / kFacet == stated_count(file);
+}
+
+bool is_ascii_stl(Bytes file) {
+    TextScan text(file.first(std::min(file.size(), kStart)));
+    if (!same_word(text.word_anywhere('\0'), "solid")) return false;
+    text.next_line();
+    const std::string_view next = text.word_anywhere('\0');
+    return same_word(next, "facet") || same_word(next, "endsolid");
+}
+
+/// Programs write "solid" at the start of binary files, too, and some put further bytes behind the triangles.
+/// Text in the place of the count would be a count of more than 100 million.
 Result<Mesh> read_stl(Bytes file) {
-    const bool exact_binary = file.size() >= kHeader &&
-                              (file.size() - kHeader) / kFacet == read_u32(file.data() + 80) &&
-                              (file.size() - kHeader) % kFacet == 0;
-    return !exact_binary && looks_ascii(file) ? read_ascii(file) : read_binary(file);
+    if (is_whole_binary_stl(file)) return read_binary(file);
+    if (is_ascii_stl(file)) return AsciiReader(file).read();
+    const bool has_room = file.size() >= kHeader && (file.size() - kHeader) / kFacet >= stated_count(file);
+    const Bytes start = file.first(std::min(file.size(), kStart));
+    const bool says_solid = same_word(TextScan(start).word_anywhere('\0'), "solid");
+    return !has_room && says_solid && !holds_zero_bytes(start) ? AsciiReader(file).read() : read_binary(file);
 }
 
 }  // namespace snug

@@ -22,6 +22,12 @@ std::string_view without_plus(std::string_view word) {
 
 }  // namespace
 
+TextScan::TextScan(std::span<const std::byte> bytes)
+    : at_(reinterpret_cast<const char*>(bytes.data())), end_(at_ + bytes.size()) {
+    constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+    if (std::string_view(at_, bytes.size()).substr(0, 3) == kByteOrderMark) at_ += 3;
+}
+
 std::string_view TextScan::word(char comment) {
     while (at_ < end_ && is_blank(*at_)) ++at_;
     if (at_ < end_ && *at_ == comment)

@@ -9,11 +9,10 @@
 namespace snug {
 
 /// A cursor over the bytes of a text file, line by line and word by word. Nothing is copied and no locale is
-/// asked. Lines end with LF, CR LF or CR.
+/// asked. Lines end with LF, CR LF or CR. A byte order mark at the start is no part of the first word.
 class TextScan {
   public:
-    explicit TextScan(std::span<const std::byte> bytes)
-        : at_(reinterpret_cast<const char*>(bytes.data())), end_(at_ + bytes.size()) {}
+    explicit TextScan(std::span<const std::byte> bytes);
 
     [[nodiscard]] bool at_end() const { return at_ == end_; }
     [[nodiscard]] std::size_t line() const { return line_; }

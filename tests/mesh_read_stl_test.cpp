@@ -1,0 +1,159 @@
+#include <algorithm>
+#include <cctype>
+#include <cstring>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "snug/fabricate/mesh_files.h"
+#include "snug/mesh/read.h"
+
+#include "tests/support/random.h"
+#include "tests/support/read_checks.h"
+
+namespace snug {
+namespace {
+
+using test::area;
+using test::bytes_of;
+using test::expect_holds;
+using test::good;
+using test::Random;
+using test::refused;
+
+std::string stl_of(const Mesh& mesh) {
+    const FileBytes file = write_stl(mesh.vertices, mesh.triangles, "t");
+    return {reinterpret_cast<const char*>(file.data()), file.size()};
+}
+
+Mesh tetrahedron() {
+    return {
+        {{0, 0, 0}, {60, 0, 0}, {0, 60, 0}, {0, 0, 60}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}, {}};
+}
+
+TEST(ReadStl, WeldsByBitsWithBothZerosEqual) {
+    Mesh soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0f, 0, -0.0f}, {0, 1, 0}, {0, 0, 1}},
+              {{0, 1, 2}, {3, 4, 5}},
+              {}};
+    const Mesh mesh = good(read_stl(bytes_of(stl_of(soup))));
+    EXPECT_EQ(mesh.vertices.size(), 4u);
+    EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}}));
+}
+
+TEST(ReadStl, BinaryThatSaysSolidIsStillBinary) {
+    std::string file = stl_of(tetrahedron());
+    std::memcpy(file.data(), "solid tetrahedron\nfacet", 23);
+    EXPECT_EQ(good(read_mesh(bytes_of(file), "a.stl")).triangles.size(), 4u);
+}
+
+TEST(ReadStl, AsciiOfSeveralSolidsInAnyCase) {
+    const std::string facet =
+        "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1e0 0\nendloop\nendfacet\n";
+    const std::string solid = "solid a b\n" + facet + "endsolid\n";
+    EXPECT_EQ(good(read_mesh(bytes_of(solid + solid), "")).triangles.size(), 2u);
+    std::string upper = solid;
+    std::transform(upper.begin(), upper.end(), upper.begin(),
+                   [](char c) { return static_cast<char>(std::toupper(c)); });
+    EXPECT_EQ(good(read_mesh(bytes_of(upper), "")).triangles.size(), 1u);
+    std::string carriage;
+    for (const char c : solid) carriage += c == '\n' ? std::string("\r\n") : std::string(1, c);
+    EXPECT_EQ(good(read_mesh(bytes_of(carriage), "")).triangles.size(), 1u);
+    expect_holds(refused("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 x\n"), "line 4");
+    expect_holds(refused("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n"), "cut off");
+}
+
+TEST(ReadStl, ACutOffFileSaysHowFarItGoes) {
+    std::string file = stl_of(tetrahedron());
+    file.resize(file.size() - 60);
+    expect_holds(refused(file, "a.stl"), "it says 4 triangles but holds 2");
+    expect_holds(refused(file.substr(0, 30), "a.stl"), "cut off");
+}
+
+const std::string kFacet =
+    "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
+
+TEST(ReadStl, BytesBehindTheTrianglesDoNotCountWhateverTheHeaderSays) {
+    std::string file = stl_of(tetrahedron());
+    std::memcpy(file.data(), "solid t", 8);
+    for (const std::size_t more : {1u, 7u, 50u, 5000u}) {
+        SCOPED_TRACE(more);
+        EXPECT_EQ(good(read_mesh(bytes_of(file + std::string(more, 'x')), "a.stl")).triangles.size(), 4u);
+    }
+    expect_holds(refused(file.substr(0, 200), "a.stl"), "it says 4 triangles but holds 2");
+}
+
+TEST(ReadStl, EveryCutOfABinaryFileIsRefused) {
+    for (const char* header : {"binary", "solid t"}) {
+        std::string file = stl_of(tetrahedron());
+        std::memcpy(file.data(), header, std::strlen(header) + 1);
+        for (std::size_t length = 0; length < file.size(); ++length) {
+            SCOPED_TRACE(length);
+            EXPECT_FALSE(read_mesh(bytes_of(file).first(length), "a.stl").has_value());
+        }
+    }
+}
+
+TEST(ReadStl, CoordinatesThatAreNoNumberAreRefusedWithTheirTriangle) {
+    for (const float bad :
+         {std::numeric_limits<float>::quiet_NaN(), -std::numeric_limits<float>::infinity()}) {
+        std::string file = stl_of(tetrahedron());
+        std::memcpy(file.data() + 84 + 2 * 50 + 12 + 4, &bad, sizeof bad);
+        expect_holds(refused(file), "triangle 3 of 4");
+    }
+    expect_holds(refused("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 inf 0\n"), "line 4");
+}
+
+TEST(ReadStl, NoTrianglesAreNoObject) {
+    expect_holds(refused(std::string(84, '\0'), "a.stl"), "no triangles");
+    expect_holds(refused("solid a\nendsolid a\n"), "no triangles");
+    expect_holds(refused("solid a\n", "a.stl"), "no triangles");
+}
+
+TEST(ReadStl, AnAsciiFileCutWithinAFacetIsRefused) {
+    const std::string whole = "solid a\n" + kFacet;
+    for (std::size_t length = whole.size() + 6; length < whole.size() + kFacet.find("endloop") + 7;
+         ++length) {
+        SCOPED_TRACE(length);
+        EXPECT_FALSE(read_stl(bytes_of((whole + kFacet).substr(0, length))).has_value());
+    }
+    expect_holds(refused(whole + kFacet.substr(0, kFacet.find("endloop"))), "line 14: the file is cut off");
+}
+
+TEST(ReadStl, AnAsciiFacetHasThreeVerticesAndNothingElse) {
+    const std::string start = "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n";
+    expect_holds(refused(start + "endloop\n"), "line 6: a facet has only 2 vertices");
+    expect_holds(refused(start + "endfacet\n"), "line 6: the facet before ends after 2 vertices");
+    expect_holds(refused(start + "vertex 0 1 0\nvertex 1 1 0\n"), "line 7: a facet has more than three");
+    expect_holds(refused("solid a\nfacet normal 0 0 1\nouter loop\nnonsense\n"), "line 4: \"nonsense\"");
+}
+
+TEST(ReadStl, WeldingNumbersVerticesInTheOrderOfTheirFirstAppearance) {
+    for (int seed = 0; seed < 40; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random(static_cast<std::uint64_t>(seed));
+        // Few places, so that most corners share theirs.
+        Mesh soup;
+        Mesh expected;
+        for (std::uint32_t t = 0; t < 300; ++t) {
+            Triangle triangle{};
+            for (std::uint32_t& v : triangle) {
+                const Vec3f p = vec_cast<float>(Vec3d{
+                    random.integer(-3, 3) * 0.1, random.integer(-3, 3) * 1.0, random.integer(0, 9) * 1e-30});
+                soup.vertices.push_back(p);
+                const auto known = std::find(expected.vertices.begin(), expected.vertices.end(), p);
+                v = static_cast<std::uint32_t>(known - expected.vertices.begin());
+                if (known == expected.vertices.end()) expected.vertices.push_back(p);
+            }
+            soup.triangles.push_back({3 * t, 3 * t + 1, 3 * t + 2});
+            expected.triangles.push_back(triangle);
+        }
+        const Mesh mesh = good(read_stl(bytes_of(stl_of(soup))));
+        EXPECT_EQ(mesh.vertices, expected.vertices);
+        EXPECT_EQ(mesh.triangles, expected.triangles);
+    }
+}
+
+}  // namespace
+}  // namespace snug

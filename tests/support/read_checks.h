@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "snug/mesh/read.h"
+
+namespace snug::test {
+
+inline Bytes bytes_of(std::string_view text) {
+    return std::as_bytes(std::span(text));
+}
+
+inline Mesh good(const Result<Mesh>& mesh) {
+    EXPECT_TRUE(mesh.has_value()) << mesh.error().message;
+    return mesh.value_or(Mesh{});
+}
+
+/// The sentence of a refused file, to be searched for words.
+inline std::string refused(std::string_view text, std::string_view name = "") {
+    const auto mesh = read_mesh(bytes_of(text), name);
+    EXPECT_FALSE(mesh.has_value());
+    if (mesh) return "";
+    EXPECT_EQ(mesh.error().kind, ErrorKind::input);
+    return mesh.error().message;
+}
+
+inline void expect_holds(const std::string& sentence, std::string_view words) {
+    EXPECT_NE(sentence.find(words), std::string::npos) << sentence;
+}
+
+/// The area that the triangles cover seen along z, with the way they are wound.
+inline double area(const Mesh& mesh) {
+    double sum = 0;
+    for (const auto& [a, b, c] : mesh.triangles) {
+        const Vec3f p = mesh.vertices[a], q = mesh.vertices[b], r = mesh.vertices[c];
+        sum += 0.5 * static_cast<double>((q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x));
+    }
+    return sum;
+}
+
+/// What every reader promises of the mesh that it gives out.
+inline bool keeps_promises(const Mesh& mesh) {
+    std::vector<bool> used(mesh.vertices.size());
+    for (const Triangle& triangle : mesh.triangles) {
+        for (const std::uint32_t v : triangle) {
+            if (v >= used.size()) return false;
+            used[v] = true;
+        }
+    }
+    for (std::size_t v = 0; v < used.size(); ++v) {
+        const Vec3f& p = mesh.vertices[v];
+        if (!used[v] || !std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) return false;
+    }
+    return !mesh.triangles.empty();
+}
+
+}  // namespace snug::test
