@@ -1,34 +1,42 @@
 # The commands that people use; cmake does the work. `make help` lists them.
 .DEFAULT_GOAL := build
-.PHONY: help build demo test soak bench pictures format clean
+.PHONY: help build program demo studio test soak bench pictures format clean
 JOBS ?= $(shell nproc)
 
 help:
-	@echo "make build  the program, at build/snug"
+	@echo "make build  the program, at build/snug, and the studio, at studio/dist"
+	@echo "make studio build both and serve the studio on this machine"
 	@echo "make demo   install what is missing, build, and make foams from a sample"
 	@echo "make test   install what is missing and run every test"
 	@echo "make soak   the long random tests and fuzzing (SOAK_CASES, SOAK_SECONDS)"
 	@echo "make bench  the benchmark"
 	@echo "make pictures / make format / make clean"
 
-build:
+build: program
+	@scripts/install-packages studio
+	@scripts/build-studio
+
+program:
 	@scripts/install-packages build
 	@cmake --preset release --log-level=WARNING >/dev/null
 	@cmake --build --preset release -j $(JOBS) --target snug_program
 
-demo: build
+demo: program
 	@scripts/demo
 
+studio: build
+	@build/snug studio
+
 test:
-	@scripts/install-packages build test bench
+	@scripts/install-packages build studio test bench
 	@scripts/test
 
 soak:
-	@scripts/install-packages build test
+	@scripts/install-packages build studio test
 	@scripts/soak
 
 bench:
-	@scripts/install-packages build bench
+	@scripts/install-packages build studio test bench
 	@scripts/bench
 
 pictures: build

@@ -93,6 +93,7 @@ EMSCRIPTEN_BINDINGS(snug) {
         .function("mesh", &bound::Session::mesh)
         .function("pack", &bound::Session::pack)
         .function("gaps", &bound::Session::gaps)
+        .function("distances", &bound::Session::distances)
         .function("startClimb", &bound::Session::start_climb)
         .function("climbRound", &bound::Session::climb_round)
         .function("outputFiles", &bound::Session::output_files);

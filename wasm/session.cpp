@@ -50,6 +50,7 @@ val Session::load(const val& bytes, const std::string& name, const std::string& 
 
     climb_.reset();
     packing_.reset();
+    surface_.reset();
     object_.reset();
     read_ = std::move(*mesh);
     box_ = box;
@@ -66,6 +67,7 @@ std::optional<Error> Session::prepare_for(const Design& design) {
     if (!object) return object.error();
     climb_.reset();
     packing_.reset();
+    surface_.reset();
     options_ = design.object;
     object_ = std::move(*object);
     return {};
@@ -100,6 +102,22 @@ val Session::gaps(const val& progress) const {
     if (!packing_ || !packing_->foams) return to_val(kNoFoams);
     const auto gap = snug::gaps(*object_, *packing_, progress_from(progress));
     return gap ? to_val(*gap) : to_val(gap.error());
+}
+
+val Session::distances(const val& points) {
+    if (!packing_) return to_val(kNoFoams);
+    if (!surface_) {
+        auto surface = SurfaceDistance::build(object_->mesh);
+        if (!surface) return to_val(surface.error());
+        surface_.emplace(std::move(*surface));
+    }
+    const std::vector<float> places = floats_from(points);
+    std::vector<float> distances(places.size() / 3);
+    for (std::size_t i = 0; i < distances.size(); ++i) {
+        const Vec3d place{places[3 * i], places[3 * i + 1], places[3 * i + 2]};
+        distances[i] = static_cast<float>(surface_->at(place, packing_->placement));
+    }
+    return typed_array(distances.data(), distances.size());
 }
 
 val Session::start_climb(const std::string& design_text) {

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "snug/foam/surface_distance.h"
 #include "snug/mesh/mesh.h"
 #include "snug/pipeline.h"
 #include "snug/search/greedy_climb.h"
@@ -29,6 +30,9 @@ class Session {
     val pack(const std::string& design);
     /// Of the last packing.
     [[nodiscard]] val gaps(const val& progress) const;
+    /// Of points (x, y, z after each other, design coordinates) from the surface of the last packing's
+    /// object.
+    val distances(const val& points);
     /// Starts a climb where the design stands; the next packing of another object ends it.
     val start_climb(const std::string& design);
     val climb_round();
@@ -43,6 +47,7 @@ class Session {
     ObjectOptions options_;     ///< that object_ was prepared with
     std::optional<Object> object_;
     std::optional<Packing> packing_;
+    std::optional<SurfaceDistance> surface_;  ///< of object_, once it was asked for
     std::optional<Climb> climb_;
 };
 

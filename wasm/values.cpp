@@ -81,6 +81,12 @@ val grid_values(const Grid<T>& grid) {
     return typed_array(grid.size() == 0 ? nullptr : &grid[0], grid.size());
 }
 
+template <class T>
+void fill_from(const val& array, T* data, std::size_t size) {
+    const val view{emscripten::typed_memory_view(size, data)};
+    view.call<void>("set", array);
+}
+
 void set_columns(val& result, const FoamPair& foams, const BlockMap& blocks) {
     std::vector<std::int16_t> first(blocks.size()), end(blocks.size());
     for (std::size_t column = 0; column < blocks.size(); ++column) {
@@ -97,10 +103,14 @@ void set_columns(val& result, const FoamPair& foams, const BlockMap& blocks) {
 
 std::vector<std::byte> bytes_from(const val& uint8_array) {
     std::vector<std::byte> bytes(uint8_array["length"].as<std::size_t>());
-    const val view{
-        emscripten::typed_memory_view(bytes.size(), reinterpret_cast<std::uint8_t*>(bytes.data()))};
-    view.call<void>("set", uint8_array);
+    fill_from(uint8_array, reinterpret_cast<std::uint8_t*>(bytes.data()), bytes.size());
     return bytes;
+}
+
+std::vector<float> floats_from(const val& float32_array) {
+    std::vector<float> floats(float32_array["length"].as<std::size_t>());
+    fill_from(float32_array, floats.data(), floats.size());
+    return floats;
 }
 
 val to_uint8_array(const std::vector<std::byte>& bytes) {

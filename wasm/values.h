@@ -25,6 +25,7 @@ namespace snug::wasm {
 using emscripten::val;
 
 [[nodiscard]] std::vector<std::byte> bytes_from(const val& uint8_array);
+[[nodiscard]] std::vector<float> floats_from(const val& float32_array);
 [[nodiscard]] val to_uint8_array(const std::vector<std::byte>& bytes);
 
 template <class T>

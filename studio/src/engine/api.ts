@@ -149,6 +149,9 @@ export interface Engine {
   pack(design: Design): Promise<Packing | Failure>;
   /** Of the last packing. Cancelled by cancel(). */
   gaps(onProgress?: OnProgress): Promise<Gap | Failure>;
+  /** How far points (x, y, z after each other, design coordinates) lie from the surface of the object in the last
+   *  packing. */
+  distances(points: Float32Array<ArrayBuffer>): Promise<Float32Array<ArrayBuffer> | Failure>;
   /** The paper's greedy climb over the three angles, the space staying that of the start; `onStep` hears each
    *  round. After cancel() the best so far is returned. */
   climb(design: Design, onStep: (step: ClimbStep) => void): Promise<ClimbStep | Failure>;

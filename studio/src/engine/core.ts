@@ -94,6 +94,11 @@ export class EngineCore {
     return guarded(() => this.#session.gaps(throttled(onProgress)));
   }
 
+  /** Of the last packing. Builds the search tree of the object at the first call. */
+  async distances(points: Float32Array): Promise<Float32Array<ArrayBuffer> | Failure> {
+    return guarded(() => this.#session.distances(points));
+  }
+
   /** Round by round, so that cancel() and everything else is heard in between. */
   async climb(design: Design, onStep: (step: ClimbStep) => void): Promise<ClimbStep | Failure> {
     const mine = ++this.#climb;

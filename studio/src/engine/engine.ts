@@ -142,6 +142,15 @@ class PageEngine implements Engine {
     });
   }
 
+  async distances(points: Float32Array<ArrayBuffer>): Promise<Float32Array<ArrayBuffer> | Failure> {
+    const design = this.#packed;
+    if (!design) return failure('usage', 'there are no foams yet that could be measured');
+    return this.#slowly('gaps', async (core) => {
+      const packing = await core.pack(design);
+      return isFailure(packing) ? packing : core.distances(points);
+    });
+  }
+
   async climb(design: Design, onStep: (step: ClimbStep) => void): Promise<ClimbStep | Failure> {
     let last: ClimbStep | null = null;
     const listen = (step: ClimbStep) => {

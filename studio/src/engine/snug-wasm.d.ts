@@ -13,6 +13,7 @@ declare module 'snug-wasm/snug.mjs' {
     mesh(): Omit<DisplayMesh, 'deviation'>;
     pack(design: string): Packing | Failure;
     gaps(progress: Progress): Gap | Failure;
+    distances(points: Float32Array): Float32Array<ArrayBuffer> | Failure;
     startClimb(design: string): (ClimbStep & {ended: boolean}) | Failure;
     climbRound(): (ClimbStep & {ended: boolean}) | Failure;
     outputFiles(project: string, progress: Progress): Made | Failure;

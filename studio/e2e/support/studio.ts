@@ -1,0 +1,37 @@
+import {expect, test as base, type Page} from '@playwright/test';
+
+/** A page whose console stays silent: any error on it fails the test. */
+export const test = base.extend<{studio: Page}>({
+  studio: async ({page}, use) => {
+    const errors: string[] = [];
+    page.on('console', (message) => message.type() === 'error' && errors.push(message.text()));
+    page.on('pageerror', (error) => errors.push(String(error)));
+    page.on('request', (request) => {
+      const address = new URL(request.url());
+      if (/^https?:$/.test(address.protocol) && address.hostname !== '127.0.0.1')
+        errors.push(`a request to ${address.host}`);
+    });
+    await page.goto('./');
+    await expect(page.getByRole('heading', {name: 'What are you packing?'})).toBeVisible();
+    await use(page);
+    expect(errors).toEqual([]);
+  },
+});
+
+export {expect};
+
+export const status = (page: Page) => page.getByRole('status');
+
+/** Opens a file and waits for its foams. */
+export async function open(page: Page, file: string | {name: string; buffer: Buffer}) {
+  const input = page.getByLabel('Open object', {exact: true});
+  await input.setInputFiles(typeof file === 'string' ? file : {...file, mimeType: 'application/octet-stream'});
+  const name = typeof file === 'string' ? (file.split('/').at(-1) ?? file) : file.name;
+  await expect(page.getByTitle(name)).toBeVisible();
+  await expect(status(page)).toContainText('F ');
+}
+
+/** A range or number field's value, as a person's hand would set it. */
+export async function set(page: Page, role: 'slider' | 'spinbutton', name: string, value: number) {
+  await page.getByRole(role, {name, exact: true}).fill(String(value));
+}

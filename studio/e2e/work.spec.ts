@@ -1,0 +1,161 @@
+import {readFileSync} from 'node:fs';
+import type {Page} from '@playwright/test';
+import {sample} from './support/command_line';
+import {expect, open, set, status, test} from './support/studio';
+import {torusStl} from './support/torus';
+
+async function projectText(page: Page): Promise<string> {
+  const [download] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', {name: 'Save project'}).click(),
+  ]);
+  return readFileSync(await download.path(), 'utf8');
+}
+
+async function fRatio(page: Page): Promise<number> {
+  return Number(/F (\d\.\d+)/.exec(await status(page).innerText())?.[1]);
+}
+
+test('undo goes back to the empty start, and redo to the end', async ({studio: page}) => {
+  await open(page, sample('torus'));
+  await set(page, 'slider', 'Rotation ψ', 20);
+  await page.getByRole('button', {name: 'This side down: +z'}).click();
+  await set(page, 'spinbutton', 'Blocks x', 17);
+  await page.getByLabel('Foam', {exact: true}).selectOption('slit-10');
+  await page.getByRole('button', {name: 'Quarter turn about y, clockwise'}).click();
+  await set(page, 'spinbutton', 'Shift x', 5);
+  await expect(page.getByRole('spinbutton', {name: 'Shift x'})).toHaveValue('5');
+  const last = await projectText(page);
+
+  const undo = page.getByRole('button', {name: 'Undo', exact: true});
+  const redo = page.getByRole('button', {name: 'Redo', exact: true});
+  let steps = 0;
+  for (; await undo.isEnabled(); steps++) {
+    await undo.click();
+    await page.waitForTimeout(100);
+  }
+  expect(steps).toBe(7);
+  await expect(page.getByRole('heading', {name: 'What are you packing?'})).toBeVisible();
+  for (let i = 0; i < steps; i++) {
+    await redo.click();
+    await page.waitForTimeout(100);
+  }
+  await expect(redo).toBeDisabled();
+  await expect(status(page)).toContainText('F ');
+  expect(await projectText(page)).toBe(last);
+});
+
+test('a reload brings everything back', async ({studio: page}) => {
+  await open(page, sample('vase', 'ply'));
+  await set(page, 'slider', 'Rotation φ', 45);
+  await set(page, 'slider', 'Wall', 70);
+  await expect(page.getByRole('button', {name: 'Undo', exact: true})).toBeEnabled();
+  const before = await projectText(page);
+  await page.waitForTimeout(600);
+  await page.reload();
+  await expect(status(page)).toContainText('F ');
+  await expect(page.getByTitle('vase.ply')).toBeVisible();
+  await expect(page.getByRole('slider', {name: 'Rotation φ'})).toHaveValue('45');
+  expect(await projectText(page)).toBe(before);
+  await page.keyboard.press('Control+z');
+  await expect(page.getByRole('slider', {name: 'Wall'})).toHaveValue('50');
+});
+
+test('without a network it opens and works', async ({studio: page, context}) => {
+  await page.evaluate(async () => {
+    const {active} = await navigator.serviceWorker.ready;
+    while (active?.state !== 'activated') await new Promise((resolve) => setTimeout(resolve, 50));
+  });
+  await context.setOffline(true);
+  await page.reload();
+  await page.getByRole('button', {name: 'Camera'}).click();
+  await expect(status(page)).toContainText('F ');
+  await expect(status(page)).toContainText('ms');
+  await context.setOffline(false);
+});
+
+test('Optimize shows its climb, never ends below its start, and is one step back', async ({studio: page}) => {
+  await open(page, sample('camera'));
+  await set(page, 'slider', 'Rotation ψ', 30);
+  for (const [axis, count] of Object.entries({x: 20, y: 20, z: 16})) await set(page, 'spinbutton', `Blocks ${axis}`, count);
+  await expect(status(page)).toContainText('Widest gap');
+  await page.waitForTimeout(300);
+  const before = await fRatio(page);
+  await page.getByRole('button', {name: 'Optimize', exact: true}).click();
+  await expect(page.getByRole('button', {name: 'Cancel'})).toBeVisible();
+  await expect(page.getByRole('button', {name: 'Optimize', exact: true})).toBeEnabled({timeout: 60_000});
+  expect(await fRatio(page)).toBeGreaterThan(before);
+  await page.keyboard.press('Control+z');
+  await expect(page.getByRole('slider', {name: 'Rotation ψ'})).toHaveValue('30');
+  await expect.poll(() => fRatio(page)).toBe(before);
+});
+
+test('a cancelled Optimize keeps the best so far', async ({studio: page}) => {
+  await open(page, {name: 'ring.stl', buffer: torusStl(224, 224)});
+  await set(page, 'slider', 'Rotation θ', 33);
+  // A climb may end before a slow hand has found the button.
+  await page.evaluate(async () => {
+    const button = (name: string) =>
+      [...document.querySelectorAll('button')].find((element) => element.textContent?.trim() === name);
+    button('Optimize')?.click();
+    while (!button('Cancel')) await new Promise(requestAnimationFrame);
+    button('Cancel')?.click();
+  });
+  await expect(page.getByRole('button', {name: 'Optimize', exact: true})).toBeEnabled();
+  await expect(status(page)).toContainText('F ');
+});
+
+test('a file in metres asks for its unit', async ({studio: page}) => {
+  const metres = 'OFF\n4 4 0\n0 0 0\n0.2 0 0\n0 0.15 0\n0 0 0.1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n';
+  await page.getByLabel('Open object', {exact: true}).setInputFiles({name: 'wedge.off', mimeType: '', buffer: Buffer.from(metres)});
+  const dialog = page.getByRole('dialog', {name: 'Which unit does this file use?'});
+  await dialog.getByRole('button', {name: /^Metres/}).click();
+  await expect(dialog).toBeHidden();
+  await expect(page.getByText('200 × 150 × 100 mm')).toBeVisible();
+  await expect(status(page)).toContainText('F ');
+
+  // And a length that is known scales it.
+  await page.getByText('Set a length').click();
+  await page.getByRole('spinbutton', {name: 'This length is'}).fill('300');
+  await page.getByRole('button', {name: 'Set', exact: true}).click();
+  await expect(page.getByText('300 × 225 × 150 mm')).toBeVisible();
+});
+
+test('a lost graphics context says so and comes back', async ({studio: page}) => {
+  await open(page, sample('torus'));
+  const lose = () =>
+    page.locator('canvas').first().evaluate((canvas: HTMLCanvasElement) => {
+      const extension = canvas.getContext('webgl2')?.getExtension('WEBGL_lose_context');
+      extension?.loseContext();
+      setTimeout(() => extension?.restoreContext(), 800);
+    });
+  await lose();
+  await expect(page.getByText('The graphics of this browser stopped')).toBeVisible();
+  await expect(page.getByText('The graphics of this browser stopped')).toBeHidden();
+  await set(page, 'slider', 'Rotation ψ', 10);
+  await expect(status(page)).toContainText('F ');
+});
+
+test('pointing at a column shows it in both windows', async ({studio: page}) => {
+  await open(page, sample('torus'));
+  await page.getByRole('tab', {name: 'Lower'}).click();
+  const map = page.getByRole('img', {name: 'Map of the lower foam'});
+  const box = await map.boundingBox();
+  if (!box) throw new Error('there is no map');
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await expect(page.getByText(/^Row \d+, column \d+: remove \d+ below/)).toBeVisible();
+  await page.getByRole('button', {name: 'View from: Top'}).or(page.getByRole('button', {name: 'Top'})).click();
+  await page.waitForTimeout(1200);
+  const scene = await page.getByRole('application').boundingBox();
+  if (!scene) throw new Error('there is no scene');
+  await page.mouse.move(scene.x + scene.width / 2, scene.y + scene.height / 2);
+  await expect(page.getByText(/^Row \d+, column \d+: remove/)).toBeVisible();
+});
+
+test('both maps go to the printer', async ({studio: page}) => {
+  await open(page, sample('torus'));
+  await page.evaluate(() => (window.print = () => document.body.setAttribute('data-printed', 'yes')));
+  await page.getByRole('button', {name: 'Print'}).click();
+  await expect(page.locator('body[data-printed=yes]')).toBeAttached();
+  await expect(page.locator('#print img')).toHaveCount(2);
+});

@@ -1,0 +1,36 @@
+import {defineConfig} from '@playwright/test';
+
+const PORT = 4719;
+
+export default defineConfig({
+  projects: [
+    {name: 'tests', testDir: 'e2e'},
+    {name: 'bench', testDir: 'bench', testMatch: '*.bench.ts'},
+  ],
+  outputDir: '../build/e2e',
+  timeout: 120_000,
+  expect: {timeout: 15_000},
+  // The software renderer needs the cores for itself.
+  workers: 1,
+  reporter: 'list',
+  use: {
+    baseURL: `http://127.0.0.1:${PORT}/`,
+    viewport: {width: 1280, height: 800},
+    locale: 'en-GB',
+    launchOptions: {
+      executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium',
+      args: [
+        '--no-sandbox',
+        '--disable-background-networking',
+        '--disable-component-update',
+        '--disable-sync',
+        '--no-first-run',
+      ],
+    },
+  },
+  webServer: {
+    command: `npx vite preview --host 127.0.0.1 --port ${PORT} --strictPort`,
+    url: `http://127.0.0.1:${PORT}/`,
+    reuseExistingServer: false,
+  },
+});

@@ -1,0 +1,74 @@
+import type {Design, ObjectFile} from '../engine/api';
+import {convert, needsConversion} from '../engine/convert';
+import {isFailure} from '../engine/failure';
+import {makeLine} from '../engine/make_line';
+import type {Studio} from './studio.svelte';
+
+/** More than a page can hold as a file, as a mesh and as foams at once: WebAssembly ends at 4 GB. */
+const MOST_BYTES = 1_000_000_000;
+
+export interface OpenTexts {
+  tooBig: (name: string, line: string) => string;
+  openObjectOf: (name: string) => string;
+  otherContent: (name: string) => string;
+  noObject: string;
+}
+
+/** Projects that wait for their object. */
+let waiting: {object: ObjectFile; design: Design} | null = null;
+
+/** Whatever a person drops or chooses: an object, a project, or both. The sentence beside "Open object" says what
+ *  went wrong; then everything stays as it was. */
+export async function openFiles(studio: Studio, files: readonly File[], texts: OpenTexts): Promise<void> {
+  const project = files.find(({name}) => /\.json$/i.test(name));
+  const object = files.find((file) => file !== project);
+  if (project && !(await readProject(studio, project, texts, object !== undefined))) return;
+  if (object) await openObject(studio, object, texts);
+}
+
+async function readProject(studio: Studio, file: File, texts: OpenTexts, objectComes: boolean): Promise<boolean> {
+  const read = await studio.engine.parseProject(await file.text());
+  if (isFailure(read)) {
+    studio.refuse('object', `${file.name}: ${read.error}`);
+    return false;
+  }
+  const here = studio.object?.file;
+  if (!objectComes && here && here.sha256 !== '' && here.sha256 === read.object.sha256) {
+    studio.change(() => read.design, 'project');
+    return true;
+  }
+  waiting = read;
+  if (!objectComes) studio.notice = texts.openObjectOf(read.object.name);
+  return true;
+}
+
+async function openObject(studio: Studio, file: File, texts: OpenTexts): Promise<void> {
+  if (file.size > MOST_BYTES)
+    return studio.refuse('object', texts.tooBig(file.name, makeLine(file.name, studio.defaults, studio.defaults)));
+  let content: Blob = file;
+  let name = file.name;
+  const converted = needsConversion(name);
+  if (converted) {
+    const answer = await convert(name, await file.arrayBuffer());
+    if (isFailure(answer)) return studio.refuse('object', answer.error);
+    name = answer.name;
+    content = new Blob([answer.bytes]);
+  }
+  const project = waiting;
+  waiting = null;
+  const failed = await studio.openObject(name, content, {converted, design: project?.design});
+  if (failed) {
+    waiting = project;
+    return;
+  }
+  studio.notice =
+    project && project.object.sha256 !== '' && studio.object?.file.sha256 !== project.object.sha256
+      ? texts.otherContent(project.object.name)
+      : null;
+}
+
+export async function openSample(studio: Studio, name: string): Promise<void> {
+  const file = await studio.engine.sampleFile(name);
+  if (isFailure(file)) return studio.refuse('object', file.error);
+  await studio.openObject(file.name, new Blob([file.bytes]), {converted: true});
+}

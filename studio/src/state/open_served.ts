@@ -1,0 +1,30 @@
+import type {OpenTexts} from './open_files';
+import {openFiles} from './open_files';
+import type {Studio} from './studio.svelte';
+
+/** What `snug studio OBJECT` says of the object that it serves. */
+export interface ServedObject {
+  name: string;
+  bytes: number;
+  sha256: string;
+  /** Only a copy for looking, at most `deviation_mm` off. */
+  thinned: boolean;
+  triangles: number;
+  shown_triangles: number;
+  deviation_mm: number;
+  project?: boolean;
+}
+
+/** Opens the object of the local server that served the page, if it was asked to. False where there is none. */
+export async function openServed(studio: Studio, texts: OpenTexts): Promise<boolean> {
+  if (!new URLSearchParams(location.search).has('object')) return false;
+  const answer = await fetch('object/info').catch(() => null);
+  if (!answer?.ok) return false;
+  const info = (await answer.json()) as ServedObject;
+  const files = [new File([await (await fetch('object/file')).blob()], info.name)];
+  if (info.project)
+    files.push(new File([await (await fetch('object/project')).blob()], `${info.name}.snug.json`));
+  studio.thinned = info.thinned ? info : null;
+  await openFiles(studio, files, texts);
+  return true;
+}

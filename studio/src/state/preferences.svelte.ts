@@ -1,0 +1,26 @@
+export type Theme = 'system' | 'light' | 'dark';
+
+const KEY = 'snug-theme';
+
+class Preferences {
+  theme: Theme = $state(stored());
+  #system = matchMedia('(prefers-color-scheme: dark)');
+  #systemDark = $state(this.#system.matches);
+  dark = $derived(this.theme === 'system' ? this.#systemDark : this.theme === 'dark');
+
+  constructor() {
+    this.#system.addEventListener('change', ({matches}) => (this.#systemDark = matches));
+  }
+
+  choose(theme: Theme) {
+    this.theme = theme;
+    localStorage.setItem(KEY, theme);
+  }
+}
+
+function stored(): Theme {
+  const value = localStorage.getItem(KEY);
+  return value === 'light' || value === 'dark' ? value : 'system';
+}
+
+export const preferences = new Preferences();

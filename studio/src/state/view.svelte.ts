@@ -1,0 +1,35 @@
+import type {Triple} from '../engine/api';
+
+export type Part = 'object' | 'lower' | 'upper' | 'space';
+export type Look = 'shown' | 'glass' | 'hidden';
+export type Handles = 'none' | 'turn' | 'shift';
+export type Drawing = 'slice' | 'lower' | 'lid';
+export interface Cell {
+  j: number;
+  k: number;
+}
+
+/** How the person looks at the work; no part of it. */
+export class View {
+  /** 0 closed, 1 wide open. */
+  opening = $state(0);
+  looks: Record<Part, Look> = $state({object: 'shown', lower: 'shown', upper: 'shown', space: 'shown'});
+  handles: Handles = $state('none');
+  drawing: Drawing = $state('slice');
+  /** The layer of blocks that is shown, from -x. */
+  layer = $state(0);
+  hovered: Cell | null = $state.raw(null);
+  gapColours = $state(false);
+  /** The two clicks on the object, in its own mm, while a length is being shown to Snug. */
+  measuring: Triple[] | null = $state.raw(null);
+  /** A pointer or a key is moving something just now: draw less, but at once. */
+  moving = $state(false);
+  #still: ReturnType<typeof setTimeout> | undefined;
+
+  /** Call at every change; the picture gets its details back a moment after the last. */
+  nowMoving() {
+    this.moving = true;
+    clearTimeout(this.#still);
+    this.#still = setTimeout(() => (this.moving = false), 250);
+  }
+}

@@ -1,0 +1,203 @@
+import type {DisplayMesh, Packing} from '../engine/api';
+import type {Cell, Drawing} from '../state/view.svelte';
+import {blocksToRemove, cellCorner, toPage, type Page} from './page';
+import {placedCoordinates, section} from './section';
+
+export interface Ink {
+  paper: string;
+  text: string;
+  line: string;
+  cut: string;
+  lower: string;
+  upper: string;
+  object: string;
+  mark: string;
+  back: string;
+}
+
+type Pen = CanvasRenderingContext2D;
+
+/** Cells below this many pixels carry no lines, and below the second no numbers. */
+const LEAST_LINED = 4;
+const LEAST_NUMBERED = 11;
+
+/** One layer of blocks, seen from above. */
+export function drawSlice(pen: Pen, page: Page, packing: Packing, layer: number, mesh: DisplayMesh | null, ink: Ink) {
+  const {lower, upper, blocks, block_mm} = packing;
+  const [nx, , nz] = blocks;
+  fillCells(pen, page, (j, k) => {
+    const column = j * nz + k;
+    if (lower.length === 0) return ink.cut;
+    if (layer < (lower[column] ?? 0)) return ink.lower;
+    return layer >= nx - (upper[column] ?? 0) ? ink.upper : ink.cut;
+  });
+  lines(pen, page, ink);
+  if (mesh) {
+    const x = (layer + 0.5 - nx / 2) * block_mm[0];
+    drawSection(pen, page, packing, section(mesh, packing.placement, x), ink);
+  }
+  frame(pen, page, ink);
+}
+
+/** How many blocks to take out of each column of one half, as numbers and shades. */
+export function drawMap(pen: Pen, page: Page, packing: Packing, drawing: Drawing, ink: Ink) {
+  const kept = drawing === 'lid' ? packing.upper : packing.lower;
+  const {remove} = blocksToRemove(kept);
+  const most = remove.reduce((a, b) => Math.max(a, b), 1);
+  const at = (j: number, k: number) => remove[j * page.nz + k] ?? 0;
+  const colour = drawing === 'lid' ? ink.upper : ink.lower;
+  fillCells(pen, page, (j, k) => shade(colour, at(j, k) / most));
+  lines(pen, page, ink);
+  numbers(pen, page, at, most);
+  frame(pen, page, ink);
+}
+
+/** The object's outline as it is seen along x. Takes a while for many triangles. */
+export function drawOutline(pen: Pen, page: Page, packing: Packing, mesh: DisplayMesh, ink: Ink) {
+  const canvas = new OffscreenCanvas(pen.canvas.width, pen.canvas.height);
+  const mask = canvas.getContext('2d');
+  if (!mask) return;
+  const scale = pen.getTransform();
+  mask.setTransform(scale);
+  mask.fillStyle = ink.object;
+  mask.beginPath();
+  const placed = placedCoordinates(mesh, packing.placement);
+  const place = toPage(page, packing);
+  const corner = (i: number) => place(placed[(mesh.indices[i] ?? 0) * 3 + 1] ?? 0, placed[(mesh.indices[i] ?? 0) * 3 + 2] ?? 0);
+  for (let i = 0; i < mesh.indices.length; i += 3) {
+    const [a, b, c] = [corner(i), corner(i + 1), corner(i + 2)];
+    // All the same way round, or overlapping triangles would cancel.
+    const turn = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    mask.moveTo(...a);
+    mask.lineTo(...(turn > 0 ? b : c));
+    mask.lineTo(...(turn > 0 ? c : b));
+  }
+  mask.fill('nonzero');
+  const outline = rim(canvas, scale.a);
+  pen.save();
+  pen.resetTransform();
+  pen.drawImage(outline, 0, 0);
+  pen.restore();
+}
+
+export function drawMarks(pen: Pen, page: Page, text: {back: string}, ink: Ink) {
+  pen.fillStyle = ink.back;
+  pen.textAlign = 'center';
+  const size = Math.max(10, Math.min(13, page.width / 24));
+  pen.font = `600 ${size}px system-ui, sans-serif`;
+  pen.textBaseline = page.flipped ? 'top' : 'bottom';
+  const y = page.flipped ? page.top + page.height + 5 : page.top - 5;
+  pen.fillText(text.back, page.left + page.width / 2, y);
+  // The odd corner: at BACK, left.
+  const odd = Math.max(7, Math.min(page.cellWidth, page.cellHeight) * 0.5);
+  const corner = cellCorner(page, 0, 0);
+  const edge = page.flipped ? page.top + page.height : corner.y;
+  pen.beginPath();
+  pen.moveTo(page.left, edge);
+  pen.lineTo(page.left + odd, edge);
+  pen.lineTo(page.left, edge + (page.flipped ? -odd : odd));
+  pen.fill();
+}
+
+export function drawHovered(pen: Pen, page: Page, cell: Cell, ink: Ink) {
+  const {x, y} = cellCorner(page, cell.j, cell.k);
+  pen.strokeStyle = ink.mark;
+  pen.lineWidth = 2;
+  pen.strokeRect(x, y, Math.max(page.cellWidth, 2), Math.max(page.cellHeight, 2));
+}
+
+function fillCells(pen: Pen, page: Page, colour: (j: number, k: number) => string) {
+  // Neighbours of one colour in one go: a fine grid has millions of cells.
+  for (let j = 0; j < page.ny; j++) {
+    let first = 0;
+    let now = colour(j, 0);
+    for (let k = 1; k <= page.nz; k++) {
+      const next = k < page.nz ? colour(j, k) : '';
+      if (next === now) continue;
+      const {x, y} = cellCorner(page, j, first);
+      pen.fillStyle = now;
+      pen.fillRect(x, y, (k - first) * page.cellWidth + 0.3, page.cellHeight + 0.3);
+      [first, now] = [k, next];
+    }
+  }
+}
+
+function lines(pen: Pen, page: Page, ink: Ink) {
+  if (Math.min(page.cellWidth, page.cellHeight) < LEAST_LINED) return;
+  pen.strokeStyle = ink.line;
+  pen.lineWidth = 0.6;
+  pen.beginPath();
+  for (let k = 1; k < page.nz; k++) {
+    pen.moveTo(page.left + k * page.cellWidth, page.top);
+    pen.lineTo(page.left + k * page.cellWidth, page.top + page.height);
+  }
+  for (let j = 1; j < page.ny; j++) {
+    pen.moveTo(page.left, page.top + j * page.cellHeight);
+    pen.lineTo(page.left + page.width, page.top + j * page.cellHeight);
+  }
+  pen.stroke();
+}
+
+function numbers(pen: Pen, page: Page, value: (j: number, k: number) => number, most: number) {
+  const size = Math.min(page.cellWidth, page.cellHeight);
+  if (size < LEAST_NUMBERED) return;
+  const digits = String(most).length;
+  const fits = Math.min(page.cellHeight * 0.62, (page.cellWidth * 0.9) / (0.6 * digits));
+  if (fits < 7) return;
+  pen.font = `${Math.min(fits, 15)}px system-ui, sans-serif`;
+  pen.textAlign = 'center';
+  pen.textBaseline = 'middle';
+  for (let j = 0; j < page.ny; j++)
+    for (let k = 0; k < page.nz; k++) {
+      const number = value(j, k);
+      if (number === 0) continue;
+      const {x, y} = cellCorner(page, j, k);
+      pen.fillStyle = number / most > 0.5 ? '#ffffff' : '#101820';
+      pen.fillText(String(number), x + page.cellWidth / 2, y + page.cellHeight / 2 + 0.5);
+    }
+}
+
+function frame(pen: Pen, page: Page, ink: Ink) {
+  pen.strokeStyle = ink.text;
+  pen.lineWidth = 1.2;
+  pen.strokeRect(page.left, page.top, page.width, page.height);
+}
+
+function drawSection(pen: Pen, page: Page, packing: Packing, segments: Float64Array, ink: Ink) {
+  const place = toPage(page, packing);
+  pen.strokeStyle = ink.object;
+  pen.lineWidth = 1.6;
+  pen.lineCap = 'round';
+  pen.beginPath();
+  for (let i = 0; i < segments.length; i += 4) {
+    pen.moveTo(...place(segments[i] ?? 0, segments[i + 1] ?? 0));
+    pen.lineTo(...place(segments[i + 2] ?? 0, segments[i + 3] ?? 0));
+  }
+  pen.stroke();
+}
+
+/** The edge of what is filled: the shape smeared a little in every direction, without itself. */
+function rim(shape: OffscreenCanvas, scale: number): OffscreenCanvas {
+  const wide = new OffscreenCanvas(shape.width, shape.height);
+  const pen = wide.getContext('2d');
+  if (!pen) return wide;
+  const reach = 1.3 * scale;
+  for (let i = 0; i < 12; i++) {
+    const angle = (i / 12) * 2 * Math.PI;
+    pen.drawImage(shape, reach * Math.cos(angle), reach * Math.sin(angle));
+  }
+  pen.globalCompositeOperation = 'destination-out';
+  pen.drawImage(shape, 0, 0);
+  return wide;
+}
+
+/** From pale to dark with the share that is taken out. `colour`: #rrggbb. */
+function shade(colour: string, share: number): string {
+  const parts = [1, 3, 5].map((i) => parseInt(colour.slice(i, i + 2), 16));
+  const mix = (part: number) => {
+    const pale = part + (255 - part) * 0.82;
+    const dark = part * 0.5;
+    return Math.round(pale + (dark - pale) * share);
+  };
+  return `rgb(${parts.map(mix).join(' ')})`;
+}

@@ -1,0 +1,31 @@
+import type {Ink} from './draw';
+
+/** The colours of the page's theme. */
+export function ink(): Ink {
+  const style = getComputedStyle(document.documentElement);
+  const colour = (name: string) => style.getPropertyValue(name).trim();
+  return {
+    paper: colour('--paper'),
+    text: colour('--text'),
+    line: colour('--grid'),
+    cut: colour('--cut'),
+    lower: colour('--lower'),
+    upper: colour('--upper'),
+    object: colour('--outline'),
+    mark: colour('--mark'),
+    back: colour('--text-soft'),
+  };
+}
+
+/** For paper, whatever the screen looks like. */
+export const PRINT_INK: Ink = {
+  paper: '#ffffff',
+  text: '#111820',
+  line: '#8a94a3',
+  cut: '#ffffff',
+  lower: '#3f7fc4',
+  upper: '#e58a2b',
+  object: '#101418',
+  mark: '#d6336c',
+  back: '#111820',
+};

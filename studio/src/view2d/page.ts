@@ -1,0 +1,66 @@
+import type {Packing} from '../engine/api';
+import type {Cell, Drawing} from '../state/view.svelte';
+
+// Which way round (the same on every picture and sheet): the lower foam and slices are seen from +x, k to the
+// right and j downward; the lid is seen from -x with its cavity to the reader, k to the right and j upward. The
+// edge at -y is BACK.
+
+/** The space on a canvas, at true proportions. Pixels. */
+export interface Page {
+  left: number;
+  top: number;
+  width: number;
+  height: number;
+  cellWidth: number;
+  cellHeight: number;
+  /** j runs upward. */
+  flipped: boolean;
+  ny: number;
+  nz: number;
+}
+
+export function layOut(packing: Packing, drawing: Drawing, width: number, height: number, margin: number): Page {
+  const [, ny, nz] = packing.blocks;
+  const [, sy, sz] = packing.block_mm;
+  const scale = Math.max(Math.min((width - 2 * margin) / (nz * sz), (height - 2 * margin) / (ny * sy)), 1e-6);
+  const [pageWidth, pageHeight] = [nz * sz * scale, ny * sy * scale];
+  return {
+    left: (width - pageWidth) / 2,
+    top: (height - pageHeight) / 2,
+    width: pageWidth,
+    height: pageHeight,
+    cellWidth: sz * scale,
+    cellHeight: sy * scale,
+    flipped: drawing === 'lid',
+    ny,
+    nz,
+  };
+}
+
+/** Upper left corner of a cell. */
+export function cellCorner(page: Page, j: number, k: number): {x: number; y: number} {
+  const row = page.flipped ? page.ny - 1 - j : j;
+  return {x: page.left + k * page.cellWidth, y: page.top + row * page.cellHeight};
+}
+
+export function cellAt(page: Page, x: number, y: number): Cell | null {
+  const k = Math.floor((x - page.left) / page.cellWidth);
+  const row = Math.floor((y - page.top) / page.cellHeight);
+  if (k < 0 || k >= page.nz || row < 0 || row >= page.ny) return null;
+  return {j: page.flipped ? page.ny - 1 - row : row, k};
+}
+
+/** From design coordinates (y, z) in mm to the page. */
+export function toPage(page: Page, packing: Packing): (y: number, z: number) => [number, number] {
+  const [, sy, sz] = packing.block_mm;
+  const [right, down] = [page.cellWidth / sz, page.cellHeight / sy];
+  const middle = {x: page.left + page.width / 2, y: page.top + page.height / 2};
+  return (y, z) => [middle.x + z * right, middle.y + (page.flipped ? -y : y) * down];
+}
+
+/** How many blocks a person takes out of each column, from a half that is as high as its highest column. */
+export function blocksToRemove(kept: Uint16Array): {remove: Uint16Array; highest: number} {
+  let highest = 0;
+  for (const blocks of kept) highest = Math.max(highest, blocks);
+  return {remove: kept.map((blocks) => highest - blocks), highest};
+}

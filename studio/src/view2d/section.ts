@@ -1,0 +1,39 @@
+import type {DisplayMesh} from '../engine/api';
+
+/** Where the placed mesh meets the plane at `x`: segments (y, z, y, z) after each other, design coordinates.
+ *  `placement`: column-major 4 x 4. */
+export function section(mesh: DisplayMesh, placement: readonly number[], x: number): Float64Array {
+  const placed = placedCoordinates(mesh, placement);
+  const segments: number[] = [];
+  const {indices} = mesh;
+  for (let i = 0; i < indices.length; i += 3) {
+    const ends: number[] = [];
+    for (let side = 0; side < 3; side++) {
+      const a = (indices[i + side] ?? 0) * 3;
+      const b = (indices[i + ((side + 1) % 3)] ?? 0) * 3;
+      const [xa, xb] = [placed[a] ?? 0, placed[b] ?? 0];
+      // Half-open, so that a vertex on the plane belongs to one side only.
+      if (xa < x === xb < x) continue;
+      const t = (x - xa) / (xb - xa);
+      const between = (axis: number) => {
+        const from = placed[a + axis] ?? 0;
+        return from + t * ((placed[b + axis] ?? 0) - from);
+      };
+      ends.push(between(1), between(2));
+    }
+    if (ends.length === 4) segments.push(...ends);
+  }
+  return Float64Array.from(segments);
+}
+
+/** x, y, z of every vertex in the design space. */
+export function placedCoordinates({positions}: DisplayMesh, m: readonly number[]): Float64Array {
+  const placed = new Float64Array(positions.length);
+  const at = (i: number) => m[i] ?? 0;
+  for (let i = 0; i < positions.length; i += 3) {
+    const [x, y, z] = [positions[i] ?? 0, positions[i + 1] ?? 0, positions[i + 2] ?? 0];
+    for (let row = 0; row < 3; row++)
+      placed[i + row] = at(row) * x + at(row + 4) * y + at(row + 8) * z + at(row + 12);
+  }
+  return placed;
+}

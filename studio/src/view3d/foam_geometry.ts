@@ -1,0 +1,224 @@
+import type {Packing, Triple} from '../engine/api';
+
+// A foam half as quads for drawing: what a person sees of a height field, flat runs merged. The library's solids
+// are the true ones; these need no closedness, only looks.
+
+export type Half = 'lower' | 'upper';
+
+export interface Quads {
+  /** Four corners a quad, design coordinates. */
+  positions: Float32Array;
+  /** One outward normal a corner, as signed bytes. */
+  normals: Int8Array;
+  /** 1 where the quad may face the object: cavity floors and steps; 0 for what the case sees. */
+  inner: Uint8Array;
+  indices: Uint32Array;
+  /** How many columns each way were drawn as one; 1 if all were drawn. */
+  coarsened: number;
+}
+
+interface Field {
+  ny: number;
+  nz: number;
+  /** Kept blocks of a cell; 0 outside of the space. */
+  at(j: number, k: number): number;
+  y(j: number): number;
+  z(k: number): number;
+  x(height: number): number;
+  /** Outward, as the cavity faces. */
+  up: 1 | -1;
+  /** One quad a block's face instead of merged runs. */
+  split: boolean;
+}
+
+/** At most about `mostTriangles`; beyond that neighbouring columns are drawn as one, as deep as the deepest, so
+ *  that no cavity vanishes. `split`: one quad for each block's face, for colouring them one by one. */
+export function foamQuads(packing: Packing, half: Half, mostTriangles: number, split = false): Quads {
+  for (let share = 1; ; share *= 2) {
+    const quads = collect(field(packing, half, share, split), mostTriangles / 2);
+    if (quads) return {...arrays(quads), coarsened: share};
+  }
+}
+
+/** The middles of the quads, x, y, z after each other. */
+export function quadCentres({positions}: Quads): Float32Array<ArrayBuffer> {
+  const centres = new Float32Array(positions.length / 4);
+  for (let i = 0; i < centres.length; i++) {
+    const first = Math.floor(i / 3) * 12 + (i % 3);
+    centres[i] = ((positions[first] ?? 0) + (positions[first + 6] ?? 0)) / 2;
+  }
+  return centres;
+}
+
+function field({blocks, block_mm, lower, upper}: Packing, half: Half, share: number, split: boolean): Field {
+  const [nx, ny, nz] = blocks;
+  const [sx, sy, sz] = block_mm;
+  const kept = half === 'lower' ? lower : upper;
+  const rows = Math.ceil(ny / share);
+  const columns = Math.ceil(nz / share);
+  const coarse = share === 1 ? kept : fewest(kept, ny, nz, share);
+  const up = half === 'lower' ? 1 : -1;
+  return {
+    ny: rows,
+    nz: columns,
+    at: (j, k) => (j < 0 || k < 0 || j >= rows || k >= columns ? 0 : (coarse[j * columns + k] ?? 0)),
+    y: (j) => (Math.min(j * share, ny) - ny / 2) * sy,
+    z: (k) => (Math.min(k * share, nz) - nz / 2) * sz,
+    x: (height) => up * (height - nx / 2) * sx,
+    up,
+    split,
+  };
+}
+
+function fewest(kept: Uint16Array, ny: number, nz: number, share: number): Uint16Array {
+  const columns = Math.ceil(nz / share);
+  const coarse = new Uint16Array(Math.ceil(ny / share) * columns).fill(0xffff);
+  for (let j = 0; j < ny; j++) {
+    const row = Math.floor(j / share) * columns;
+    for (let k = 0; k < nz; k++) {
+      const cell = row + Math.floor(k / share);
+      coarse[cell] = Math.min(coarse[cell] ?? 0, kept[j * nz + k] ?? 0);
+    }
+  }
+  return coarse;
+}
+
+interface Quad {
+  corners: [Triple, Triple, Triple, Triple];
+  normal: Triple;
+  inner: boolean;
+}
+
+/** Null as soon as there are more than `most`. */
+function collect(f: Field, most: number): Quad[] | null {
+  const quads: Quad[] = [];
+  for (let j = 0; j <= f.ny; j++) {
+    addFlats(quads, f, j);
+    addStepsAlongZ(quads, f, j);
+    if (quads.length > most) return null;
+  }
+  for (let k = 0; k <= f.nz; k++) {
+    addStepsAlongY(quads, f, k);
+    if (quads.length > most) return null;
+  }
+  return quads;
+}
+
+/** Calls use(first, end) for each run of equal values, or for each value. */
+function runs(
+  count: number,
+  split: boolean,
+  value: (i: number) => number,
+  use: (first: number, end: number) => void,
+) {
+  let first = 0;
+  for (let i = 1; i <= count; i++) {
+    if (!split && i < count && value(i) === value(first)) continue;
+    use(first, i);
+    first = i;
+  }
+}
+
+/** Floors of the cavity, and the side that lies on the case. */
+function addFlats(quads: Quad[], f: Field, j: number) {
+  if (j === f.ny) return;
+  const flat = (height: number, first: number, end: number, normal: 1 | -1, inner: boolean) => {
+    const x = f.x(height);
+    quads.push({
+      corners: [
+        [x, f.y(j), f.z(first)],
+        [x, f.y(j + 1), f.z(first)],
+        [x, f.y(j + 1), f.z(end)],
+        [x, f.y(j), f.z(end)],
+      ],
+      normal: [normal, 0, 0],
+      inner,
+    });
+  };
+  runs(
+    f.nz,
+    f.split,
+    (k) => f.at(j, k),
+    (first, end) => {
+      const height = f.at(j, first);
+      if (height > 0) flat(height, first, end, f.up, true);
+    },
+  );
+  runs(
+    f.nz,
+    false,
+    (k) => (f.at(j, k) > 0 ? 1 : 0),
+    (first, end) => {
+      if (f.at(j, first) > 0) flat(0, first, end, f.up === 1 ? -1 : 1, false);
+    },
+  );
+}
+
+/** Walls between row j - 1 and row j. */
+function addStepsAlongZ(quads: Quad[], f: Field, j: number) {
+  const step = (k: number) => f.at(j - 1, k) * 65536 + f.at(j, k);
+  runs(f.nz, f.split, step, (first, end) => {
+    const before = f.at(j - 1, first);
+    const after = f.at(j, first);
+    eachStep(f, before, after, (a, b) =>
+      quads.push({
+        corners: [
+          [a, f.y(j), f.z(first)],
+          [b, f.y(j), f.z(first)],
+          [b, f.y(j), f.z(end)],
+          [a, f.y(j), f.z(end)],
+        ],
+        normal: [0, before > after ? 1 : -1, 0],
+        inner: j > 0 && j < f.ny,
+      }),
+    );
+  });
+}
+
+/** Walls between column k - 1 and column k. */
+function addStepsAlongY(quads: Quad[], f: Field, k: number) {
+  const step = (j: number) => f.at(j, k - 1) * 65536 + f.at(j, k);
+  runs(f.ny, f.split, step, (first, end) => {
+    const before = f.at(first, k - 1);
+    const after = f.at(first, k);
+    eachStep(f, before, after, (a, b) =>
+      quads.push({
+        corners: [
+          [a, f.y(first), f.z(k)],
+          [b, f.y(first), f.z(k)],
+          [b, f.y(end), f.z(k)],
+          [a, f.y(end), f.z(k)],
+        ],
+        normal: [0, 0, before > after ? 1 : -1],
+        inner: k > 0 && k < f.nz,
+      }),
+    );
+  });
+}
+
+/** The wall between two heights, whole or block by block: use(x, x). */
+function eachStep(f: Field, before: number, after: number, use: (a: number, b: number) => void) {
+  const [low, high] = [Math.min(before, after), Math.max(before, after)];
+  const by = f.split ? 1 : high - low;
+  for (let height = low; height < high; height += by) use(f.x(height), f.x(height + by));
+}
+
+function arrays(quads: Quad[]): Omit<Quads, 'coarsened'> {
+  const positions = new Float32Array(quads.length * 12);
+  const normals = new Int8Array(quads.length * 12);
+  const inner = new Uint8Array(quads.length * 4);
+  const indices = new Uint32Array(quads.length * 6);
+  quads.forEach(({corners, normal, inner: faces}, quad) => {
+    corners.forEach((corner, i) => {
+      positions.set(corner, quad * 12 + i * 3);
+      normals.set(
+        normal.map((n) => n * 127),
+        quad * 12 + i * 3,
+      );
+    });
+    inner.fill(faces ? 1 : 0, quad * 4, quad * 4 + 4);
+    const first = quad * 4;
+    indices.set([first, first + 1, first + 2, first, first + 2, first + 3], quad * 6);
+  });
+  return {positions, normals, inner, indices};
+}

@@ -1,0 +1,277 @@
+import {
+  BufferAttribute,
+  BufferGeometry,
+  Group,
+  Matrix4,
+  Mesh,
+  Raycaster,
+  Scene,
+  Vector2,
+  Vector3,
+  type ShaderMaterial,
+} from 'three';
+import type {DisplayMesh, Packing, Triple} from '../engine/api';
+import {foamQuads, type Half, type Quads} from './foam_geometry';
+import {arrow, boxEdges, columnBox, ruler} from './furniture';
+import {objectGeometry} from './object_geometry';
+import {foamShading, objectShading, type Shading} from './shading';
+import type {Cell, Look, Part} from '../state/view.svelte';
+
+/** What may be drawn while something moves: halves, and the object's own copy besides. */
+const MOVING_FOAM_TRIANGLES = 4_500;
+const STILL_FOAM_TRIANGLES = 200_000;
+/** How far the halves go apart, as a share of the space's height. */
+const WIDE_OPEN = 0.9;
+const GLASS = 0.28;
+
+export interface Colours {
+  background: string;
+  object: string;
+  lower: string;
+  upper: string;
+  edge: string;
+  space: string;
+  own: string;
+  mark: string;
+}
+
+/** Design coordinates to the world of three.js: x up, y to the reader, z to the right. */
+export const TO_WORLD = new Matrix4().makeBasis(new Vector3(0, 1, 0), new Vector3(0, 0, 1), new Vector3(1, 0, 0));
+
+/** For each half the quads of its blocks' faces, and how far each is from the object (0 to 1, -1 not said). */
+export type GapColours = Record<Half, {quads: Quads; shares: Float32Array}>;
+
+type FoamMesh = Mesh<BufferGeometry, ShaderMaterial>;
+
+/** What is in the 3D view, without how it is looked at. */
+export class FoamScene {
+  readonly scene = new Scene();
+  readonly #root = new Group();
+  readonly #object = new Group();
+  readonly #shades: Record<'object' | Half, Shading> = {
+    object: objectShading(),
+    lower: foamShading(),
+    upper: foamShading(),
+  };
+  readonly #body = new Mesh(new BufferGeometry(), this.#shades.object.material);
+  readonly #foams: Record<Half, FoamMesh> = {
+    lower: new Mesh(new BufferGeometry(), this.#shades.lower.material),
+    upper: new Mesh(new BufferGeometry(), this.#shades.upper.material),
+  };
+  readonly #space = boxEdges();
+  readonly #column = boxEdges();
+  readonly #up = arrow();
+  readonly #own = arrow();
+  readonly #ruler = ruler();
+  #bodies: {moving: BufferGeometry; still: BufferGeometry} | null = null;
+  #packing: Packing | null = null;
+  #detailed = false;
+  #opening = 0;
+  #gaps: GapColours | null = null;
+  #quads: Partial<Record<Half, Quads>> = {};
+
+  constructor() {
+    this.#root.matrixAutoUpdate = false;
+    this.#root.matrix.copy(TO_WORLD);
+    this.#object.matrixAutoUpdate = false;
+    this.#object.add(this.#body, this.#own.group, this.#ruler.group);
+    this.#root.add(this.#object, this.#foams.lower, this.#foams.upper, this.#space, this.#column);
+    this.scene.add(this.#root, this.#up.group);
+    this.#column.visible = false;
+    this.#column.material.depthTest = false;
+    this.#column.renderOrder = 9;
+    // Glass over the object, not under it.
+    this.#foams.lower.renderOrder = this.#foams.upper.renderOrder = 2;
+    this.#shades.object.material.polygonOffset = false;
+    this.show(null, null);
+  }
+
+  /** Of the space with its halves as far apart as they are, world coordinates. */
+  get extent(): {centre: Vector3; radius: number} {
+    const [x, y, z] = this.#size();
+    const open = x * (1 + 2 * WIDE_OPEN * this.#opening);
+    return {centre: new Vector3(), radius: Math.max(Math.hypot(open, y, z) / 2, 1)};
+  }
+
+  /** The middle of the object, world coordinates. */
+  get objectCentre(): Vector3 {
+    const bounds = this.#packing?.bounds;
+    if (!bounds) return new Vector3();
+    const middle = new Vector3(...bounds.min).add(new Vector3(...bounds.max)).multiplyScalar(0.5);
+    return middle.applyMatrix4(TO_WORLD);
+  }
+
+  paint(colours: Colours, words: {up: string; own: string}) {
+    this.#shades.object.colour(colours.object, colours.edge);
+    this.#shades.lower.colour(colours.lower, colours.edge);
+    this.#shades.upper.colour(colours.upper, colours.edge);
+    this.#space.material.color.set(colours.space);
+    this.#column.material.color.set(colours.mark);
+    this.#up.colour(colours.space);
+    this.#up.say(words.up);
+    this.#own.colour(colours.own);
+    this.#own.say(words.own);
+  }
+
+  setObject(meshes: {moving: DisplayMesh; still: DisplayMesh} | null) {
+    for (const old of Object.values(this.#bodies ?? {})) old.dispose();
+    this.#bodies = meshes && {
+      moving: objectGeometry(meshes.moving),
+      still: meshes.still === meshes.moving ? objectGeometry(meshes.moving) : objectGeometry(meshes.still),
+    };
+    this.#dress();
+  }
+
+  show(packing: Packing | null, gaps: GapColours | null) {
+    this.#packing = packing;
+    this.#gaps = gaps;
+    this.#object.matrix.fromArray(packing?.placement ?? new Matrix4().elements);
+    this.#object.matrixWorldNeedsUpdate = true;
+    const [x, y, z] = this.#size();
+    this.#space.scale.set(x, y, z);
+    this.#up.group.position.set(-z / 2, -x / 2, y / 2);
+    this.#up.group.scale.setScalar(Math.max(x, 1) * 0.32);
+    this.#up.group.visible = packing !== null;
+    for (const half of ['lower', 'upper'] as const) this.#build(half);
+    this.#place();
+    this.#placeOwnArrow();
+  }
+
+  /** Fewer triangles while something moves. */
+  set detailed(value: boolean) {
+    if (value === this.#detailed) return;
+    this.#detailed = value;
+    this.#dress();
+    // A coarser drawing is refined, and a finer one coarsened, only where there is a difference.
+    for (const half of ['lower', 'upper'] as const) {
+      const coarse = (this.#quads[half]?.coarsened ?? 1) > 1;
+      if (coarse || (!value && this.#triangles(half) > MOVING_FOAM_TRIANGLES)) this.#build(half);
+    }
+  }
+
+  set opening(value: number) {
+    this.#opening = value;
+    this.#place();
+  }
+
+  set looks(looks: Record<Part, Look>) {
+    const see = (mesh: {visible: boolean}, shade: Shading | null, look: Look) => {
+      mesh.visible = look !== 'hidden';
+      shade?.see(look === 'glass' ? GLASS : 1);
+    };
+    see(this.#body, this.#shades.object, looks.object);
+    see(this.#foams.lower, this.#shades.lower, looks.lower);
+    see(this.#foams.upper, this.#shades.upper, looks.upper);
+    see(this.#space, null, looks.space);
+    this.#space.material.transparent = looks.space === 'glass';
+    this.#space.material.opacity = looks.space === 'glass' ? GLASS : 1;
+    this.#placeOwnArrow();
+  }
+
+  mark(cell: Cell | null) {
+    this.#column.visible = cell !== null && this.#packing !== null;
+    if (!cell || !this.#packing) return;
+    const {centre, size} = columnBox(this.#packing, cell.j, cell.k);
+    this.#column.position.set(...centre);
+    this.#column.scale.set(size[0] * (1 + 2 * WIDE_OPEN * this.#opening), size[1], size[2]);
+  }
+
+  measure(points: readonly Triple[]) {
+    this.#ruler.show(points, this.#objectSize() * 0.012);
+  }
+
+  /** What lies under a point of the picture (-1 to 1): on the object in its own mm, and the column of the space. */
+  pick(ray: Raycaster): {own: Triple | null; cell: Cell | null} {
+    const targets = [this.#body, this.#foams.lower, this.#foams.upper].filter(({visible}) => visible);
+    const hit = ray.intersectObjects(targets, false)[0];
+    if (!hit) return {own: null, cell: null};
+    const own = hit.object === this.#body ? this.#object.worldToLocal(hit.point.clone()) : null;
+    const design = this.#root.worldToLocal(hit.point.clone());
+    return {own: own && [own.x, own.y, own.z], cell: this.#cellAt(design)};
+  }
+
+  #cellAt({y, z}: Vector3): Cell | null {
+    if (!this.#packing) return null;
+    const [, ny, nz] = this.#packing.blocks;
+    const [, sy, sz] = this.#packing.block_mm;
+    const j = Math.floor(y / sy + ny / 2);
+    const k = Math.floor(z / sz + nz / 2);
+    return j >= 0 && j < ny && k >= 0 && k < nz ? {j, k} : null;
+  }
+
+  #size(): Triple {
+    if (!this.#packing) return [this.#objectSize(), this.#objectSize(), this.#objectSize()];
+    const {blocks, block_mm} = this.#packing;
+    return [blocks[0] * block_mm[0], blocks[1] * block_mm[1], blocks[2] * block_mm[2]];
+  }
+
+  #objectSize(): number {
+    const geometry = this.#body.geometry;
+    if (!geometry.getAttribute('position')) return 0;
+    if (!geometry.boundingSphere) geometry.computeBoundingSphere();
+    return (geometry.boundingSphere?.radius ?? 0) * 2;
+  }
+
+  #dress() {
+    this.#body.geometry = this.#bodies?.[this.#detailed ? 'still' : 'moving'] ?? new BufferGeometry();
+    this.#placeOwnArrow();
+  }
+
+  /** At the end of the object's own z, so that a person sees how it has been turned. */
+  #placeOwnArrow() {
+    const box = this.#packing && this.#bodyBox();
+    this.#own.group.visible = box !== null && this.#body.visible;
+    if (!box) return;
+    const size = this.#objectSize();
+    this.#own.group.position.set((box.min.x + box.max.x) / 2, (box.min.y + box.max.y) / 2, box.max.z);
+    this.#own.group.rotation.set(Math.PI / 2, 0, 0);
+    this.#own.group.scale.setScalar(size * 0.2);
+  }
+
+  #bodyBox() {
+    const geometry = this.#body.geometry;
+    if (!geometry.getAttribute('position')) return null;
+    if (!geometry.boundingBox) geometry.computeBoundingBox();
+    return geometry.boundingBox;
+  }
+
+  #place() {
+    const apart = this.#size()[0] * WIDE_OPEN * this.#opening;
+    this.#foams.lower.position.set(-apart, 0, 0);
+    this.#foams.upper.position.set(apart, 0, 0);
+  }
+
+  #triangles(half: Half): number {
+    return (this.#foams[half].geometry.index?.count ?? 0) / 3;
+  }
+
+  #build(half: Half) {
+    const mesh = this.#foams[half];
+    mesh.geometry.dispose();
+    mesh.geometry = new BufferGeometry();
+    if (!this.#packing?.fit) return;
+    const most = this.#detailed ? STILL_FOAM_TRIANGLES : MOVING_FOAM_TRIANGLES;
+    const coloured = this.#gaps?.[half];
+    const quads = coloured?.quads ?? foamQuads(this.#packing, half, most);
+    this.#quads[half] = quads;
+    mesh.geometry.setAttribute('position', new BufferAttribute(quads.positions, 3));
+    mesh.geometry.setAttribute('normal', new BufferAttribute(quads.normals, 3, true));
+    mesh.geometry.setIndex(new BufferAttribute(quads.indices, 1));
+    const {uniforms} = mesh.material;
+    const [x, y, z] = this.#size();
+    uniforms.block?.value.set(...this.#packing.block_mm);
+    uniforms.corner?.value.set(-x / 2, -y / 2, -z / 2);
+    if (uniforms.showGaps) uniforms.showGaps.value = coloured ? 1 : 0;
+    if (coloured) {
+      const corners = new Float32Array(quads.inner.length);
+      corners.forEach((_, i) => (corners[i] = coloured.shares[i >> 2] ?? -1));
+      mesh.geometry.setAttribute('gap', new BufferAttribute(corners, 1));
+    }
+  }
+}
+
+/** From the place of a pointer in the picture. */
+export function pointerAt(event: {clientX: number; clientY: number}, canvas: HTMLElement): Vector2 {
+  const {left, top, width, height} = canvas.getBoundingClientRect();
+  return new Vector2(((event.clientX - left) / width) * 2 - 1, 1 - ((event.clientY - top) / height) * 2);
+}

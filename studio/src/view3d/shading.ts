@@ -1,0 +1,110 @@
+import {Color, DoubleSide, ShaderMaterial, Vector3} from 'three';
+
+// One small shader for the object and the foams: two lights that go with the camera, block edges drawn from the
+// design coordinates (so that they cost no triangles), and the colours of the gaps.
+
+const VERTEX = /* glsl */ `
+varying vec3 vDesign;
+varying vec3 vOwnNormal;
+varying vec3 vNormal;
+#ifdef FOAM
+attribute float gap;
+varying float vGap;
+#endif
+void main() {
+  vDesign = position;
+  vOwnNormal = normal;
+  vNormal = normalMatrix * normal;
+  #ifdef FOAM
+  vGap = gap;
+  #endif
+  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+}`;
+
+const FRAGMENT = /* glsl */ `
+uniform vec3 color;
+uniform vec3 edgeColor;
+uniform float opacity;
+uniform vec3 block;
+uniform vec3 corner;
+uniform float showGaps;
+varying vec3 vDesign;
+varying vec3 vOwnNormal;
+varying vec3 vNormal;
+#ifdef FOAM
+varying float vGap;
+vec3 ramp(float t) {
+  vec3 near = vec3(0.16, 0.36, 0.78);
+  vec3 middle = vec3(0.98, 0.85, 0.36);
+  vec3 far = vec3(0.82, 0.14, 0.13);
+  return t < 0.5 ? mix(near, middle, t * 2.0) : mix(middle, far, t * 2.0 - 1.0);
+}
+float edges() {
+  vec3 cell = (vDesign - corner) / block;
+  vec3 width = max(fwidth(cell), 1e-5);
+  vec3 distance = abs(fract(cell + 0.5) - 0.5) / width;
+  // Where blocks are smaller than a few pixels their edges would only darken the picture.
+  vec3 faded = smoothstep(0.42, 0.18, width);
+  vec3 line = (1.0 - smoothstep(0.35, 1.25, distance)) * faded * step(abs(vOwnNormal), vec3(0.5));
+  return max(line.x, max(line.y, line.z));
+}
+#endif
+void main() {
+  vec3 normal = normalize(vNormal) * (gl_FrontFacing ? 1.0 : FLIP);
+  float key = max(dot(normal, normalize(vec3(-0.35, 0.8, 0.55))), 0.0);
+  float fill = max(dot(normal, normalize(vec3(0.7, 0.1, 0.6))), 0.0);
+  vec3 shaded = color;
+  #ifdef FOAM
+  if (showGaps > 0.5 && vGap >= 0.0) shaded = ramp(min(vGap, 1.0));
+  #endif
+  shaded *= 0.50 + 0.42 * key + 0.20 * fill;
+  #ifdef FOAM
+  shaded = mix(shaded, edgeColor, 0.55 * edges());
+  #endif
+  gl_FragColor = vec4(shaded, opacity);
+  #include <colorspace_fragment>
+}`;
+
+export interface Shading {
+  material: ShaderMaterial;
+  colour(face: string, edge: string): void;
+  see(opacity: number): void;
+}
+
+function shading(defines: Record<string, string>): Shading {
+  const uniforms = {
+    color: {value: new Color()},
+    edgeColor: {value: new Color()},
+    opacity: {value: 1},
+    block: {value: new Vector3(1, 1, 1)},
+    corner: {value: new Vector3()},
+    showGaps: {value: 0},
+  };
+  const material = new ShaderMaterial({
+    vertexShader: VERTEX,
+    fragmentShader: FRAGMENT,
+    uniforms,
+    defines,
+    side: DoubleSide,
+    polygonOffset: true,
+    polygonOffsetFactor: 1,
+    polygonOffsetUnits: 1,
+  });
+  return {
+    material,
+    colour(face, edge) {
+      uniforms.color.value.set(face);
+      uniforms.edgeColor.value.set(edge);
+    },
+    see(opacity) {
+      uniforms.opacity.value = opacity;
+      material.transparent = opacity < 1;
+      material.depthWrite = opacity >= 1;
+    },
+  };
+}
+
+/** Foam quads carry true normals for both windings, so nothing is flipped. */
+export const foamShading = (): Shading => shading({FOAM: '', FLIP: '1.0'});
+/** A scan's triangles may face either way; what is seen from behind is lit from behind. */
+export const objectShading = (): Shading => shading({FLIP: '-1.0'});

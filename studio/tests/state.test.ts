@@ -1,0 +1,114 @@
+import {Quaternion, Vector3} from 'three';
+import {describe, expect, it} from 'vitest';
+import type {Design, Triple} from '../src/engine/api';
+import {mmPerFileUnit, withBlocks, withLength} from '../src/state/edit';
+import {canRedo, canUndo, moved, present, record, startHistory} from '../src/state/history';
+import {angles, quarterTurned, quaternion, sideDown, SIDES, sideThatIsDown} from '../src/state/rotation';
+import {numbers} from './support/packing';
+import {good, startCore} from './support/snug';
+
+const TURNS: Triple[] = Array.from({length: 50}, (_, seed) => {
+  const number = numbers(seed + 1);
+  return [number(360) - 180, number(360) - 180, number(360) - 180];
+});
+
+describe('rotations', () => {
+  it('are the library’s', async () => {
+    const core = await startCore();
+    const sample = good(await core.sampleFile('torus'));
+    const design = await core.defaultDesign();
+    await core.load(sample.name, new Blob([sample.bytes]), design.object);
+    for (const rotation_deg of TURNS.slice(0, 12)) {
+      const packing = good(await core.pack({...design, placement: {...design.placement, rotation_deg}}));
+      const axes = [new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1)];
+      axes.forEach((axis, column) => {
+        const turned = axis.applyQuaternion(quaternion(rotation_deg)).toArray();
+        turned.forEach((value, row) => expect(packing.placement[column * 4 + row]).toBeCloseTo(value, 9));
+      });
+    }
+  });
+
+  it('come back from their angles', () => {
+    for (const turn of TURNS) {
+      const again = quaternion(angles(quaternion(turn)));
+      expect(again.angleTo(quaternion(turn))).toBeLessThan(1e-4);
+    }
+  });
+
+  it('four quarter turns are none, and there is one for each axis', () => {
+    for (const turn of TURNS)
+      for (const axis of [0, 1, 2] as const) {
+        const once = quaternion(quarterTurned(turn, axis, 1));
+        expect(once.angleTo(quaternion(turn))).toBeCloseTo(Math.PI / 2, 4);
+        let four = turn;
+        for (let i = 0; i < 4; i++) four = quarterTurned(four, axis, 1);
+        expect(quaternion(four).angleTo(quaternion(turn))).toBeLessThan(1e-3);
+        expect(quaternion(quarterTurned(quarterTurned(turn, axis, 1), axis, -1)).angleTo(quaternion(turn))).toBeLessThan(1e-3);
+      }
+  });
+
+  it('put the named side down, and say which one is', () => {
+    for (const turn of TURNS)
+      for (const side of SIDES) {
+        const down = sideDown(turn, side);
+        expect(sideThatIsDown(down)).toBe(side);
+        expect(down.every((degrees) => degrees % 90 === 0)).toBe(true);
+        expect(sideDown(down, side)).toEqual(down);
+        expect(quaternion(down)).toBeInstanceOf(Quaternion);
+      }
+  });
+});
+
+describe('the history', () => {
+  it('goes back and forth, and forgets what was undone before a change', () => {
+    let history = startHistory(0);
+    for (const moment of [1, 2, 3]) history = record(history, moment, '', 0);
+    history = moved(moved(history, -1), -1);
+    expect(present(history)).toBe(1);
+    expect(canRedo(history)).toBe(true);
+    history = record(history, 9, 'x', 0);
+    expect(history.moments).toEqual([0, 1, 9]);
+    expect(canRedo(history)).toBe(false);
+    for (let i = 0; i < 9; i++) history = moved(history, -1);
+    expect(present(history)).toBe(0);
+    expect(canUndo(history)).toBe(false);
+  });
+
+  it('takes a drag as one step, and two drags as two', () => {
+    let history = startHistory(0);
+    for (let i = 1; i <= 10; i++) history = record(history, i, 'slider', i * 16);
+    history = record(history, 20, 'slider', 5000);
+    history = record(history, 21, 'other', 5010);
+    expect(history.moments).toEqual([0, 10, 20, 21]);
+  });
+
+  it('never loses where it started from while one control moves', () => {
+    let history = record(startHistory('start'), 'a', 'slider', 0);
+    history = record(history, 'b', 'slider', 1);
+    expect(history.moments).toEqual(['start', 'b']);
+  });
+});
+
+describe('edits', () => {
+  const design: Design = {
+    object: {units: null, scale: 1, longest_mm: null, cap: false},
+    space: {preset: 'paper', blocks: 'auto', block_mm: [15, 15, 22], wall_mm: null},
+    placement: {rotation_deg: [0, 0, 0], offset_mm: [0, 0, 0]},
+    cut: {clearance_mm: 0, cut_on_touch: false},
+    parting: {level: 'auto'},
+    output: {formats: ['stl', 'ply']},
+  };
+
+  it('a known length scales the object to it, whatever its unit was', () => {
+    for (const units of ['mm', 'cm', 'm', 'in'] as const)
+      for (const longest_mm of [null, 77]) {
+        const before = {...design, object: {...design.object, units, scale: 3, longest_mm}};
+        const after = withLength(before, 0.4, 250);
+        expect(mmPerFileUnit(after, [1, 2, 3]) * 0.4).toBeCloseTo(250);
+      }
+  });
+
+  it('a typed block count takes over from the fitted ones', () => {
+    expect(withBlocks(design, 1, 9, [4, 5, 6]).space.blocks).toEqual([4, 9, 6]);
+  });
+});
