@@ -3,7 +3,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include <fmt/core.h>
@@ -18,6 +17,7 @@
 #include "cli/console.h"
 #include "cli/files.h"
 #include "cli/interrupt.h"
+#include "cli/object_file.h"
 #include "cli/option_values.h"
 #include "cli/summary.h"
 #include "cli/user_presets.h"
@@ -84,13 +84,6 @@ void add_options(CLI::App& make, MakeArguments& arguments) {
         "  snug make scan-foam/project.snug.json --rotate 0,90,0 -o turned");
 }
 
-bool is_project(const fs::path& path) {
-    constexpr std::string_view kEnding = ".snug.json";
-    const std::string name = path.filename().string();
-    return name.size() >= kEnding.size() &&
-           name.compare(name.size() - kEnding.size(), kEnding.size(), kEnding) == 0;
-}
-
 /// Applies what was typed to the design, presets first so that explicit sizes win.
 Result<Design> design_from(const MakeArguments& a, Design design) {
     if (a.preset) {
@@ -151,26 +144,13 @@ struct Task {
 };
 
 Result<Task> task_from(const MakeArguments& arguments) {
+    auto source = find_object(arguments.object, arguments.replacement_object);
+    if (!source) return tl::unexpected(source.error());
     Task task;
-    task.object_path = arguments.object;
-    if (is_project(arguments.object)) {
-        const fs::path path = arguments.object;
-        const auto bytes = read_file(path);
-        if (!bytes) return tl::unexpected(bytes.error());
-        const auto project = parse_project({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
-        if (!project)
-            return fail(ErrorKind::input, fmt::format("{}: {}", path.string(), project.error().message));
-        task.project = *project;
-        task.object_path = path.parent_path() / project->object.name;
-        task.expected_sha256 = project->object.sha256;
-        if (arguments.replacement_object) task.object_path = *arguments.replacement_object;
-        std::error_code error;
-        if (!fs::exists(task.object_path, error))
-            return fail(ErrorKind::input,
-                        fmt::format("{}: its object {} is not there; name it with --object FILE",
-                                    path.string(), task.object_path.string()));
-    } else if (arguments.replacement_object) {
-        return fail(ErrorKind::usage, "--object goes with a project (*.snug.json)");
+    task.object_path = source->object;
+    if (source->project) {
+        task.project = std::move(*source->project);
+        task.expected_sha256 = task.project.object.sha256;
     }
     auto design = design_from(arguments, task.project.design);
     if (!design) return tl::unexpected(design.error());

@@ -6,6 +6,7 @@ export default defineConfig({
   projects: [
     {name: 'tests', testDir: 'e2e'},
     {name: 'bench', testDir: 'bench', testMatch: '*.bench.ts'},
+    {name: 'pictures', testDir: 'pictures', testMatch: '*.pictures.ts'},
   ],
   outputDir: '../build/e2e',
   timeout: 120_000,

@@ -43,7 +43,7 @@ export const en = {
     parts: 'Parts',
     drawn: (n: string, mm: string) => `The view draws a copy of ${n} triangles, at most about ${mm} off. The foam is cut from the original.`,
     thinned: (mm: string) =>
-      `This is a thinned copy, nowhere more than ${mm} mm off the original. Use it to choose the placement; it is not exported. Make the foams from the original with:`,
+      `This is a thinned copy, nowhere more than ${mm} off the original. Use it to choose the placement; it is not exported. Make the foams from the original with:`,
     unit: 'Unit of the file',
     unitTip: 'Meshes carry no unit. If the size above looks wrong, choose what the numbers in the file mean.',
     unitAuto: 'not said (mm)',

@@ -5,14 +5,17 @@ import type {Studio} from './studio.svelte';
 /** What `snug studio OBJECT` says of the object that it serves. */
 export interface ServedObject {
   name: string;
+  /** The file that the server was given. */
+  original: string;
   bytes: number;
   sha256: string;
-  /** Only a copy for looking, at most `deviation_mm` off. */
+  project: boolean;
+  /** Only a copy for looking, whose surface is nowhere farther than `deviation` from the original's (in the unit
+   *  of the file). */
   thinned: boolean;
-  triangles: number;
-  shown_triangles: number;
-  deviation_mm: number;
-  project?: boolean;
+  triangles?: number;
+  shown_triangles?: number;
+  deviation?: number;
 }
 
 /** Opens the object of the local server that served the page, if it was asked to. False where there is none. */
@@ -24,7 +27,10 @@ export async function openServed(studio: Studio, texts: OpenTexts): Promise<bool
   const files = [new File([await (await fetch('object/file')).blob()], info.name)];
   if (info.project)
     files.push(new File([await (await fetch('object/project')).blob()], `${info.name}.snug.json`));
-  studio.thinned = info.thinned ? info : null;
   await openFiles(studio, files, texts);
+  if (info.thinned) {
+    studio.thinned = {name: info.original, deviation: info.deviation ?? 0};
+    studio.notice = null;
+  }
   return true;
 }

@@ -63,7 +63,7 @@ export class Studio {
   notice: string | null = $state.raw(null);
   busy: Busy | null = $state.raw(null);
   /** The object is only a copy for looking: its foams are made elsewhere. */
-  thinned: {name: string; deviation_mm: number} | null = $state.raw(null);
+  thinned: {name: string; deviation: number} | null = $state.raw(null);
   #history: History<Moment> = $state.raw(startHistory<Moment>({design: {} as Design, object: null}));
   canUndo = $derived(canUndo(this.#history));
   canRedo = $derived(canRedo(this.#history));
@@ -132,6 +132,7 @@ export class Studio {
     this.busy = null;
     if (isFailure(info)) return this.#refuse('object', {...info, error: named(name, info.error)});
     const id = info.file.sha256 || crypto.randomUUID();
+    this.thinned = null;
     this.#objects.set(id, {id, name, content, converted: options.converted ?? false});
     this.#shown = id;
     this.design = design;

@@ -39,7 +39,7 @@ export function drawSlice(pen: Pen, page: Page, packing: Packing, layer: number,
   frame(pen, page, ink);
 }
 
-/** How many blocks to take out of each column of one half, as numbers and shades. */
+/** How many blocks to take out of each column of one half, as shades. */
 export function drawMap(pen: Pen, page: Page, packing: Packing, drawing: Drawing, ink: Ink) {
   const kept = drawing === 'lid' ? packing.upper : packing.lower;
   const {remove} = blocksToRemove(kept);
@@ -48,8 +48,14 @@ export function drawMap(pen: Pen, page: Page, packing: Packing, drawing: Drawing
   const colour = drawing === 'lid' ? ink.upper : ink.lower;
   fillCells(pen, page, (j, k) => shade(colour, at(j, k) / most));
   lines(pen, page, ink);
-  numbers(pen, page, at, most);
   frame(pen, page, ink);
+}
+
+/** The same as numbers, over whatever else was drawn. */
+export function drawNumbers(pen: Pen, page: Page, packing: Packing, drawing: Drawing) {
+  const {remove} = blocksToRemove(drawing === 'lid' ? packing.upper : packing.lower);
+  const most = remove.reduce((a, b) => Math.max(a, b), 1);
+  numbers(pen, page, (j, k) => remove[j * page.nz + k] ?? 0, most);
 }
 
 /** The object's outline as it is seen along x. Takes a while for many triangles. */

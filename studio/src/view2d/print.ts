@@ -1,6 +1,6 @@
 import type {Texts} from '../i18n/en';
 import type {Studio} from '../state/studio.svelte';
-import {drawMap, drawMarks, drawOutline} from './draw';
+import {drawMap, drawMarks, drawNumbers, drawOutline} from './draw';
 import {PRINT_INK} from './ink';
 import {layOut} from './page';
 
@@ -23,6 +23,7 @@ export async function printMaps(studio: Studio, texts: Texts): Promise<void> {
       const page = layOut(packing, half, WIDTH / SCALE, HEIGHT / SCALE, 24);
       drawMap(pen, page, packing, half, PRINT_INK);
       if (meshes) drawOutline(pen, page, packing, meshes.still, PRINT_INK);
+      drawNumbers(pen, page, packing, half);
       drawMarks(pen, page, {back: texts.view2d.back}, PRINT_INK);
     }
     return sheet(studio, canvas, half === 'lid' ? texts.view2d.lidNote : texts.view2d.lowerNote);

@@ -10,7 +10,7 @@ export interface Quads {
   positions: Float32Array;
   /** One outward normal a corner, as signed bytes. */
   normals: Int8Array;
-  /** 1 where the quad may face the object: cavity floors and steps; 0 for what the case sees. */
+  /** 1 where the quad faces what is cut away; 0 where it faces the case or the other half. */
   inner: Uint8Array;
   indices: Uint32Array;
   /** How many columns each way were drawn as one; 1 if all were drawn. */
@@ -27,6 +27,8 @@ interface Field {
   x(height: number): number;
   /** Outward, as the cavity faces. */
   up: 1 | -1;
+  /** Whether the block of a column at this height from the own side is cut away. */
+  cut(j: number, k: number, height: number): boolean;
   /** One quad a block's face instead of merged runs. */
   split: boolean;
 }
@@ -50,7 +52,8 @@ export function quadCentres({positions}: Quads): Float32Array<ArrayBuffer> {
   return centres;
 }
 
-function field({blocks, block_mm, lower, upper}: Packing, half: Half, share: number, split: boolean): Field {
+function field(packing: Packing, half: Half, share: number, split: boolean): Field {
+  const {blocks, block_mm, lower, upper, cutFirst, cutEnd} = packing;
   const [nx, ny, nz] = blocks;
   const [sx, sy, sz] = block_mm;
   const kept = half === 'lower' ? lower : upper;
@@ -66,6 +69,11 @@ function field({blocks, block_mm, lower, upper}: Packing, half: Half, share: num
     z: (k) => (Math.min(k * share, nz) - nz / 2) * sz,
     x: (height) => up * (height - nx / 2) * sx,
     up,
+    cut: (j, k, height) => {
+      const column = Math.min(j * share, ny - 1) * nz + Math.min(k * share, nz - 1);
+      const level = half === 'lower' ? height : nx - 1 - height;
+      return level >= (cutFirst[column] ?? 0) && level < (cutEnd[column] ?? 0);
+    },
     split,
   };
 }
@@ -141,7 +149,7 @@ function addFlats(quads: Quad[], f: Field, j: number) {
     (k) => f.at(j, k),
     (first, end) => {
       const height = f.at(j, first);
-      if (height > 0) flat(height, first, end, f.up, true);
+      if (height > 0) flat(height, first, end, f.up, f.cut(j, first, height));
     },
   );
   runs(
@@ -160,7 +168,7 @@ function addStepsAlongZ(quads: Quad[], f: Field, j: number) {
   runs(f.nz, f.split, step, (first, end) => {
     const before = f.at(j - 1, first);
     const after = f.at(j, first);
-    eachStep(f, before, after, (a, b) =>
+    eachStep(f, before, after, (a, b, height) =>
       quads.push({
         corners: [
           [a, f.y(j), f.z(first)],
@@ -169,7 +177,7 @@ function addStepsAlongZ(quads: Quad[], f: Field, j: number) {
           [a, f.y(j), f.z(end)],
         ],
         normal: [0, before > after ? 1 : -1, 0],
-        inner: j > 0 && j < f.ny,
+        inner: j > 0 && j < f.ny && f.cut(before > after ? j : j - 1, first, height),
       }),
     );
   });
@@ -181,7 +189,7 @@ function addStepsAlongY(quads: Quad[], f: Field, k: number) {
   runs(f.ny, f.split, step, (first, end) => {
     const before = f.at(first, k - 1);
     const after = f.at(first, k);
-    eachStep(f, before, after, (a, b) =>
+    eachStep(f, before, after, (a, b, height) =>
       quads.push({
         corners: [
           [a, f.y(first), f.z(k)],
@@ -190,17 +198,17 @@ function addStepsAlongY(quads: Quad[], f: Field, k: number) {
           [a, f.y(end), f.z(k)],
         ],
         normal: [0, 0, before > after ? 1 : -1],
-        inner: k > 0 && k < f.nz,
+        inner: k > 0 && k < f.nz && f.cut(first, before > after ? k : k - 1, height),
       }),
     );
   });
 }
 
-/** The wall between two heights, whole or block by block: use(x, x). */
-function eachStep(f: Field, before: number, after: number, use: (a: number, b: number) => void) {
+/** The wall between two heights, whole or block by block: use(x, x, its lower height). */
+function eachStep(f: Field, before: number, after: number, use: (a: number, b: number, height: number) => void) {
   const [low, high] = [Math.min(before, after), Math.max(before, after)];
   const by = f.split ? 1 : high - low;
-  for (let height = low; height < high; height += by) use(f.x(height), f.x(height + by));
+  for (let height = low; height < high; height += by) use(f.x(height), f.x(height + by), height);
 }
 
 function arrays(quads: Quad[]): Omit<Quads, 'coarsened'> {

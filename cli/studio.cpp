@@ -1,0 +1,144 @@
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include <fmt/core.h>
+#include <nlohmann/json.hpp>
+
+#include "snug/base/text.h"
+#include "snug/design/project.h"
+#include "snug/fabricate/mesh_files.h"
+#include "snug/mesh/read.h"
+#include "snug/mesh/thin.h"
+
+#include "cli/commands.h"
+#include "cli/console.h"
+#include "cli/files.h"
+#include "cli/object_file.h"
+#include "cli/web_server.h"
+
+namespace snug::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What a page can hold beside its foams.
+constexpr std::uintmax_t kBrowserLimit = 200'000'000;
+/// Enough to choose a placement by.
+constexpr std::size_t kThinTriangles = 500'000;
+
+struct StudioArguments {
+    std::optional<std::string> object;
+    std::optional<std::string> files;
+    int port = 0;
+    std::uintmax_t most_bytes = kBrowserLimit;
+    bool quiet = false;
+};
+
+/// Beside the program where it was built, or below share/ where it was installed.
+fs::path studio_folder() {
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error).parent_path();
+    const fs::path installed = program.parent_path() / "share" / "snug" / "studio";
+    return fs::exists(installed, error) ? installed : program.parent_path() / "studio" / "dist";
+}
+
+std::vector<std::byte> as_vector(const std::string& text) {
+    const auto bytes = std::as_bytes(std::span(text));
+    return {bytes.begin(), bytes.end()};
+}
+
+/// A copy for looking instead of a file that no page can hold. Its lengths are the file's own.
+Result<void> offer_thin_copy(Site& site, nlohmann::json& info, const fs::path& path,
+                             std::span<const std::byte> bytes, StatusLine& status) {
+    status.show("Thinning " + path.string());
+    const auto mesh = read_mesh(bytes, path.string());
+    if (!mesh) return fail(mesh.error().kind, fmt::format("{}: {}", path.string(), mesh.error().message));
+    const ThinMesh thin = thinned(*mesh, kThinTriangles);
+    info["name"] = path.stem().string() + "-thin.ply";
+    info["triangles"] = mesh->triangles.size();
+    info["shown_triangles"] = thin.mesh.triangles.size();
+    info["deviation"] = thin.deviation;
+    site.contents["/object/file"] = write_ply(thin.mesh.vertices, thin.mesh.triangles, {});
+    return {};
+}
+
+/// Puts the object, and its project if it has one, where the page looks for it.
+Result<nlohmann::json> offer_object(Site& site, const StudioArguments& arguments, StatusLine& status) {
+    const auto source = find_object(*arguments.object);
+    if (!source) return tl::unexpected(source.error());
+    status.show("Reading " + source->object.string());
+    auto bytes = read_file(source->object);
+    if (!bytes) return tl::unexpected(bytes.error());
+    const ObjectFile file = describe(source->object, *bytes);
+    const bool thin = bytes->size() > arguments.most_bytes;
+    nlohmann::json info{{"name", file.name},   {"original", file.name},
+                        {"bytes", file.bytes}, {"sha256", file.sha256},
+                        {"thinned", thin},     {"project", source->project.has_value()}};
+    if (thin) {
+        if (auto done = offer_thin_copy(site, info, source->object, *bytes, status); !done)
+            return tl::unexpected(done.error());
+    } else {
+        const auto mesh = read_mesh(*bytes, source->object.string());
+        if (!mesh)
+            return fail(mesh.error().kind,
+                        fmt::format("{}: {}", source->object.string(), mesh.error().message));
+        site.contents["/object/file"] = std::move(*bytes);
+    }
+    if (source->project) site.contents["/object/project"] = as_vector(project_json(*source->project));
+    site.contents["/object/info"] = as_vector(info.dump());
+    return info;
+}
+
+int studio(const StudioArguments& arguments) {
+    auto site = site_of_folder(arguments.files ? fs::path(*arguments.files) : studio_folder());
+    if (!site) return report(site.error());
+    std::string thinned_note;
+    if (arguments.object) {
+        std::optional<StatusLine> status(std::in_place, arguments.quiet);
+        const auto info = offer_object(*site, arguments, *status);
+        status.reset();
+        if (!info) return report(info.error());
+        if ((*info)["thinned"])
+            thinned_note = fmt::format(
+                "{} is too large for a page: it shows a copy of {} triangles that lies at most {} (in the "
+                "file's unit) off. Foams are made from the original by `snug make`.\n",
+                *arguments.object, (*info)["shown_triangles"].get<std::size_t>(),
+                number((*info)["deviation"].get<double>(), 3));
+    }
+    const auto done = serve(*site, arguments.port, [&](int port) {
+        const std::string address =
+            fmt::format("http://127.0.0.1:{}/{}", port, arguments.object ? "?object" : "");
+        (void)print(arguments.quiet ? address + "\n"
+                                    : fmt::format("{}Snug Studio is at {}\nIt is for this machine alone. "
+                                                  "Ctrl-C ends it.\n",
+                                                  thinned_note, address));
+    });
+    return done ? kDone : report(done.error());
+}
+
+}  // namespace
+
+void add_studio(CLI::App& program, Command& chosen) {
+    CLI::App* command = program.add_subcommand("studio", "Serve the studio to a browser on this machine");
+    const auto arguments = std::make_shared<StudioArguments>();
+    command->add_option("OBJECT", arguments->object, "A mesh or a project (*.snug.json) to open in it");
+    command->add_option("--port", arguments->port, "Port of 127.0.0.1 (0: a free one)")
+        ->type_name("N")
+        ->check(CLI::Range(0, 65535));
+    command->add_option("--files", arguments->files, "The built studio, if it is elsewhere")
+        ->type_name("DIR");
+    command
+        ->add_option("--most-bytes", arguments->most_bytes,
+                     "Larger files are shown as a thinned copy (200,000,000)")
+        ->type_name("N");
+    command->add_flag("--quiet", arguments->quiet, "Print the address and nothing else");
+    command->footer("Examples:\n  snug studio\n  snug studio vase.stl");
+    command->callback([arguments, &chosen] { chosen = [arguments] { return studio(*arguments); }; });
+}
+
+}  // namespace snug::cli

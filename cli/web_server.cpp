@@ -1,0 +1,150 @@
+#include "cli/web_server.h"
+
+#include <atomic>
+#include <chrono>
+#include <httplib.h>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "cli/files.h"
+#include "cli/interrupt.h"
+
+namespace snug::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kHost = "127.0.0.1";
+constexpr int kUsualPort = 8737;
+constexpr int kPortsToTry = 20;
+constexpr auto kInterruptPause = std::chrono::milliseconds(50);
+
+/// The page says the same of itself; here it also holds for what is no page.
+constexpr const char* kPolicy =
+    "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; img-src 'self' data: blob:; "
+    "worker-src 'self'; connect-src 'self' blob:; manifest-src 'self'; base-uri 'none'; form-action 'none'; "
+    "frame-ancestors 'none'";
+
+const std::map<std::string, const char*> kTypes{
+    {".html", "text/html; charset=utf-8"},
+    {".js", "text/javascript; charset=utf-8"},
+    {".css", "text/css; charset=utf-8"},
+    {".json", "application/json"},
+    {".svg", "image/svg+xml"},
+    {".png", "image/png"},
+    {".wasm", "application/wasm"},
+    {".webmanifest", "application/manifest+json"},
+};
+
+const char* content_type(const fs::path& path) {
+    const auto type = kTypes.find(path.extension().string());
+    return type == kTypes.end() ? "application/octet-stream" : type->second;
+}
+
+void answer(httplib::Response& response, const std::vector<std::byte>& bytes, const char* type) {
+    response.set_content(reinterpret_cast<const char*>(bytes.data()), bytes.size(), type);
+}
+
+void find(const Site& site, const httplib::Request& request, httplib::Response& response) {
+    if (const auto kept = site.contents.find(request.path); kept != site.contents.end())
+        return answer(response, kept->second, "application/octet-stream");
+    const auto file = site.files.find(request.path);
+    const auto bytes = file == site.files.end() ? fail(ErrorKind::input, "") : read_file(file->second);
+    if (bytes) return answer(response, *bytes, content_type(file->second));
+    response.status = 404;
+    response.set_content("There is nothing here.\n", "text/plain; charset=utf-8");
+}
+
+/// Another site's name that was made to point here is none of ours.
+bool asks_for_this_machine(const httplib::Request& request) {
+    std::string host = request.get_header_value("Host");
+    host.resize(std::min(host.rfind(':'), host.size()));
+    return host == kHost || host == "localhost";
+}
+
+httplib::Server::HandlerResponse refuse_strangers(const httplib::Request& request,
+                                                  httplib::Response& response) {
+    const bool asks = request.method == "GET" || request.method == "HEAD";
+    if (asks && asks_for_this_machine(request)) return httplib::Server::HandlerResponse::Unhandled;
+    response.status = asks ? 403 : 405;
+    if (!asks) response.set_header("Allow", "GET, HEAD");
+    response.set_content("Refused.\n", "text/plain; charset=utf-8");
+    return httplib::Server::HandlerResponse::Handled;
+}
+
+void own_port_alone(socket_t socket) {
+    // Not SO_REUSEPORT, httplib's choice: another program could share the port.
+    const int yes = 1;
+    (void)setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
+}
+
+Result<int> bound(httplib::Server& server, int port) {
+    if (port != 0) {
+        if (server.bind_to_port(kHost, port)) return port;
+        return fail(ErrorKind::output,
+                    fmt::format("port {} of {} is taken: choose another with --port", port, kHost));
+    }
+    for (int usual = kUsualPort; usual < kUsualPort + kPortsToTry; ++usual)
+        if (server.bind_to_port(kHost, usual)) return usual;
+    const int any = server.bind_to_any_port(kHost);
+    if (any <= 0) return fail(ErrorKind::output, fmt::format("no port of {} is free", kHost));
+    return any;
+}
+
+}  // namespace
+
+Result<Site> site_of_folder(const fs::path& folder) {
+    Site site;
+    std::error_code error;
+    for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+        const fs::path name = entry->path().lexically_relative(folder);
+        if (entry->is_symlink(error) || !entry->is_regular_file(error)) continue;
+        if (name.generic_string().find("/.") != std::string::npos || name.generic_string().front() == '.')
+            continue;
+        site.files["/" + name.generic_string()] = entry->path();
+    }
+    const auto index = site.files.find("/index.html");
+    if (error || index == site.files.end())
+        return fail(ErrorKind::input,
+                    fmt::format("{}: the studio is not there; `make build` makes it, and --files "
+                                "names another folder",
+                                folder.string()));
+    site.files["/"] = index->second;
+    return site;
+}
+
+Result<void> serve(const Site& site, int port, const std::function<void(int)>& on_ready) {
+    httplib::Server server;
+    server.set_socket_options(own_port_alone);
+    server.set_default_headers({{"Content-Security-Policy", kPolicy},
+                                {"X-Content-Type-Options", "nosniff"},
+                                {"Referrer-Policy", "no-referrer"},
+                                {"Cross-Origin-Resource-Policy", "same-origin"},
+                                {"Cache-Control", "no-cache"}});
+    server.set_pre_routing_handler(refuse_strangers);
+    server.Get(".*", [&site](const httplib::Request& request, httplib::Response& response) {
+        find(site, request, response);
+    });
+
+    const auto place = bound(server, port);
+    if (!place) return tl::unexpected(place.error());
+    const InterruptGuard guard;
+    std::atomic<bool> ended = false;
+    std::thread watcher([&] {
+        while (!ended && !InterruptGuard::interrupted()) std::this_thread::sleep_for(kInterruptPause);
+        server.stop();
+    });
+    on_ready(*place);
+    const bool listened = server.listen_after_bind();
+    ended = true;
+    watcher.join();
+    if (!listened && !InterruptGuard::interrupted())
+        return fail(ErrorKind::output, fmt::format("port {} of {} cannot be served", *place, kHost));
+    return {};
+}
+
+}  // namespace snug::cli

@@ -1,0 +1,58 @@
+import {fileURLToPath} from 'node:url';
+import type {Page} from '@playwright/test';
+import {expect, status, test} from '../e2e/support/studio';
+
+// Every step in both colours, in Japanese and on a tablet, into build/pictures; the two of the README into docs/.
+
+const to = (path: string) => fileURLToPath(new URL(`../../${path}`, import.meta.url));
+const STEPS = ['Object', 'Foam', 'Placement', 'Check', 'Make'];
+
+async function shoot(page: Page, name: string) {
+  await page.mouse.move(2, 2);
+  await page.waitForTimeout(1500);
+  await page.screenshot({path: to(`${name}.png`)});
+}
+
+async function withSample(page: Page, name: string) {
+  await page.getByRole('button', {name}).click();
+  await expect(status(page)).toContainText('Widest gap');
+  await expect(status(page)).not.toContainText('…', {timeout: 30_000});
+}
+
+test('each step, light and dark', async ({studio: page}) => {
+  await shoot(page, 'build/pictures/empty');
+  await withSample(page, 'Camera');
+  for (const theme of ['light', 'dark']) {
+    await page.getByLabel('Colours').selectOption(theme);
+    for (const step of STEPS) {
+      await page.getByRole('navigation').getByText(step).click();
+      await shoot(page, `build/pictures/${step.toLowerCase()}-${theme}`);
+    }
+  }
+});
+
+test('Japanese, a tablet and a telephone', async ({studio: page}) => {
+  await withSample(page, 'Figurine');
+  for (const [name, width, height] of [['tablet', 1024, 768], ['upright', 820, 1180], ['telephone', 390, 844]] as const) {
+    await page.setViewportSize({width, height});
+    await shoot(page, `build/pictures/${name}`);
+  }
+  await page.setViewportSize({width: 1280, height: 800});
+  await page.getByLabel('Language').selectOption('ja');
+  await shoot(page, 'build/pictures/japanese');
+});
+
+test('the README’s two', async ({studio: page}) => {
+  await withSample(page, 'Camera');
+  await page.getByRole('navigation').getByText('Placement').click();
+  await page.getByRole('button', {name: 'This side down: -y'}).click();
+  await page.getByRole('tab', {name: 'Lower'}).click();
+  await expect(status(page)).not.toContainText('…', {timeout: 30_000});
+  await shoot(page, 'docs/studio-light');
+  await page.getByLabel('Colours').selectOption('dark');
+  await page.getByRole('navigation').getByText('Check').click();
+  await page.getByLabel('Colour the foam').check();
+  await page.getByRole('button', {name: 'Lid: shown'}).click();
+  await page.getByRole('tab', {name: 'Section'}).click();
+  await shoot(page, 'docs/studio-dark');
+});
