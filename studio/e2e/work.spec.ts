@@ -159,3 +159,23 @@ test('both maps go to the printer', async ({studio: page}) => {
   await expect(page.locator('body[data-printed=yes]')).toBeAttached();
   await expect(page.locator('#print img')).toHaveCount(2);
 });
+
+test('a hand on the rings turns the object, as one step', async ({studio: page}) => {
+  await open(page, sample('camera'));
+  await page.waitForTimeout(1500);
+  await page.getByRole('button', {name: 'Turn', exact: true}).click();
+  const scene = await page.getByRole('application').boundingBox();
+  if (!scene) throw new Error('there is no scene');
+  const before = await Promise.all(['ψ', 'θ', 'φ'].map((angle) => page.getByRole('slider', {name: `Rotation ${angle}`}).inputValue()));
+  const middle = {x: scene.x + scene.width / 2, y: scene.y + scene.height / 2};
+  await page.mouse.move(middle.x + 8, middle.y - 22);
+  await page.mouse.down();
+  for (let i = 1; i <= 12; i++) await page.mouse.move(middle.x + 8 + 5 * i, middle.y - 22 - 3 * i);
+  await page.mouse.up();
+  const after = async () =>
+    Promise.all(['ψ', 'θ', 'φ'].map((angle) => page.getByRole('slider', {name: `Rotation ${angle}`}).inputValue()));
+  await expect.poll(after).not.toEqual(before);
+  await page.waitForTimeout(300);
+  await page.keyboard.press('Control+z');
+  await expect.poll(after).toEqual(before);
+});

@@ -6,22 +6,22 @@ export function section(mesh: DisplayMesh, placement: readonly number[], x: numb
   const placed = placedCoordinates(mesh, placement);
   const segments: number[] = [];
   const {indices} = mesh;
+  const side = (corner: number) => ((placed[(indices[corner] ?? 0) * 3] ?? 0) < x ? 1 : 0);
   for (let i = 0; i < indices.length; i += 3) {
-    const ends: number[] = [];
-    for (let side = 0; side < 3; side++) {
-      const a = (indices[i + side] ?? 0) * 3;
-      const b = (indices[i + ((side + 1) % 3)] ?? 0) * 3;
+    // Half-open, so that a vertex on the plane belongs to one side only.
+    const below = side(i) + side(i + 1) + side(i + 2);
+    if (below === 0 || below === 3) continue;
+    for (let edge = 0; edge < 3; edge++) {
+      const a = (indices[i + edge] ?? 0) * 3;
+      const b = (indices[i + ((edge + 1) % 3)] ?? 0) * 3;
       const [xa, xb] = [placed[a] ?? 0, placed[b] ?? 0];
-      // Half-open, so that a vertex on the plane belongs to one side only.
       if (xa < x === xb < x) continue;
       const t = (x - xa) / (xb - xa);
-      const between = (axis: number) => {
+      for (const axis of [1, 2]) {
         const from = placed[a + axis] ?? 0;
-        return from + t * ((placed[b + axis] ?? 0) - from);
-      };
-      ends.push(between(1), between(2));
+        segments.push(from + t * ((placed[b + axis] ?? 0) - from));
+      }
     }
-    if (ends.length === 4) segments.push(...ends);
   }
   return Float64Array.from(segments);
 }

@@ -8,17 +8,21 @@ const CREASE_COSINE = Math.cos((40 * Math.PI) / 180);
 export function objectGeometry({positions, indices}: DisplayMesh): BufferGeometry {
   const faces = faceNormals(positions, indices);
   const smooth = vertexNormals(positions.length, indices, faces);
+  makeUnit(faces);
+  makeUnit(smooth);
   const corners = new Float32Array(indices.length * 3);
   const normals = new Int8Array(indices.length * 3);
   for (let corner = 0; corner < indices.length; corner++) {
+    const to = corner * 3;
     const vertex = (indices[corner] ?? 0) * 3;
-    const face = Math.floor(corner / 3) * 3;
-    corners.set(positions.subarray(vertex, vertex + 3), corner * 3);
-    const own = unit(faces, face);
-    const shared = unit(smooth, vertex);
-    const cosine = own[0] * shared[0] + own[1] * shared[1] + own[2] * shared[2];
-    const normal = cosine > CREASE_COSINE ? shared : own;
-    for (let axis = 0; axis < 3; axis++) normals[corner * 3 + axis] = (normal[axis] ?? 0) * 127;
+    const face = corner - (corner % 3);
+    let cosine = 0;
+    for (let axis = 0; axis < 3; axis++) cosine += (faces[face + axis] ?? 0) * (smooth[vertex + axis] ?? 0);
+    const [source, at] = cosine > CREASE_COSINE ? [smooth, vertex] : [faces, face];
+    for (let axis = 0; axis < 3; axis++) {
+      corners[to + axis] = positions[vertex + axis] ?? 0;
+      normals[to + axis] = (source[at + axis] ?? 0) * 127;
+    }
   }
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(corners, 3));
@@ -52,8 +56,12 @@ function vertexNormals(size: number, indices: Uint32Array, faces: Float32Array):
   return normals;
 }
 
-function unit(values: Float32Array, at: number): [number, number, number] {
-  const [x, y, z] = [values[at] ?? 0, values[at + 1] ?? 0, values[at + 2] ?? 0];
-  const length = Math.hypot(x, y, z) || 1;
-  return [x / length, y / length, z / length];
+function makeUnit(vectors: Float32Array) {
+  for (let i = 0; i < vectors.length; i += 3) {
+    const [x, y, z] = [vectors[i] ?? 0, vectors[i + 1] ?? 0, vectors[i + 2] ?? 0];
+    const length = Math.sqrt(x * x + y * y + z * z) || 1;
+    vectors[i] = x / length;
+    vectors[i + 1] = y / length;
+    vectors[i + 2] = z / length;
+  }
 }

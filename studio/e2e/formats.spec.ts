@@ -1,0 +1,56 @@
+import {zipSync} from 'fflate';
+import {expect, open, status, test} from './support/studio';
+
+const CORNERS = [[0, 0, 0], [120, 0, 0], [0, 90, 0], [0, 0, 60]];
+const FACES = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
+
+test('3MF opens with its unit', async ({studio: page}) => {
+  const vertices = CORNERS.map(([x, y, z]) => `<vertex x="${(x ?? 0) / 10}" y="${(y ?? 0) / 10}" z="${(z ?? 0) / 10}"/>`);
+  const triangles = FACES.map(([a, b, c]) => `<triangle v1="${a}" v2="${b}" v3="${c}"/>`);
+  const model = `<?xml version="1.0"?><model unit="centimeter" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02"><resources><object id="1" type="model"><mesh><vertices>${vertices.join('')}</vertices><triangles>${triangles.join('')}</triangles></mesh></object></resources><build><item objectid="1"/></build></model>`;
+  const relations =
+    '<?xml version="1.0"?><Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Target="/3D/3dmodel.model" Id="r" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>';
+  const text = (value: string) => new TextEncoder().encode(value);
+  const zip = zipSync({'_rels/.rels': text(relations), '3D/3dmodel.model': text(model)});
+  await page.getByLabel('Open object', {exact: true}).setInputFiles({name: 'wedge.3mf', mimeType: '', buffer: Buffer.from(zip)});
+  await expect(page.getByTitle('wedge.ply')).toBeVisible();
+  await expect(page.getByText('120 × 90 × 60 mm')).toBeVisible();
+  await expect(status(page)).toContainText('F ');
+});
+
+test('glTF opens in metres', async ({studio: page}) => {
+  const positions = Buffer.from(Float32Array.from(CORNERS.flat().map((mm) => mm / 1000)).buffer);
+  const indices = Buffer.from(Uint16Array.from(FACES.flat()).buffer);
+  const gltf = {
+    asset: {version: '2.0'},
+    scenes: [{nodes: [0]}],
+    scene: 0,
+    nodes: [{mesh: 0}],
+    meshes: [{primitives: [{attributes: {POSITION: 0}, indices: 1}]}],
+    accessors: [
+      {bufferView: 0, componentType: 5126, count: 4, type: 'VEC3', min: [0, 0, 0], max: [0.12, 0.09, 0.06]},
+      {bufferView: 1, componentType: 5123, count: 12, type: 'SCALAR'},
+    ],
+    bufferViews: [
+      {buffer: 0, byteOffset: 0, byteLength: positions.length},
+      {buffer: 0, byteOffset: positions.length, byteLength: indices.length},
+    ],
+    buffers: [
+      {
+        byteLength: positions.length + indices.length,
+        uri: `data:application/octet-stream;base64,${Buffer.concat([positions, indices]).toString('base64')}`,
+      },
+    ],
+  };
+  await page.getByLabel('Open object', {exact: true}).setInputFiles({name: 'wedge.gltf', mimeType: '', buffer: Buffer.from(JSON.stringify(gltf))});
+  await expect(page.getByTitle('wedge.ply')).toBeVisible();
+  await expect(page.getByText('120 × 90 × 60 mm')).toBeVisible();
+  await expect(status(page)).toContainText('F ');
+});
+
+test('OBJ and OFF open as they are', async ({studio: page}) => {
+  const obj = [...CORNERS.map((corner) => `v ${corner.join(' ')}`), ...FACES.map((face) => `f ${face.map((i) => i + 1).join(' ')}`), ''].join('\n');
+  await open(page, {name: 'wedge.obj', buffer: Buffer.from(obj)});
+  const off = ['OFF', '4 4 0', ...CORNERS.map((corner) => corner.join(' ')), ...FACES.map((face) => `3 ${face.join(' ')}`), ''].join('\n');
+  await open(page, {name: 'wedge.off', buffer: Buffer.from(off)});
+});
