@@ -105,6 +105,17 @@ test('a cancelled Optimize keeps the best so far', async ({studio: page}) => {
   await expect(status(page)).toContainText('F ');
 });
 
+test('another object opened meanwhile ends an Optimize, and starts anew', async ({studio: page}) => {
+  await open(page, sample('figurine'));
+  await set(page, 'slider', 'Rotation θ', 33);
+  await page.getByRole('button', {name: 'Optimize', exact: true}).click();
+  await open(page, sample('torus'));
+  await page.waitForTimeout(1500);
+  for (const angle of ['ψ', 'θ', 'φ'])
+    await expect(page.getByRole('slider', {name: `Rotation ${angle}`})).toHaveValue('0');
+  await expect(page.getByRole('button', {name: 'Optimize', exact: true})).toBeEnabled();
+});
+
 test('a file in metres asks for its unit', async ({studio: page}) => {
   const metres = 'OFF\n4 4 0\n0 0 0\n0.2 0 0\n0 0.15 0\n0 0 0.1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n';
   await page.getByLabel('Open object', {exact: true}).setInputFiles({name: 'wedge.off', mimeType: '', buffer: Buffer.from(metres)});

@@ -248,7 +248,6 @@ export const en = {
     tooBig: (name: string, line: string) => `${name} is too big for the browser. The command line makes its foams: ${line}`,
     openObjectOf: (name: string) => `The project is read. Now open its object: ${name}`,
     otherContent: (name: string) => `This file has another content than the ${name} that the project was made for: check the fit.`,
-    noObject: 'There is no object yet.',
   },
   broken: 'Snug cannot start here',
   close: 'Close',

@@ -237,7 +237,6 @@ export const ja: Texts = {
     tooBig: (name, line) => `${name} はブラウザーには大きすぎます。コマンドラインで作れます：${line}`,
     openObjectOf: (name) => `プロジェクトを読み込みました。次に対象物を開いてください：${name}`,
     otherContent: (name) => `このファイルの内容は、プロジェクトの ${name} と違います。合うか確かめてください。`,
-    noObject: 'まだ対象物がありません。',
   },
   broken: 'ここではSnugを起動できません',
   close: '閉じる',

@@ -11,7 +11,6 @@ export interface OpenTexts {
   tooBig: (name: string, line: string) => string;
   openObjectOf: (name: string) => string;
   otherContent: (name: string) => string;
-  noObject: string;
 }
 
 /** Projects that wait for their object. */

@@ -74,6 +74,8 @@ export class Studio {
   #resting: ReturnType<typeof setTimeout> | undefined;
   #meshesOf = 0;
   #arrival: Promise<void> = Promise.resolve();
+  /** Settles when the last long work has ended. */
+  #work: Promise<void> = Promise.resolve();
 
   private constructor(
     engine: Engine,
@@ -125,8 +127,11 @@ export class Studio {
     content: Blob,
     options: {converted?: boolean; design?: Design} = {},
   ): Promise<Failure | null> {
-    this.busy = {work: 'read', fraction: null, cancel: null};
     this.#stopResting();
+    // A climb or an export of the last object ends first, and leaves the design alone.
+    if (this.busy) await this.engine.cancel();
+    await this.#work;
+    this.busy = {work: 'read', fraction: null, cancel: null};
     const design = options.design ?? forNewObject(this.design, this.defaults);
     const info = await this.engine.load(name, content, design.object);
     this.busy = null;
@@ -144,7 +149,12 @@ export class Studio {
   }
 
   /** The climb of the paper over the three angles, shown step by step. */
-  async optimize(): Promise<void> {
+  optimize(): Promise<void> {
+    this.#work = this.#climb();
+    return this.#work;
+  }
+
+  async #climb(): Promise<void> {
     const start = this.design;
     this.#stopResting();
     this.busy = {work: 'climb', fraction: null, cancel: () => void this.engine.cancel()};
@@ -177,7 +187,13 @@ export class Studio {
   }
 
   /** Runs long work of another file's with this page's progress and cancel. */
-  async long<T>(work: Work, run: (onProgress: (fraction: number) => void) => Promise<T>): Promise<T> {
+  long<T>(work: Work, run: (onProgress: (fraction: number) => void) => Promise<T>): Promise<T> {
+    const answer = this.#long(work, run);
+    this.#work = answer.then(() => {});
+    return answer;
+  }
+
+  async #long<T>(work: Work, run: (onProgress: (fraction: number) => void) => Promise<T>): Promise<T> {
     this.#stopResting();
     this.busy = {work, fraction: 0, cancel: () => void this.engine.cancel()};
     const answer = await run((fraction) => {
