@@ -55,5 +55,12 @@ TEST(ReadOff, EveryRelativeWithFurtherNumbersBehindTheVertex) {
     expect_holds(refused("OFF\n3 1 3\n0 0 0\n1 inf 0\n0 1 0\n3 0 1 2\n"), "line 4: a vertex needs three");
 }
 
+// 4294967299 and 4294967297 are 3 and 1 where sizes have 32 bits.
+TEST(ReadOff, NumbersBeyond32BitsAreNotCutToSmallOnes) {
+    expect_holds(refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4294967299 0 1 2\n"), "is no number of corners");
+    expect_holds(refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 4294967297 2\n"), "is no vertex");
+    expect_holds(refused("OFF\n4294967299 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), "\"4294967299\"");
+}
+
 }  // namespace
 }  // namespace snug

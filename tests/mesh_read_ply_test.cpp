@@ -14,19 +14,11 @@ namespace snug {
 namespace {
 
 using test::area;
+using test::ascii_ply;
 using test::bytes_of;
 using test::expect_holds;
 using test::good;
 using test::refused;
-
-constexpr std::string_view kTriangleHeader =
-    "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
-    "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
-
-/// An ASCII PLY of three vertices and one face; its data starts at line 10.
-std::string triangle_ply(std::string_view data) {
-    return std::string(kTriangleHeader) + std::string(data);
-}
 
 TEST(ReadPly, SkipsWhatItDoesNotNeedInAnyOrder) {
     const Mesh mesh = good(read_ply(
@@ -61,12 +53,7 @@ TEST(ReadPly, LyingAndDamagedFilesAreRefusedQuickly) {
     expect_holds(refused("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
                          "property float z\nend_header\n0 0 0\n"),
                  "point cloud");
-    expect_holds(
-        refused(
-            "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
-            "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 "
-            "7\n"),
-        "vertex 7");
+    expect_holds(refused(ascii_ply(3, 1, "0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n")), "vertex 7");
 }
 
 TEST(ReadPly, BigEndianIsTheMirrorOfLittleEndian) {
@@ -95,26 +82,23 @@ TEST(ReadPly, BigEndianIsTheMirrorOfLittleEndian) {
 }
 
 TEST(ReadPly, SaysWhichElementIsWrong) {
-    expect_holds(refused(triangle_ply("0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n")),
+    expect_holds(refused(ascii_ply(3, 1, "0 0 0\n1 nan 0\n0 1 0\n3 0 1 2\n")),
                  "line 11: \"nan\" is no number that can stand in \"vertex\" 2 of 3");
-    expect_holds(refused(triangle_ply("0 0 0\n1 0 0\n0 1")), "cut off or damaged at \"vertex\" 3 of 3");
-    expect_holds(refused(triangle_ply("0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n")), "face 1 wants vertex 3");
-    expect_holds(refused(triangle_ply("0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n")), "face 1 wants vertex -1");
-    expect_holds(refused(triangle_ply("0 0 0\n1 0 0\n0 1 0\n3 0 1 1.5\n")), "line 13: \"1.5\"");
-    expect_holds(refused(triangle_ply("0 0 0\n1 0 0\n0 1 0\n-3 0 1 2\n")), "line 13: \"-3\"");
-    expect_holds(refused("plx" + triangle_ply("").substr(3), "a.ply"), "line 1: \"plx\" is no PLY file");
+    expect_holds(refused(ascii_ply(3, 1, "0 0 0\n1 0 0\n0 1")), "cut off or damaged at \"vertex\" 3 of 3");
+    expect_holds(refused(ascii_ply(3, 1, "0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n")), "face 1 wants vertex 3");
+    expect_holds(refused(ascii_ply(3, 1, "0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n")), "face 1 wants vertex -1");
+    expect_holds(refused(ascii_ply(3, 1, "0 0 0\n1 0 0\n0 1 0\n3 0 1 1.5\n")), "line 13: \"1.5\"");
+    expect_holds(refused(ascii_ply(3, 1, "0 0 0\n1 0 0\n0 1 0\n-3 0 1 2\n")), "line 13: \"-3\"");
+    expect_holds(refused("plx" + ascii_ply(3, 1, "").substr(3), "a.ply"), "line 1: \"plx\" is no PLY file");
 }
 
 TEST(ReadPly, FacesOfFewerThanThreeCornersAreNoSurface) {
-    const std::string header =
-        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
-        "element face 3\nproperty list uchar int vertex_indices\nend_header\n";
-    const Mesh mesh = good(read_ply(bytes_of(header + "0 0 0\n1 0 0\n0 1 0\n2 0 1\n0\n3 0 1 2\n")));
+    const Mesh mesh = good(read_ply(bytes_of(ascii_ply(3, 3, "0 0 0\n1 0 0\n0 1 0\n2 0 1\n0\n3 0 1 2\n"))));
     EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}}));
 }
 
 TEST(ReadPly, ElementsWithoutPropertiesTakeNoTimeHoweverMany) {
-    std::string file = triangle_ply("0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    std::string file = ascii_ply(3, 1, "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
     file.insert(file.find("element vertex"), "element nothing 4000000000\n");
     EXPECT_EQ(good(read_ply(bytes_of(file))).triangles.size(), 1u);
 }
@@ -130,9 +114,39 @@ TEST(ReadPly, DataBehindAHeaderWithLoneCarriageReturnsMayBeginWithALineFeed) {
 }
 
 TEST(ReadPly, AByteOrderMarkOrABlankBehindTheFirstWordIsNoHindrance) {
-    const std::string file = triangle_ply("0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    const std::string file = ascii_ply(3, 1, "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
     EXPECT_EQ(good(read_mesh(bytes_of("\xef\xbb\xbf" + file), "")).triangles.size(), 1u);
     EXPECT_EQ(good(read_mesh(bytes_of("ply \n" + file.substr(4)), "")).triangles.size(), 1u);
+}
+
+TEST(ReadPly, FacesBeforeAndBehindTheirVerticesKeepTheOrderOfTheFile) {
+    const std::string faces = "element face 1\nproperty list uchar int vertex_indices\n";
+    const std::string vertices = "\nproperty float x\nproperty float y\nproperty float z\n";
+    const auto file = [&](std::string_view first_face) {
+        return "ply\nformat ascii 1.0\n" + faces + "element vertex 4" + vertices + faces +
+               "element vertex 1" + vertices + faces + "end_header\n" + std::string(first_face) +
+               "0 0 0\n1 0 0\n1 1 0\n0 1 0\n3 2 3 4\n9 9 9\n3 1 2 3\n";
+    };
+    const Mesh mesh = good(read_ply(bytes_of(file("4 0 1 2 3\n"))));
+    EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}, {0, 2, 3}, {2, 3, 4}, {1, 2, 3}}));
+    expect_holds(refused(file("3 0 1 5\n")), "face 1 wants vertex 5, but there are 5 vertices");
+    expect_holds(refused(file("3 0 1 x\n")), "line 18: \"x\" is no number that can stand in \"face\" 1 of 1");
+}
+
+TEST(ReadPly, ACutOffFileSaysSoBeforeItBlamesAnIndex) {
+    expect_holds(refused(ascii_ply(3, 2, "0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n3 0 1")), "\"face\" 2 of 2");
+    expect_holds(refused(ascii_ply(3, 2, "0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n3 0 1 8\n")),
+                 "face 1 wants vertex 7");
+}
+
+// 4294967299 and 4294967297 are 3 and 1 where sizes have 32 bits.
+TEST(ReadPly, NumbersBeyond32BitsAreNotCutToSmallOnes) {
+    const std::string vertices = "0 0 0\n1 0 0\n0 1 0\n";
+    expect_holds(refused(ascii_ply(3, 1, vertices + "4294967299 0 1 2\n")), "line 13: \"4294967299\"");
+    expect_holds(refused(ascii_ply(3, 1, vertices + "3 0 4294967297 2\n")), "wants vertex 4294967297");
+    std::string lying = ascii_ply(3, 1, vertices + "3 0 1 2\n");
+    lying.replace(lying.find("vertex 3"), 8, "vertex 4294967299");
+    expect_holds(refused(lying), "it says 4,294,967,299 of \"vertex\"");
 }
 
 }  // namespace

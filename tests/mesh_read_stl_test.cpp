@@ -7,7 +7,6 @@
 
 #include <gtest/gtest.h>
 
-#include "snug/fabricate/mesh_files.h"
 #include "snug/mesh/read.h"
 
 #include "tests/support/random.h"
@@ -22,16 +21,11 @@ using test::expect_holds;
 using test::good;
 using test::Random;
 using test::refused;
+using test::stl_of;
+using test::tetrahedron;
 
-std::string stl_of(const Mesh& mesh) {
-    const FileBytes file = write_stl(mesh.vertices, mesh.triangles, "t");
-    return {reinterpret_cast<const char*>(file.data()), file.size()};
-}
-
-Mesh tetrahedron() {
-    return {
-        {{0, 0, 0}, {60, 0, 0}, {0, 60, 0}, {0, 0, 60}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}, {}};
-}
+const std::string kFacet =
+    "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1e0 0\nendloop\nendfacet\n";
 
 TEST(ReadStl, WeldsByBitsWithBothZerosEqual) {
     Mesh soup{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0f, 0, -0.0f}, {0, 1, 0}, {0, 0, 1}},
@@ -49,9 +43,7 @@ TEST(ReadStl, BinaryThatSaysSolidIsStillBinary) {
 }
 
 TEST(ReadStl, AsciiOfSeveralSolidsInAnyCase) {
-    const std::string facet =
-        "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1e0 0\nendloop\nendfacet\n";
-    const std::string solid = "solid a b\n" + facet + "endsolid\n";
+    const std::string solid = "solid a b\n" + kFacet + "endsolid\n";
     EXPECT_EQ(good(read_mesh(bytes_of(solid + solid), "")).triangles.size(), 2u);
     std::string upper = solid;
     std::transform(upper.begin(), upper.end(), upper.begin(),
@@ -70,9 +62,6 @@ TEST(ReadStl, ACutOffFileSaysHowFarItGoes) {
     expect_holds(refused(file, "a.stl"), "it says 4 triangles but holds 2");
     expect_holds(refused(file.substr(0, 30), "a.stl"), "cut off");
 }
-
-const std::string kFacet =
-    "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
 
 TEST(ReadStl, BytesBehindTheTrianglesDoNotCountWhateverTheHeaderSays) {
     std::string file = stl_of(tetrahedron());
@@ -111,14 +100,24 @@ TEST(ReadStl, NoTrianglesAreNoObject) {
     expect_holds(refused("solid a\n", "a.stl"), "no triangles");
 }
 
-TEST(ReadStl, AnAsciiFileCutWithinAFacetIsRefused) {
-    const std::string whole = "solid a\n" + kFacet;
-    for (std::size_t length = whole.size() + 6; length < whole.size() + kFacet.find("endloop") + 7;
-         ++length) {
+TEST(ReadStl, EveryCutOfAnAsciiFileBeforeTheEndOfItsSolidIsRefused) {
+    const std::string whole = "solid a\n" + kFacet + kFacet + "endsolid a\n";
+    for (std::size_t length = 0; length < whole.find("endsolid a") + 8; ++length) {
         SCOPED_TRACE(length);
-        EXPECT_FALSE(read_stl(bytes_of((whole + kFacet).substr(0, length))).has_value());
+        EXPECT_FALSE(read_mesh(bytes_of(whole).first(length), "a.stl").has_value());
     }
-    expect_holds(refused(whole + kFacet.substr(0, kFacet.find("endloop"))), "line 14: the file is cut off");
+    EXPECT_EQ(good(read_stl(bytes_of(whole.substr(0, whole.find("endsolid a") + 8)))).triangles.size(), 2u);
+    expect_holds(refused(whole.substr(0, whole.rfind("endloop"))), "line 14: the file is cut off within");
+}
+
+TEST(ReadStl, AnAsciiFileCutBetweenTwoFacetsOrSolidsIsRefused) {
+    const std::string solid = "solid a\n" + kFacet + "endsolid a\n";
+    for (const std::string& cut : {"solid a\n" + kFacet, "solid a\n" + kFacet + kFacet + "\n",
+                                   solid + "solid b\n" + kFacet, solid + "solid b\n"}) {
+        SCOPED_TRACE(cut);
+        expect_holds(refused(cut), "cut off: no \"endsolid\"");
+    }
+    EXPECT_EQ(good(read_stl(bytes_of("solid a\n" + kFacet + solid))).triangles.size(), 2u);
 }
 
 TEST(ReadStl, AnAsciiFacetHasThreeVerticesAndNothingElse) {
@@ -133,14 +132,16 @@ TEST(ReadStl, WeldingNumbersVerticesInTheOrderOfTheirFirstAppearance) {
     for (int seed = 0; seed < 40; ++seed) {
         SCOPED_TRACE(seed);
         Random random(static_cast<std::uint64_t>(seed));
-        // Few places, so that most corners share theirs.
+        // Few places, so that most corners share theirs, or so many that hardly any do.
+        const int places = seed % 2 == 0 ? 3 : 3000;
         Mesh soup;
         Mesh expected;
         for (std::uint32_t t = 0; t < 300; ++t) {
             Triangle triangle{};
             for (std::uint32_t& v : triangle) {
-                const Vec3f p = vec_cast<float>(Vec3d{
-                    random.integer(-3, 3) * 0.1, random.integer(-3, 3) * 1.0, random.integer(0, 9) * 1e-30});
+                const Vec3f p = vec_cast<float>(Vec3d{random.integer(-places, places) * 0.1,
+                                                      random.integer(-places, places) * 1.0,
+                                                      random.integer(0, 9) * 1e-30});
                 soup.vertices.push_back(p);
                 const auto known = std::find(expected.vertices.begin(), expected.vertices.end(), p);
                 v = static_cast<std::uint32_t>(known - expected.vertices.begin());

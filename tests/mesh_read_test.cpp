@@ -1,5 +1,4 @@
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -21,23 +20,12 @@ using test::good;
 using test::keeps_promises;
 using test::Random;
 using test::refused;
-
-std::string obj(std::string_view rest) {
-    return "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n" + std::string(rest);
-}
-
-std::string stl_of(const Mesh& mesh) {
-    const FileBytes file = write_stl(mesh.vertices, mesh.triangles, "t");
-    return {reinterpret_cast<const char*>(file.data()), file.size()};
-}
-
-Mesh tetrahedron() {
-    return {
-        {{0, 0, 0}, {60, 0, 0}, {0, 60, 0}, {0, 0, 60}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}, {}};
-}
+using test::square_obj;
+using test::stl_of;
+using test::tetrahedron;
 
 TEST(ReadMesh, TheContentTellsTheFormatBeforeTheName) {
-    EXPECT_EQ(read_mesh(bytes_of(obj("f 1 2 3")), "a.stl").value().triangles.size(), 1u);
+    EXPECT_EQ(read_mesh(bytes_of(square_obj("f 1 2 3")), "a.stl").value().triangles.size(), 1u);
     EXPECT_EQ(mesh_format(bytes_of(stl_of(tetrahedron())), "a.obj").value(), MeshFormat::stl);
     EXPECT_EQ(mesh_format(bytes_of("ply\nwhatever"), "a.off").value(), MeshFormat::ply);
     EXPECT_EQ(mesh_format(bytes_of("whatever"), "A.OFF").value(), MeshFormat::off);
@@ -53,7 +41,7 @@ TEST(ReadMesh, OtherFormatsAreNamedWithWhatToDo) {
 }
 
 TEST(ReadMesh, UnusedVerticesDoNotCount) {
-    const Mesh mesh = good(read_obj(bytes_of("v 999 999 999\n" + obj("f 2 3 4\nv 5 5 5\n"))));
+    const Mesh mesh = good(read_obj(bytes_of("v 999 999 999\n" + square_obj("f 2 3 4\nv 5 5 5\n"))));
     EXPECT_EQ(mesh.vertices.size(), 3u);
     EXPECT_EQ(mesh.triangles, (std::vector<Triangle>{{0, 1, 2}}));
 }
@@ -78,7 +66,7 @@ TEST(ReadMesh, SurveyCoordinatesKeepTheirDetailInEveryTextFormat) {
         EXPECT_NEAR(bounds(mesh).size().x, 0.1, 1e-6);
         EXPECT_NEAR(bounds(mesh).size().y, 0.05, 1e-6);
     }
-    EXPECT_EQ(good(read_obj(bytes_of(obj("f 1 2 3")))).origin, Vec3d{});
+    EXPECT_EQ(good(read_obj(bytes_of(square_obj("f 1 2 3")))).origin, Vec3d{});
 }
 
 TEST(ReadMesh, AnObjectNotFarFromZeroKeepsTheFloatsOfItsFile) {

@@ -78,7 +78,7 @@ class HeaderReader {
         const std::string_view shown = text_.word('\0');
         std::int64_t count = 0;
         if (!to_number(shown, count) || count < 0) return refuse(quoted(shown) + " is no number of elements");
-        element.count = static_cast<std::size_t>(count);
+        element.count = static_cast<std::uint64_t>(count);
         header_.elements.push_back(std::move(element));
         return true;
     }
@@ -170,7 +170,7 @@ Result<PlyHeader> read_ply_header(Bytes file) {
             return fail(ErrorKind::input, "the file is cut off: it says " + grouped(element.count) + " of " +
                                               quoted(element.name) + " but has room for " +
                                               grouped(left / size) + " at most; copy or export it again");
-        left -= size * element.count;
+        left -= size * static_cast<std::size_t>(element.count);
     }
     return header;
 }

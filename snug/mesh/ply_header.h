@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,7 +23,7 @@ struct PlyProperty {
 
 struct PlyElement {
     std::string name;
-    std::size_t count = 0;
+    std::uint64_t count = 0;  ///< fits the file, unless there are no properties
     std::vector<PlyProperty> properties;
 
     /// The place of a property, or properties.size().

@@ -22,18 +22,20 @@ double turn(Point a, Point b, Point c) {
 
 /// The corners seen along the polygon's area vector, so that it runs counter-clockwise: the coordinate along
 /// which the area is largest is dropped, which keeps what is inside what. Gives twice the area seen so.
-double flatten(const RawMesh& mesh, std::span<const std::uint32_t> corners, std::span<Point> points) {
-    const Vec3d base = mesh.vertices[corners[0]];
+template <class T>
+double flatten(const RawMeshOf<T>& mesh, std::span<const std::uint32_t> corners, std::span<Point> points) {
+    const auto place = [&](std::size_t i) { return vec_cast<double>(mesh.vertices[corners[i]]); };
+    const Vec3d base = place(0);
     Vec3d area;
     for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-        area = area + cross(mesh.vertices[corners[i]] - base, mesh.vertices[corners[i + 1]] - base);
+        area = area + cross(place(i) - base, place(i + 1) - base);
     int axis = 0;
     for (int other = 1; other < 3; ++other)
         if (std::fabs(area[other]) > std::fabs(area[axis])) axis = other;
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     const bool mirrored = area[axis] < 0;
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Vec3d p = mesh.vertices[corners[i]] - base;
+        const Vec3d p = place(i) - base;
         points[i] = mirrored ? Point{p[v], p[u]} : Point{p[u], p[v]};
     }
     return std::fabs(area[axis]);
@@ -158,32 +160,37 @@ class EarClipper {
     std::size_t latest_ = 0;
 };
 
-/// Fails, leaving the mesh as it was, on polygons that cross themselves.
-bool clip_ears(RawMesh& mesh, std::span<const std::uint32_t> corners, std::span<const Point> points,
-               double area) {
+/// Fails, leaving the triangles as they were, on polygons that cross themselves.
+bool clip_ears(std::vector<Triangle>& into, std::span<const std::uint32_t> corners,
+               std::span<const Point> points, double area) {
     std::vector<std::array<std::size_t, 3>> triangles;
     triangles.reserve(points.size());
     if (!EarClipper(points, area).clip(triangles)) return false;
-    for (const auto& [a, b, c] : triangles) mesh.triangles.push_back({corners[a], corners[b], corners[c]});
+    for (const auto& [a, b, c] : triangles) into.push_back({corners[a], corners[b], corners[c]});
     return true;
 }
 
-bool clip_where_a_fan_would_leave(RawMesh& mesh, std::span<const std::uint32_t> corners) {
+template <class T>
+bool clip_where_a_fan_would_leave(RawMeshOf<T>& mesh, std::span<const std::uint32_t> corners) {
     std::array<Point, 8> few;
     std::vector<Point> many(corners.size() > few.size() ? corners.size() : 0);
     const std::span<Point> points = many.empty() ? std::span<Point>(few).first(corners.size()) : many;
     const double area = flatten(mesh, corners, points);
-    return !fan_stays_inside(points) && clip_ears(mesh, corners, points, area);
+    return !fan_stays_inside(points) && clip_ears(mesh.triangles, corners, points, area);
 }
 
 }  // namespace
 
-void append_polygon(RawMesh& mesh, std::span<const std::uint32_t> corners) {
+template <class T>
+void append_polygon(RawMeshOf<T>& mesh, std::span<const std::uint32_t> corners) {
     if (corners.size() > 3 && corners.size() <= kMostCornersToClip &&
         clip_where_a_fan_would_leave(mesh, corners))
         return;
     for (std::size_t i = 1; i + 1 < corners.size(); ++i)
         mesh.triangles.push_back({corners[0], corners[i], corners[i + 1]});
 }
+
+template void append_polygon(RawMeshOf<float>&, std::span<const std::uint32_t>);
+template void append_polygon(RawMeshOf<double>&, std::span<const std::uint32_t>);
 
 }  // namespace snug

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "snug/base/box.h"
 #include "snug/base/text.h"
@@ -10,23 +11,25 @@
 namespace snug {
 namespace {
 
-constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
+constexpr std::size_t kMostVertices = std::numeric_limits<std::uint32_t>::max() - 1;
 constexpr double kGreatestCoordinate = 1e30;
 constexpr double kFarAway = 4;  // times the longest side: from there on floats would lose detail
 
 /// Numbers the vertices that triangles use in the order of the file and drops the others.
-void drop_unused(RawMesh& raw) {
-    std::vector<std::uint32_t> number(raw.vertices.size(), kUnused);
+template <class T>
+void drop_unused(RawMeshOf<T>& raw) {
+    std::vector<std::uint8_t> used(raw.vertices.size(), 0);
     for (const Triangle& triangle : raw.triangles)
-        for (const std::uint32_t v : triangle) number[v] = 0;
-    std::uint32_t used = 0;
-    for (std::size_t v = 0; v < number.size(); ++v) {
-        if (number[v] == kUnused) continue;
-        raw.vertices[used] = raw.vertices[v];
-        number[v] = used++;
+        for (const std::uint32_t v : triangle) used[v] = 1;
+    if (std::find(used.begin(), used.end(), 0) == used.end()) return;
+    std::vector<std::uint32_t> number(used.size());
+    std::uint32_t count = 0;
+    for (std::size_t v = 0; v < used.size(); ++v) {
+        if (used[v] == 0) continue;
+        raw.vertices[count] = raw.vertices[v];
+        number[v] = count++;
     }
-    if (used == raw.vertices.size()) return;
-    raw.vertices.resize(used);
+    raw.vertices.resize(count);
     for (Triangle& triangle : raw.triangles)
         for (std::uint32_t& v : triangle) v = number[v];
 }
@@ -45,34 +48,51 @@ Vec3d origin_for(const Box3d& box) {
     return near ? Vec3d{} : centre;
 }
 
+std::vector<Vec3f> relative_to(Vec3d origin, std::vector<Vec3d> vertices) {
+    std::vector<Vec3f> moved;
+    moved.reserve(vertices.size());
+    for (const Vec3d& p : vertices) moved.push_back(vec_cast<float>(p - origin));
+    return moved;
+}
+
+std::vector<Vec3f> relative_to(Vec3d origin, std::vector<Vec3f> vertices) {
+    if (origin == Vec3d{}) return vertices;
+    for (Vec3f& p : vertices) p = vec_cast<float>(vec_cast<double>(p) - origin);
+    return vertices;
+}
+
 }  // namespace
 
-Result<Mesh> finish(RawMesh raw) {
+template <class T>
+Result<Mesh> finish(RawMeshOf<T> raw) {
     if (raw.triangles.empty() && raw.vertices.empty())
         return fail(ErrorKind::input, "there are no triangles in this file");
     if (raw.triangles.empty())
         return fail(ErrorKind::input,
                     "there are " + counted(raw.vertices.size(), "point", "points") +
                         " but no triangles: this is a point cloud; make a mesh of it first");
-    if (raw.vertices.size() >= kUnused)
+    if (raw.vertices.size() > kMostVertices)
         return fail(ErrorKind::input, "there are more than 2^32 - 2 vertices");
     drop_unused(raw);
 
     Box3d box;
     for (std::size_t v = 0; v < raw.vertices.size(); ++v) {
-        if (!usable(raw.vertices[v]))
+        const Vec3d p = vec_cast<double>(raw.vertices[v]);
+        if (!usable(p))
             return fail(ErrorKind::input,
                         "vertex " + grouped(v + 1) +
                             " of those that triangles use has a coordinate that is not a number, "
                             "or beyond 1e30: repair or export the mesh again");
-        box.include(raw.vertices[v]);
+        box.include(p);
     }
     Mesh mesh;
     mesh.origin = origin_for(box);
-    mesh.vertices.reserve(raw.vertices.size());
-    for (const Vec3d& p : raw.vertices) mesh.vertices.push_back(vec_cast<float>(p - mesh.origin));
+    mesh.vertices = relative_to(mesh.origin, std::move(raw.vertices));
     mesh.triangles = std::move(raw.triangles);
     return mesh;
 }
+
+template Result<Mesh> finish(RawMeshOf<float>);
+template Result<Mesh> finish(RawMeshOf<double>);
 
 }  // namespace snug

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdint>
 
 #include "snug/base/text.h"
 #include "snug/mesh/raw_mesh.h"
@@ -29,7 +30,7 @@ class OffReader {
             return refuse(text_.place() + "the number of " + what +
                           " is missing or no number: " + quoted(word));
         // Each vertex and face needs at least a digit and a blank.
-        if (static_cast<std::size_t>(value) > size_)
+        if (static_cast<std::uint64_t>(value) > size_)
             return refuse("the file says " + grouped(static_cast<unsigned long long>(value)) + " " + what +
                           " but is too short for them; copy or export it again");
         count = static_cast<std::size_t>(value);
@@ -91,13 +92,13 @@ class OffReader {
             if (word.empty() && text_.at_end())
                 return refuse("the file is cut off: it says " + counted(faces_, "face", "faces") +
                               " but ends after " + grouped(f));
-            if (!to_number(word, count) || count < 0 || static_cast<std::size_t>(count) > size_)
+            if (!to_number(word, count) || count < 0 || static_cast<std::uint64_t>(count) > size_)
                 return refuse(text_.place() + quoted(word) + " is no number of corners");
             corners.clear();
             for (std::int64_t c = 0; c < count; ++c) {
                 std::int64_t index = 0;
                 const std::string_view shown = text_.word();
-                if (!to_number(shown, index) || index < 0 || static_cast<std::size_t>(index) >= vertices_)
+                if (!to_number(shown, index) || index < 0 || static_cast<std::uint64_t>(index) >= vertices_)
                     return refuse(text_.place() + quoted(shown) + " is no vertex; they run from 0 to " +
                                   std::to_string(vertices_ == 0 ? 0 : vertices_ - 1));
                 corners.push_back(static_cast<std::uint32_t>(index));

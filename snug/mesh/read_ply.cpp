@@ -1,103 +1,20 @@
 #include <algorithm>
-#include <cmath>
-#include <cstring>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "snug/base/text.h"
 #include "snug/mesh/ply_header.h"
+#include "snug/mesh/ply_values.h"
 #include "snug/mesh/raw_mesh.h"
 #include "snug/mesh/read.h"
-#include "snug/mesh/text_scan.h"
 
 namespace snug {
 namespace {
 
-/// Values of a binary PLY, one after the other.
-class BinaryValues {
-  public:
-    BinaryValues(Bytes data, bool big_endian) : data_(data), swapped_(big_endian) {}
+constexpr std::size_t kLeastTriangle = 4;  // bytes: a length and three corners
 
-    bool next(PlyType type, double& value) {
-        switch (type) {
-            case PlyType::int8:
-                return take<std::int8_t>(value);
-            case PlyType::uint8:
-                return take<std::uint8_t>(value);
-            case PlyType::int16:
-                return take<std::int16_t>(value);
-            case PlyType::uint16:
-                return take<std::uint16_t>(value);
-            case PlyType::int32:
-                return take<std::int32_t>(value);
-            case PlyType::uint32:
-                return take<std::uint32_t>(value);
-            case PlyType::float32:
-                return take<float>(value);
-            case PlyType::float64:
-                return take<double>(value);
-        }
-        return false;
-    }
-    bool skip(PlyType type, std::size_t count) {
-        if (count > (data_.size() - at_) / size_of(type)) return false;
-        at_ += count * size_of(type);
-        return true;
-    }
-    [[nodiscard]] std::size_t left() const { return data_.size() - at_; }
-    [[nodiscard]] std::string place() const { return ""; }
-    /// What stands where a value should; only text shows that.
-    [[nodiscard]] std::string_view wrong_word() const { return {}; }
-
-  private:
-    template <class T>
-    bool take(double& value) {
-        if (data_.size() - at_ < sizeof(T)) return false;
-        std::byte bytes[sizeof(T)];
-        std::memcpy(bytes, data_.data() + at_, sizeof(T));
-        if (swapped_) std::reverse(std::begin(bytes), std::end(bytes));
-        T raw;
-        std::memcpy(&raw, bytes, sizeof(T));
-        value = static_cast<double>(raw);
-        at_ += sizeof(T);
-        return true;
-    }
-
-    Bytes data_;
-    std::size_t at_ = 0;
-    bool swapped_;
-};
-
-/// Values of an ASCII PLY. Writers do not agree on line ends, so words count, not lines.
-class AsciiValues {
-  public:
-    AsciiValues(Bytes data, std::size_t header_lines)
-        : text_(data), size_(data.size()), header_lines_(header_lines) {}
-
-    bool next(PlyType, double& value) {
-        word_ = text_.word_anywhere('\0');
-        return to_number(word_, value);
-    }
-    bool skip(PlyType, std::size_t count) {
-        for (; count > 0; --count) {
-            word_ = text_.word_anywhere('\0');
-            if (word_.empty()) return false;
-        }
-        return true;
-    }
-    [[nodiscard]] std::size_t left() const { return text_.at_end() ? 0 : size_; }
-    [[nodiscard]] std::string place() const {
-        return "line " + std::to_string(text_.line() + header_lines_) + ": ";
-    }
-    [[nodiscard]] std::string_view wrong_word() const { return word_; }
-
-  private:
-    TextScan text_;
-    std::string_view word_;
-    std::size_t size_;
-    std::size_t header_lines_;
-};
-
-template <class Values>
+template <class Values, class Coordinate>
 class PlyReader {
   public:
     PlyReader(const PlyHeader& header, Values values) : header_(header), values_(std::move(values)) {}
@@ -110,16 +27,22 @@ class PlyReader {
         }
         if (!has_vertices_)
             return fail(ErrorKind::input, "the PLY has no element \"vertex\" with x, y and z");
-        for (const Face& face : faces_)
-            if (!append(face)) return tl::unexpected(error_);
+        for (const Faces& faces : early_faces_) {
+            element_ = faces.element;
+            values_ = faces.values;
+            if (!read_faces(faces.list)) return tl::unexpected(error_);
+        }
+        if (has_wrong_index_) return tl::unexpected(wrong_index_);
         return finish(std::move(mesh_));
     }
 
   private:
-    struct Face {
-        std::size_t first, count;  ///< of its corners
-        std::size_t number;        ///< within its element, from 0
-        bool strip;
+    /// Faces that come before vertices, and those after them, since triangles keep the order of the file:
+    /// read once to get past them, and again when all vertices are known.
+    struct Faces {
+        const PlyElement* element;
+        std::size_t list;  ///< the property that holds the corners
+        Values values;     ///< at the first of them
     };
 
     bool refuse(const std::string& message) {
@@ -141,7 +64,7 @@ class PlyReader {
         if (element.name == "face" || element.name == "tristrips") {
             std::size_t list = element.find("vertex_indices");
             if (list == element.properties.size()) list = element.find("vertex_index");
-            if (list < element.properties.size()) return read_faces(element, list);
+            if (list < element.properties.size()) return read_or_pass_faces(element, list);
         }
         for (std::size_t i = 0; i < element.count; ++i)
             for (const PlyProperty& property : element.properties)
@@ -156,80 +79,102 @@ class PlyReader {
     }
 
     bool read_list_length(const PlyProperty& property, std::size_t& length) {
-        double value = 0;
-        if (!values_.next(*property.count_type, value) || !(value >= 0) ||
-            value > static_cast<double>(values_.left()) || value != std::floor(value))
+        std::int64_t value = 0;
+        if (!values_.next_whole(*property.count_type, value) || value < 0 ||
+            static_cast<std::uint64_t>(value) > values_.left())  // size_t may have 32 bits only
             return false;
         length = static_cast<std::size_t>(value);
         return true;
     }
 
     bool read_vertices(const PlyElement& element) {
-        const std::size_t axes[3] = {element.find("x"), element.find("y"), element.find("z")};
-        for (const std::size_t axis : axes)
-            if (axis == element.properties.size() || element.properties[axis].count_type)
+        std::vector<int> axis_of(element.properties.size(), -1);
+        for (int axis = 0; axis < 3; ++axis) {
+            const std::size_t at = element.find(std::string(1, static_cast<char>('x' + axis)));
+            if (at == element.properties.size() || element.properties[at].count_type)
                 return refuse("the vertices of this PLY have no x, y and z");
+            axis_of[at] = axis;
+        }
         has_vertices_ = true;
-        mesh_.vertices.reserve(element.count);
+        mesh_.vertices.reserve(mesh_.vertices.size() + static_cast<std::size_t>(element.count));
         for (std::size_t v = 0; v < element.count; ++v) {
-            Vec3d p;
-            for (std::size_t i = 0; i < element.properties.size(); ++i) {
-                const auto axis = std::find(std::begin(axes), std::end(axes), i) - std::begin(axes);
-                const bool good = axis < 3
-                                      ? values_.next(element.properties[i].type, p[static_cast<int>(axis)])
-                                      : skip(element.properties[i]);
-                if (!good) return cut_off(v);
+            Vec3<Coordinate> p;
+            for (std::size_t i = 0; i < axis_of.size(); ++i) {
+                const PlyProperty& property = element.properties[i];
+                if (axis_of[i] < 0 ? !skip(property) : !values_.next(property.type, p[axis_of[i]]))
+                    return cut_off(v);
             }
             mesh_.vertices.push_back(p);
         }
         return true;
     }
 
-    bool read_faces(const PlyElement& element, std::size_t list) {
+    bool read_or_pass_faces(const PlyElement& element, std::size_t list) {
         if (!element.properties[list].count_type || !is_integer(element.properties[list].type))
             return refuse("the " + element.properties[list].name +
                           " of this PLY are no list of whole numbers");
-        for (std::size_t f = 0; f < element.count; ++f) {
-            for (std::size_t i = 0; i < element.properties.size(); ++i) {
-                const bool good =
-                    i == list ? read_corners(element.properties[i], f) : skip(element.properties[i]);
-                if (!good) return cut_off(f);
-            }
+        const bool last_vertices_are_known =
+            std::none_of(&element, header_.elements.data() + header_.elements.size(),
+                         [](const PlyElement& later) { return later.name == "vertex"; });
+        if (last_vertices_are_known && early_faces_.empty()) return read_faces(list);
+        early_faces_.push_back({&element, list, values_});
+        passing_ = true;
+        const bool good = read_faces(list);
+        passing_ = false;
+        return good;
+    }
+
+    bool read_faces(std::size_t list) {
+        const std::vector<PlyProperty>& properties = element_->properties;
+        const bool strips = element_->name == "tristrips";
+        if (!passing_)
+            mesh_.triangles.reserve(
+                mesh_.triangles.size() +
+                std::min(static_cast<std::size_t>(element_->count), values_.left() / kLeastTriangle));
+        for (std::size_t f = 0; f < element_->count; ++f) {
+            for (std::size_t i = 0; i < properties.size(); ++i)
+                if (i == list ? !read_corners(properties[i]) : !skip(properties[i])) return cut_off(f);
+            if (!passing_ && !has_wrong_index_) append_face(f, strips);
         }
         return true;
     }
 
-    bool read_corners(const PlyProperty& property, std::size_t number) {
+    bool read_corners(const PlyProperty& property) {
         std::size_t length = 0;
         if (!read_list_length(property, length)) return false;
-        faces_.push_back({corners_.size(), length, number, element_->name == "tristrips"});
+        corners_.clear();
         for (std::size_t c = 0; c < length; ++c) {
-            double value = 0;
-            if (!values_.next(property.type, value) || value != std::floor(value)) return false;
-            corners_.push_back(static_cast<std::int64_t>(std::clamp(value, -2.0, 1e15)));
+            std::int64_t corner = 0;
+            if (!values_.next_whole(property.type, corner)) return false;
+            corners_.push_back(corner);
         }
         return true;
     }
 
-    bool append(const Face& face) {
+    /// A file that is cut off says so, also where an index before the cut is wrong.
+    void append_face(std::size_t number, bool strip) {
         polygon_.clear();
-        for (const std::int64_t corner : std::span(corners_).subspan(face.first, face.count)) {
-            if (face.strip && corner == -1) {
+        for (const std::int64_t corner : corners_) {
+            if (strip && corner == -1) {
                 append_strip();
                 polygon_.clear();
                 continue;
             }
-            if (corner < 0 || corner >= static_cast<std::int64_t>(mesh_.vertices.size()))
-                return refuse((face.strip ? "triangle strip " : "face ") + grouped(face.number + 1) +
-                              " wants vertex " + std::to_string(corner) + ", but there are " +
-                              counted(mesh_.vertices.size(), "vertex", "vertices") + ", counted from 0");
+            if (corner < 0 || static_cast<std::uint64_t>(corner) >= mesh_.vertices.size()) {
+                has_wrong_index_ = true;
+                wrong_index_ = {ErrorKind::input, (strip ? "triangle strip " : "face ") +
+                                                      grouped(number + 1) + " wants vertex " +
+                                                      std::to_string(corner) + ", but there are " +
+                                                      counted(mesh_.vertices.size(), "vertex", "vertices") +
+                                                      ", counted from 0"};
+                return;
+            }
             polygon_.push_back(static_cast<std::uint32_t>(corner));
         }
-        if (face.strip)
+        if (strip)
             append_strip();
         else if (polygon_.size() >= 3)
             append_polygon(mesh_, polygon_);
-        return true;
     }
 
     /// Every second triangle of a strip runs the other way; those that repeat a vertex only steer the strip.
@@ -244,13 +189,30 @@ class PlyReader {
     const PlyHeader& header_;
     Values values_;
     const PlyElement* element_ = nullptr;
-    RawMesh mesh_;
-    std::vector<std::int64_t> corners_;
-    std::vector<Face> faces_;
+    RawMeshOf<Coordinate> mesh_;
+    std::vector<Faces> early_faces_;
+    std::vector<std::int64_t> corners_;  // of the face at hand, as in the file
     std::vector<std::uint32_t> polygon_;
+    bool passing_ = false;
     bool has_vertices_ = false;
+    bool has_wrong_index_ = false;
+    Error wrong_index_;
     Error error_;
 };
+
+bool float_holds(PlyType type) {
+    return type == PlyType::float32 || size_of(type) <= 2;
+}
+
+/// Whether float holds the coordinates of all vertices without rounding.
+bool has_float_vertices(const PlyHeader& header) {
+    for (const PlyElement& element : header.elements)
+        for (const PlyProperty& property : element.properties)
+            if (element.name == "vertex" && !float_holds(property.type) &&
+                (property.name == "x" || property.name == "y" || property.name == "z"))
+                return false;
+    return true;
+}
 
 }  // namespace
 
@@ -259,8 +221,10 @@ Result<Mesh> read_ply(Bytes file) {
     if (!header) return tl::unexpected(header.error());
     const Bytes data = file.subspan(std::min(header->bytes, file.size()));
     if (header->encoding == PlyEncoding::ascii)
-        return PlyReader(*header, AsciiValues(data, header->lines)).read();
-    return PlyReader(*header, BinaryValues(data, header->encoding == PlyEncoding::big_endian)).read();
+        return PlyReader<AsciiPlyValues, double>(*header, AsciiPlyValues(data, header->lines)).read();
+    const BinaryPlyValues values(data, header->encoding == PlyEncoding::big_endian);
+    return has_float_vertices(*header) ? PlyReader<BinaryPlyValues, float>(*header, values).read()
+                                       : PlyReader<BinaryPlyValues, double>(*header, values).read();
 }
 
 }  // namespace snug

@@ -1,13 +1,14 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
-#include <limits>
 
 #include "snug/base/text.h"
 #include "snug/mesh/raw_mesh.h"
 #include "snug/mesh/read.h"
 #include "snug/mesh/stl_kind.h"
 #include "snug/mesh/text_scan.h"
+#include "snug/mesh/welder.h"
 
 namespace snug {
 namespace {
@@ -16,65 +17,27 @@ constexpr std::size_t kHeader = 84;
 constexpr std::size_t kFacet = 50;
 constexpr std::size_t kStart = 4096;  // bytes that are looked at to tell text from numbers
 
-/// Joins vertices with equal bits (-0 = 0), numbering them in the order of their first appearance. Open
-/// addressing; the table holds indices into the vertices.
-class Welder {
-  public:
-    Welder(RawMesh& mesh, std::size_t corners) : mesh_(mesh) {
-        std::size_t size = 64;
-        while (size < corners / 2) size *= 2;
-        table_.assign(size, kEmpty);
-    }
-
-    std::uint32_t number(Vec3d p) {
-        p = p + Vec3d{};  // -0 + 0 = 0
-        if (mesh_.vertices.size() * 2 > table_.size()) grow();
-        std::uint32_t& slot = find(p);
-        if (slot == kEmpty) {
-            slot = static_cast<std::uint32_t>(mesh_.vertices.size());
-            mesh_.vertices.push_back(p);
-        }
-        return slot;
-    }
-
-  private:
-    static constexpr std::uint32_t kEmpty = std::numeric_limits<std::uint32_t>::max();
-
-    static std::uint64_t mixed(std::uint64_t hash, double value) {
-        std::uint64_t bits = 0;
-        std::memcpy(&bits, &value, sizeof bits);
-        hash = (hash ^ bits) * 0x9e3779b97f4a7c15u;
-        return hash ^ (hash >> 32);
-    }
-
-    std::uint32_t& find(Vec3d p) {
-        const std::size_t mask = table_.size() - 1;
-        std::size_t at = static_cast<std::size_t>(mixed(mixed(mixed(0, p.x), p.y), p.z)) & mask;
-        while (table_[at] != kEmpty && std::memcmp(&mesh_.vertices[table_[at]], &p, sizeof p) != 0)
-            at = (at + 1) & mask;
-        return table_[at];
-    }
-
-    void grow() {
-        table_.assign(table_.size() * 2, kEmpty);
-        for (std::size_t v = 0; v < mesh_.vertices.size(); ++v)
-            find(mesh_.vertices[v]) = static_cast<std::uint32_t>(v);
-    }
-
-    RawMesh& mesh_;
-    std::vector<std::uint32_t> table_;
-};
-
 std::uint32_t read_u32(const std::byte* at) {
     return std::to_integer<std::uint32_t>(at[0]) | std::to_integer<std::uint32_t>(at[1]) << 8 |
            std::to_integer<std::uint32_t>(at[2]) << 16 | std::to_integer<std::uint32_t>(at[3]) << 24;
 }
 
-double read_f32(const std::byte* at) {
+float read_f32(const std::byte* at) {
     const std::uint32_t bits = read_u32(at);
     float value = 0;
     std::memcpy(&value, &bits, sizeof value);
     return value;
+}
+
+/// False where a coordinate is not finite.
+bool read_corners(const std::byte* facet, std::array<Vec3f, 3>& corners) {
+    const std::byte* at = facet + 12;  // behind the normal
+    for (Vec3f& p : corners) {
+        p = {read_f32(at), read_f32(at + 4), read_f32(at + 8)};
+        if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) return false;
+        at += 12;
+    }
+    return true;
 }
 
 Result<Mesh> read_binary(Bytes file) {
@@ -87,30 +50,26 @@ Result<Mesh> read_binary(Bytes file) {
         return fail(ErrorKind::input, "the file is cut off: it says " +
                                           counted(count, "triangle", "triangles") + " but holds " +
                                           grouped(held) + "; copy or export it again");
-    RawMesh mesh;
+    RawMeshOf<float> mesh;
     mesh.triangles.reserve(count);
     mesh.vertices.reserve(count / 2 + 3);
-    Welder welder(mesh, count * 3);
+    Welder<float> welder(mesh, count);
+    std::array<Welder<float>::Corners, Welder<float>::kBatch> batch;
     for (std::size_t t = 0; t < count; ++t) {
-        const std::byte* corner = file.data() + kHeader + t * kFacet + 12;
-        Triangle triangle{};
-        for (std::uint32_t& v : triangle) {
-            const Vec3d p{read_f32(corner), read_f32(corner + 4), read_f32(corner + 8)};
-            if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-                return fail(ErrorKind::input, "triangle " + grouped(t + 1) + " of " + grouped(count) +
-                                                  " has a coordinate that is not a finite number: repair "
-                                                  "or export the mesh again");
-            v = welder.number(p);
-            corner += 12;
-        }
-        mesh.triangles.push_back(triangle);
+        Welder<float>::Corners& corners = batch[t % batch.size()];
+        if (!read_corners(file.data() + kHeader + t * kFacet, corners))
+            return fail(ErrorKind::input, "triangle " + grouped(t + 1) + " of " + grouped(count) +
+                                              " has a coordinate that is not a finite number: repair "
+                                              "or export the mesh again");
+        if (const std::size_t held_back = t % batch.size() + 1; held_back == batch.size() || t + 1 == count)
+            welder.append(std::span(batch).first(held_back));
     }
     return finish(std::move(mesh));
 }
 
 class AsciiReader {
   public:
-    explicit AsciiReader(Bytes file) : welder_(mesh_, file.size() / 40), text_(file) {}
+    explicit AsciiReader(Bytes file) : welder_(mesh_, file.size() / 120), text_(file) {}
 
     Result<Mesh> read() {
         for (; !text_.at_end(); text_.next_line())
@@ -118,6 +77,10 @@ class AsciiReader {
         if (in_facet_)
             return fail(ErrorKind::input,
                         text_.place() + "the file is cut off within its last facet; copy or export it again");
+        if (in_solid_ && !mesh_.triangles.empty())
+            return fail(ErrorKind::input, text_.place() +
+                                              "the file is cut off: no \"endsolid\" stands behind its last "
+                                              "facet; copy or export it again");
         return finish(std::move(mesh_));
     }
 
@@ -135,8 +98,12 @@ class AsciiReader {
         if (corner_ != 0)
             return refuse("the facet before ends after " + counted(corner_, "vertex", "vertices"));
         if (same_word(word, "facet") || same_word(word, "outer")) return in_facet_ = true;
-        return same_word(word, "solid") || same_word(word, "endfacet") || same_word(word, "endsolid") ||
-               refuse(quoted(word) + " does not belong into an STL file");
+        if (same_word(word, "solid")) return in_solid_ = true;
+        if (same_word(word, "endsolid")) {
+            in_solid_ = false;
+            return true;
+        }
+        return same_word(word, "endfacet") || refuse(quoted(word) + " does not belong into an STL file");
     }
 
     bool read_vertex() {
@@ -146,25 +113,27 @@ class AsciiReader {
             if (!to_number(word, p[axis])) return refuse("a vertex needs three numbers, not " + quoted(word));
         }
         if (corner_ == 3) return refuse("a facet has more than three vertices");
-        corners_[corner_++] = welder_.number(p);
+        corners_[corner_++] = p;
         in_facet_ = true;
         return true;
     }
 
     bool end_loop() {
         if (corner_ != 3) return refuse("a facet has only " + counted(corner_, "vertex", "vertices"));
-        mesh_.triangles.push_back(corners_);
+        welder_.append(std::span(&corners_, 1));
         corner_ = 0;
         in_facet_ = false;
+        in_solid_ = true;
         return true;
     }
 
     RawMesh mesh_;
-    Welder welder_;
+    Welder<double> welder_;
     TextScan text_;
-    Triangle corners_{};
+    Welder<double>::Corners corners_;
     std::size_t corner_ = 0;
     bool in_facet_ = false;
+    bool in_solid_ = false;
     std::string problem_;
 };
 

@@ -8,13 +8,6 @@
 namespace snug {
 namespace {
 
-bool is_blank(char c) {
-    return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\0';
-}
-bool is_line_end(char c) {
-    return c == '\n' || c == '\r';
-}
-
 std::string_view without_plus(std::string_view word) {
     if (word.size() > 1 && word[0] == '+' && word[1] != '-' && word[1] != '+') word.remove_prefix(1);
     return word;
@@ -28,23 +21,6 @@ TextScan::TextScan(std::span<const std::byte> bytes)
     if (std::string_view(at_, bytes.size()).substr(0, 3) == kByteOrderMark) at_ += 3;
 }
 
-std::string_view TextScan::word(char comment) {
-    while (at_ < end_ && is_blank(*at_)) ++at_;
-    if (at_ < end_ && *at_ == comment)
-        while (at_ < end_ && !is_line_end(*at_)) ++at_;
-    const char* begin = at_;
-    while (at_ < end_ && !is_blank(*at_) && !is_line_end(*at_)) ++at_;
-    return {begin, static_cast<std::size_t>(at_ - begin)};
-}
-
-void TextScan::next_line() {
-    while (at_ < end_ && !is_line_end(*at_)) ++at_;
-    if (at_ == end_) return;
-    const char first = *at_++;
-    if (first == '\r' && at_ < end_ && *at_ == '\n') ++at_;
-    ++line_;
-}
-
 std::string_view TextScan::word_anywhere(char comment) {
     for (;;) {
         const std::string_view found = word(comment);
@@ -56,6 +32,7 @@ std::string_view TextScan::word_anywhere(char comment) {
 bool to_number(std::string_view word, double& value) {
     word = without_plus(word);
     const char* end = word.data() + word.size();
+    if (!word.empty() && to_plain_number(word.data(), end, value) == end) return true;
     const auto [stop, error] = fast_float::from_chars(word.data(), end, value);
     return error == std::errc() && stop == end && !word.empty() && std::isfinite(value);
 }

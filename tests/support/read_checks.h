@@ -9,12 +9,37 @@
 
 #include <gtest/gtest.h>
 
+#include "snug/fabricate/mesh_files.h"
 #include "snug/mesh/read.h"
 
 namespace snug::test {
 
 inline Bytes bytes_of(std::string_view text) {
     return std::as_bytes(std::span(text));
+}
+
+/// An OBJ whose first four vertices are the corners of a square of side 1, in order; `rest` starts in line 5.
+inline std::string square_obj(std::string_view rest) {
+    return "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n" + std::string(rest);
+}
+
+/// An ASCII PLY with float x, y, z and faces as vertex_indices; its data starts in line 10.
+inline std::string ascii_ply(int vertices, int faces, std::string_view data) {
+    return "ply\nformat ascii 1.0\nelement vertex " + std::to_string(vertices) +
+           "\nproperty float x\nproperty float y\nproperty float z\nelement face " + std::to_string(faces) +
+           "\nproperty list uchar int vertex_indices\nend_header\n" + std::string(data);
+}
+
+/// Three sides on the coordinate planes, edges of 60; closed and outward.
+inline Mesh tetrahedron() {
+    return {
+        {{0, 0, 0}, {60, 0, 0}, {0, 60, 0}, {0, 0, 60}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}, {}};
+}
+
+/// A binary STL.
+inline std::string stl_of(const Mesh& mesh) {
+    const FileBytes file = write_stl(mesh.vertices, mesh.triangles, "t");
+    return {reinterpret_cast<const char*>(file.data()), file.size()};
 }
 
 inline Mesh good(const Result<Mesh>& mesh) {
