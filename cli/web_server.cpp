@@ -135,8 +135,9 @@ Result<void> serve(const Site& site, int port, const std::function<void(int)>& o
     const InterruptGuard guard;
     std::atomic<bool> ended = false;
     std::thread watcher([&] {
-        while (!ended && !InterruptGuard::interrupted()) std::this_thread::sleep_for(kInterruptPause);
-        server.stop();
+        // Again and again: a server that does not listen yet cannot be stopped.
+        for (; !ended; std::this_thread::sleep_for(kInterruptPause))
+            if (InterruptGuard::interrupted()) server.stop();
     });
     on_ready(*place);
     const bool listened = server.listen_after_bind();
