@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <cstddef>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <tbb/global_control.h>
 #include <vector>
 
 #include <fmt/core.h>
@@ -211,6 +213,10 @@ Result<std::string> write_outputs(const Packed& packed, Packing& packing, const 
 }
 
 int make(const MakeArguments& arguments) {
+    std::optional<tbb::global_control> limit;
+    if (arguments.threads > 0)
+        limit.emplace(tbb::global_control::max_allowed_parallelism,
+                      static_cast<std::size_t>(arguments.threads));
     auto task = task_from(arguments);
     if (!task) return report(task.error());
 

@@ -23,6 +23,11 @@ double millimetres_per_unit(Vec3d size, const ObjectOptions& options) {
     return millimetres(options.units.value_or(Unit::mm)) * options.scale;
 }
 
+Placement placement_of(const Object& object, const PlacementOptions& options) {
+    if (object.surface) return place(*object.surface, options.rotation_deg, options.offset_mm);
+    return place(object.mesh, options.rotation_deg, options.offset_mm);
+}
+
 /// The design space, fitted to the placed object where the design leaves the counts open.
 Result<DesignSpace> space_for(const Box3d& placed, const Design& design) {
     const SpaceOptions& options = design.space;
@@ -111,11 +116,15 @@ Result<Object> prepare(Mesh mesh, const Design& design) {
     return object;
 }
 
+void prepare_for_many(Object& object) {
+    if (!object.surface) object.surface = prepare_surface(object.mesh);
+}
+
 Result<Packing> pack(const Object& object, const Design& design) {
     Packing packing;
     packing.rotation_deg = design.placement.rotation_deg;
     packing.offset_mm = design.placement.offset_mm;
-    packing.placement = place(object.mesh, design.placement.rotation_deg, design.placement.offset_mm);
+    packing.placement = placement_of(object, design.placement);
     const auto space = space_for(packing.placement.bounds, design);
     if (!space) return tl::unexpected(space.error());
     packing.space = *space;
@@ -126,7 +135,8 @@ Result<Packing> pack(const Object& object, const Design& design) {
 
     const Reach grown = reach(design.cut.clearance_mm, design.cut.cut_on_touch);
     Stopwatch watch;
-    const DepthMap depths = depth_map(object.mesh, packing.placement, *space, grown);
+    const DepthMap depths = object.surface ? depth_map(*object.surface, packing.placement, *space, grown)
+                                           : depth_map(object.mesh, packing.placement, *space, grown);
     packing.timing.depth_map = watch.lap();
     packing.blocks = block_map(depths, *space, grown);
     packing.timing.block_map = watch.lap();

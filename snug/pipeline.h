@@ -14,6 +14,7 @@
 #include "snug/foam/foam_pair.h"
 #include "snug/foam/gap.h"
 #include "snug/foam/placement.h"
+#include "snug/foam/prepared_surface.h"
 #include "snug/mesh/measure.h"
 #include "snug/mesh/mesh.h"
 
@@ -36,6 +37,7 @@ struct Object {
     MeshMeasure measure;  ///< of the mesh as it was read, in millimetres
     Mesh hole_spans;      ///< what would span the holes; empty where they are capped or there are none
     bool capped = false;
+    std::optional<PreparedSurface> surface;  ///< of `mesh`, for many packings (see prepare_for_many)
 };
 
 /// Milliseconds that each stage of the method took; never part of a comparison.
@@ -64,6 +66,10 @@ struct Packing {
 /// Scales the mesh to millimetres, refuses an implausible size unless the unit was chosen, measures it and
 /// looks for holes. Fails with kind `input`.
 [[nodiscard]] Result<Object> prepare(Mesh mesh, const Design& design);
+
+/// Makes packings and climbs many times faster, with the same results. Takes about as long as reading the
+/// file, so it does not pay for one packing.
+void prepare_for_many(Object& object);
 
 /// The method. `design` must be checked() already. Fails with kind `usage` where a fitted space would need
 /// too many blocks, or where the parting level lies outside it.

@@ -116,12 +116,12 @@ TEST(GreedyClimb, TakesTheBestOfTheSixNeighboursAndHalvesTheStepOnlyWhereNoneIsB
     Design design;
     design.placement.rotation_deg = {31, 17, -43};
     const DesignSpace space = space_of(design);
-    auto climb = start_climb(mesh, design, space);
+    auto climb = start_climb(prepare_surface(mesh), design, space);
     ASSERT_TRUE(climb);
     int moves = 0;
     while (!ended(*climb)) {
         const Climb before = *climb;
-        ASSERT_TRUE(climb_round(*climb, mesh));
+        ASSERT_TRUE(climb_round(*climb, prepare_surface(mesh)));
         EXPECT_EQ(climb->evaluations, before.evaluations + 6);
         long long best = before.cut_blocks;
         for (int neighbour = 0; neighbour < 6; ++neighbour) {
@@ -170,7 +170,7 @@ TEST(GreedyClimb, CancelledItStandsAtTheBestOfWhatItLookedAt) {
     Design design = cubes(40, 5);
     design.placement.rotation_deg = {0, 0, 20};
     const DesignSpace space = space_of(design);
-    const auto start = start_climb(box, design, space);
+    const auto start = start_climb(prepare_surface(box), design, space);
     ASSERT_TRUE(start);
     for (const int after : {1, 6, 9}) {
         SCOPED_TRACE(after);
@@ -194,9 +194,9 @@ TEST(GreedyClimb, StepByStepOrAtOnceIsTheSameAndAnglesStayInTheSlidersRange) {
     Design design;
     design.placement.rotation_deg = {172, -175, 760};
     const DesignSpace space = space_of(design);
-    auto steps = start_climb(mesh, design, space);
+    auto steps = start_climb(prepare_surface(mesh), design, space);
     ASSERT_TRUE(steps);
-    while (!ended(*steps)) climb_round(*steps, mesh);
+    while (!ended(*steps)) climb_round(*steps, prepare_surface(mesh));
     const auto whole = greedy_climb(mesh, design, space);
     ASSERT_TRUE(whole);
     EXPECT_EQ(steps->rotation_deg, whole->rotation_deg);

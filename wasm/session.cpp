@@ -92,6 +92,7 @@ val Session::pack(const std::string& design_text) {
     const auto design = parse_design(design_text);
     if (!design) return to_val(design.error());
     if (const auto error = prepare_for(*design)) return to_val(*error);
+    if (packing_) prepare_for_many(*object_);  // the first should be seen at once
     auto packing = snug::pack(*object_, *design);
     if (!packing) return to_val(packing.error());
     packing_ = std::move(*packing);
@@ -124,9 +125,10 @@ val Session::start_climb(const std::string& design_text) {
     const auto design = parse_design(design_text);
     if (!design) return to_val(design.error());
     if (const auto error = prepare_for(*design)) return to_val(*error);
+    prepare_for_many(*object_);
     const auto packing = snug::pack(*object_, *design);
     if (!packing) return to_val(packing.error());
-    const auto climb = snug::start_climb(object_->mesh, *design, packing->space);
+    const auto climb = snug::start_climb(*object_->surface, *design, packing->space);
     if (!climb) return to_val(climb.error());
     climb_ = *climb;
     return to_val(*climb_);
@@ -134,7 +136,7 @@ val Session::start_climb(const std::string& design_text) {
 
 val Session::climb_round() {
     if (!climb_) return to_val(Error{ErrorKind::cancelled, "the object changed while it was turned"});
-    if (!ended(*climb_)) snug::climb_round(*climb_, object_->mesh);
+    if (!ended(*climb_)) snug::climb_round(*climb_, *object_->surface);
     return to_val(*climb_);
 }
 

@@ -1,11 +1,12 @@
 #include "snug/foam/cells.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace snug {
 
 GrownCells::GrownCells(const DesignSpace& space, int axis, Reach reach)
-    : cells_per_mm_(1 / space.block_mm[axis]) {
+    : start_(space.face(axis, 0)), count_(space.blocks[axis]), cells_per_mm_(1 / space.block_mm[axis]) {
     const int n = space.blocks[axis];
     low_.reserve(static_cast<std::size_t>(n));
     high_.reserve(static_cast<std::size_t>(n));
@@ -13,6 +14,11 @@ GrownCells::GrownCells(const DesignSpace& space, int axis, Reach reach)
         low_.push_back(space.face(axis, i) - reach.mm);
         high_.push_back(space.face(axis, i + 1) + reach.mm);
     }
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    sole_.reserve(static_cast<std::size_t>(n));
+    for (int i = 0; i < n; ++i)
+        sole_.push_back({std::max(low(i), i > 0 ? high(i - 1) : -kInfinity),
+                         std::min(high(i), i + 1 < n ? low(i + 1) : kInfinity)});
 }
 
 CellRange GrownCells::meeting(double a, double b) const {

@@ -28,9 +28,29 @@ class GrownCells {
     [[nodiscard]] CellRange meeting(double a, double b) const;
     [[nodiscard]] CellRange holding(double value) const { return meeting(value, value); }
 
+    /// The only cell that holds the value. kNotOne where several or none do, and sometimes where the value
+    /// lies within rounding of a cell's bounds.
+    static constexpr int kNotOne = -1;
+    [[nodiscard]] int sole(double value) const {
+        const double cells = (value - start_) * cells_per_mm_;
+        if (!(cells >= 0 && cells < count_)) return kNotOne;
+        const int cell = static_cast<int>(cells);
+        const Sole& sole = sole_[static_cast<std::size_t>(cell)];
+        return value > sole.above && value < sole.below ? cell : kNotOne;
+    }
+
   private:
+    /// Values strictly between lie in this cell and in no other.
+    struct Sole {
+        double above;
+        double below;
+    };
+
     std::vector<double> low_;
     std::vector<double> high_;
+    std::vector<Sole> sole_;
+    double start_;
+    double count_;
     double cells_per_mm_;
 };
 

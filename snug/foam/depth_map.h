@@ -6,6 +6,7 @@
 #include "snug/base/grid.h"
 #include "snug/foam/design_space.h"
 #include "snug/foam/placement.h"
+#include "snug/foam/prepared_surface.h"
 #include "snug/mesh/mesh.h"
 
 namespace snug {
@@ -44,5 +45,8 @@ struct DepthRange {
 using DepthMap = Grid<DepthRange>;
 [[nodiscard]] DepthMap depth_map(const Mesh& mesh, const Placement& placement, const DesignSpace& space,
                                  Reach reach);
+/// The same to the bit, without looking at most of the surface.
+[[nodiscard]] DepthMap depth_map(const PreparedSurface& surface, const Placement& placement,
+                                 const DesignSpace& space, Reach reach);
 
 }  // namespace snug

@@ -2,6 +2,7 @@
 
 #include "snug/base/box.h"
 #include "snug/base/rotation.h"
+#include "snug/foam/prepared_surface.h"
 #include "snug/mesh/mesh.h"
 
 namespace snug {
@@ -18,5 +19,7 @@ struct Placement {
 /// The placement by Euler angles psi, theta, phi (degrees; see rotation_from_euler) and an offset in mm. Caps
 /// do not decide where the object's centre is, so that an object lies the same with and without them.
 [[nodiscard]] Placement place(const Mesh& mesh, Vec3d rotation_deg, Vec3d offset_mm);
+/// The same to the bit, without a pass over all vertices.
+[[nodiscard]] Placement place(const PreparedSurface& surface, Vec3d rotation_deg, Vec3d offset_mm);
 
 }  // namespace snug

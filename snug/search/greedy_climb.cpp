@@ -16,14 +16,14 @@ namespace snug {
 namespace {
 
 /// The report for one rotation; none where the grown object leaves the space.
-std::optional<FitReport> evaluate(Climb& climb, const Mesh& mesh, Vec3d rotation_deg) {
+std::optional<FitReport> evaluate(Climb& climb, const PreparedSurface& surface, Vec3d rotation_deg) {
     ++climb.evaluations;
-    const Placement placement = place(mesh, rotation_deg, climb.offset_mm);
+    const Placement placement = place(surface, rotation_deg, climb.offset_mm);
     const Vec3d least = fitted_blocks(placement.bounds, climb.space.block_mm, climb.cut.clearance_mm, 0);
     for (int axis = 0; axis < 3; ++axis)
         if (least[axis] > climb.space.blocks[axis]) return {};
     const Reach grown = reach(climb.cut.clearance_mm, climb.cut.cut_on_touch);
-    const BlockMap blocks = block_map(depth_map(mesh, placement, climb.space, grown), climb.space, grown);
+    const BlockMap blocks = block_map(depth_map(surface, placement, climb.space, grown), climb.space, grown);
     // Where the halves meet changes neither the walls nor what is cut.
     return fit_report(split(blocks, climb.space, 0), blocks, climb.space);
 }
@@ -48,12 +48,12 @@ double wrapped(double degrees) {
 
 }  // namespace
 
-Result<Climb> start_climb(const Mesh& mesh, const Design& design, const DesignSpace& space) {
+Result<Climb> start_climb(const PreparedSurface& surface, const Design& design, const DesignSpace& space) {
     Climb climb;
     climb.space = space;
     climb.cut = design.cut;
     climb.offset_mm = design.placement.offset_mm;
-    const auto fit = evaluate(climb, mesh, design.placement.rotation_deg);
+    const auto fit = evaluate(climb, surface, design.placement.rotation_deg);
     if (!fit)
         return fail(ErrorKind::does_not_fit,
                     "the object leaves the design space of " + dimensions(space.size()) +
@@ -65,14 +65,14 @@ Result<Climb> start_climb(const Mesh& mesh, const Design& design, const DesignSp
     return climb;
 }
 
-bool climb_round(Climb& climb, const Mesh& mesh, const ClimbProgress& progress) {
+bool climb_round(Climb& climb, const PreparedSurface& surface, const ClimbProgress& progress) {
     const Vec3d from = climb.rotation_deg;
     bool moved = false;
     for (int angle = 0; angle < 3; ++angle) {
         for (const double direction : {1.0, -1.0}) {
             Vec3d rotation = from;
             rotation[angle] = wrapped(rotation[angle] + direction * climb.step_deg);
-            const auto fit = evaluate(climb, mesh, rotation);
+            const auto fit = evaluate(climb, surface, rotation);
             if (fit && fit->cut_blocks < climb.cut_blocks && keeps_walls(*fit, climb.least_wall)) {
                 stand_at(climb, rotation, *fit);
                 moved = true;
@@ -86,10 +86,11 @@ bool climb_round(Climb& climb, const Mesh& mesh, const ClimbProgress& progress) 
 
 Result<Climb> greedy_climb(const Mesh& mesh, const Design& design, const DesignSpace& space,
                            const ClimbProgress& progress) {
-    auto climb = start_climb(mesh, design, space);
+    const PreparedSurface surface = prepare_surface(mesh);
+    auto climb = start_climb(surface, design, space);
     if (!climb) return climb;
     while (!ended(*climb))
-        if (!climb_round(*climb, mesh, progress)) break;
+        if (!climb_round(*climb, surface, progress)) break;
     return climb;
 }
 

@@ -8,6 +8,7 @@
 #include "snug/design/design.h"
 #include "snug/foam/depth_map.h"
 #include "snug/foam/design_space.h"
+#include "snug/foam/prepared_surface.h"
 #include "snug/mesh/mesh.h"
 
 // The paper's search for a better rotation (section 3.4): a greedy climb of the fill ratio F over the three
@@ -42,13 +43,14 @@ using ClimbProgress = std::function<bool(const Climb&)>;
 
 /// Stands at the design's rotation. `space` is that of the packing there. Fails (kind does_not_fit) where the
 /// object, grown by its clearance, leaves the space already.
-[[nodiscard]] Result<Climb> start_climb(const Mesh& mesh, const Design& design, const DesignSpace& space);
+[[nodiscard]] Result<Climb> start_climb(const PreparedSurface& surface, const Design& design,
+                                        const DesignSpace& space);
 
 /// Looks at the six rotations one step away, up and down each angle, and moves to the one that cuts the
 /// fewest blocks (the first of equals) of those that cut fewer than now, stay inside the space and keep the
 /// walls. Where there is none the step is halved. False if it was cancelled; the climb then stands at the
 /// best of what was looked at.
-bool climb_round(Climb& climb, const Mesh& mesh, const ClimbProgress& progress = {});
+bool climb_round(Climb& climb, const PreparedSurface& surface, const ClimbProgress& progress = {});
 
 /// Rounds until the climb has ended or was cancelled: in both cases where it then stands, which is never
 /// worse than the start. Fails as start_climb() does.

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "snug/foam/depth_builder.h"
+#include "snug/foam/placed_cluster.h"
+#include "snug/foam/prepared_surface.h"
+
+namespace snug {
+
+/// Adds the triangles of placed clusters to a depth map whose vertices were added before: those that more
+/// than one cell sees, where they may change anything.
+class CrossedTriangles {
+  public:
+    /// `slack`: more than the errors of crossings, mm.
+    CrossedTriangles(const SurfaceClusters& surface, const ClusterPlacer& placer, double slack,
+                     DepthMapBuilder& builder);
+
+    void add(const SurfaceClusters::Cluster& cluster, const PlacedCluster& placed);
+
+    /// The columns of the grid within the bounds.
+    [[nodiscard]] ColumnBlock block(CellBounds cells) const;
+
+  private:
+    /// A triangle of the cluster at hand.
+    struct Corners {
+        std::array<std::uint8_t, 3> vertex;  ///< within the cluster
+        std::array<double, 3> x;
+        double x_min, x_max;  ///< all that crossings may have
+    };
+    /// Neighbouring columns: first + step * cell for the cells.
+    struct Strip {
+        int axis;  ///< along which they lie: y or z
+        CellRange cells;
+        int first;
+        int step;
+    };
+
+    [[nodiscard]] bool changes(const Corners& t, std::size_t column) const {
+        const DepthRange& depth = builder_.depths()[column];
+        return (t.x_max > depth.highest) | (t.x_min < depth.lowest);
+    }
+    void add_in_strip(const SurfaceClusters::Cluster& cluster, const Corners& t, const Strip& strip);
+    void add_in_block(const SurfaceClusters::Cluster& cluster, const Corners& t, const ColumnBlock& block);
+    [[nodiscard]] std::array<Vec3d, 3> placed_corners(const SurfaceClusters::Cluster& cluster,
+                                                      const Corners& t) const;
+
+    const SurfaceClusters& surface_;
+    const ClusterPlacer& placer_;
+    DepthMapBuilder& builder_;
+    double slack_;
+    int rows_, cells_;
+};
+
+}  // namespace snug
