@@ -7,78 +7,13 @@
 
 #include "snug/base/box.h"
 #include "snug/base/parallel.h"
+#include "snug/foam/curve_order.h"
 
 namespace snug {
 namespace {
 
 constexpr std::size_t kChunk = std::size_t{1} << 15;  // triangles that one task treats
-
-std::size_t chunks_of(std::size_t count) {
-    return (count + kChunk - 1) / kChunk;
-}
-
-/// A place on the Morton curve above the number of a triangle: sorting sorts by both.
-using CurveKey = std::uint64_t;
-constexpr int kCurveBits = 10;  // per axis
-
-std::uint64_t spread(std::uint32_t v) {
-    v = (v | v << 16) & 0x030000ff;
-    v = (v | v << 8) & 0x0300f00f;
-    v = (v | v << 4) & 0x030c30c3;
-    v = (v | v << 2) & 0x09249249;
-    return v;
-}
-
-std::vector<CurveKey> curve_keys(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
-    const Box3d box = bounds(mesh);
-    const double side = box.longest_side();
-    const float scale = static_cast<float>(side > 0 ? ((1 << kCurveBits) - 1) / side / 3 : 0);
-    const Vec3f low = vec_cast<float>(box.min * 3.0);
-    std::vector<CurveKey> keys(triangles.size());
-    parallel_for(chunks_of(keys.size()), [&](std::size_t chunk) {
-        const std::size_t end = std::min(keys.size(), (chunk + 1) * kChunk);
-        for (std::size_t i = chunk * kChunk; i < end; ++i) {
-            const auto& [a, b, c] = mesh.triangles[triangles[i]];
-            const Vec3f sum = mesh.vertices[a] + mesh.vertices[b] + mesh.vertices[c] - low;
-            const auto cell = [scale](float offset) {
-                return static_cast<std::uint32_t>(
-                    std::clamp(offset * scale, 0.0f, static_cast<float>((1 << kCurveBits) - 1)));
-            };
-            const std::uint64_t key =
-                spread(cell(sum.x)) | spread(cell(sum.y)) << 1 | spread(cell(sum.z)) << 2;
-            keys[i] = key << 32 | triangles[i];
-        }
-    });
-    return keys;
-}
-
-/// Stable radix sort by the place on the curve.
-std::vector<CurveKey> sorted(std::vector<CurveKey> keys) {
-    constexpr int kDigitBits = 10;
-    constexpr std::size_t kDigits = std::size_t{1} << kDigitBits;
-    const std::size_t chunks = chunks_of(keys.size());
-    std::vector<CurveKey> other(keys.size());
-    std::vector<std::array<std::uint32_t, kDigits>> places(chunks);
-    for (int shift = 32; shift < 32 + 3 * kCurveBits; shift += kDigitBits) {
-        const auto digit = [shift](CurveKey key) { return key >> shift & (kDigits - 1); };
-        const auto each_key = [&](std::size_t chunk, auto visit) {
-            const std::size_t end = std::min(keys.size(), (chunk + 1) * kChunk);
-            for (std::size_t i = chunk * kChunk; i < end; ++i) visit(keys[i]);
-        };
-        parallel_for(chunks, [&](std::size_t chunk) {
-            places[chunk].fill(0);
-            each_key(chunk, [&](CurveKey key) { ++places[chunk][digit(key)]; });
-        });
-        std::uint32_t place = 0;
-        for (std::size_t d = 0; d < kDigits; ++d)
-            for (auto& of_chunk : places) place += std::exchange(of_chunk[d], place);
-        parallel_for(chunks, [&](std::size_t chunk) {
-            each_key(chunk, [&](CurveKey key) { other[places[chunk][digit(key)]++] = key; });
-        });
-        keys.swap(other);
-    }
-    return keys;
-}
+constexpr std::size_t kClustersPerSample = 4;
 
 /// Gives the vertices of one cluster their numbers within it, in the order of first use.
 class LocalVertices {
@@ -141,15 +76,16 @@ struct Part {
     std::vector<FloatBox> boxes;
 };
 
-void add_cluster(Part& part, const Mesh& mesh, std::span<const CurveKey> keys, LocalVertices& local) {
+void add_cluster(Part& part, const Mesh& mesh, std::span<const std::uint32_t> triangles,
+                 LocalVertices& local) {
     SurfaceClusters& out = part.clusters;
     SurfaceClusters::Cluster cluster;
     cluster.first_coordinate = static_cast<std::uint32_t>(out.coordinates.size());
     cluster.first_triangle = static_cast<std::uint32_t>(out.corners.size());
-    cluster.triangles = static_cast<std::uint16_t>(keys.size());
+    cluster.triangles = static_cast<std::uint16_t>(triangles.size());
     local.clear();
-    for (const CurveKey key : keys) {
-        const auto& [a, b, c] = mesh.triangles[static_cast<std::uint32_t>(key)];
+    for (const std::uint32_t t : triangles) {
+        const auto& [a, b, c] = mesh.triangles[t];
         const std::uint8_t first = local.number(a), second = local.number(b), third = local.number(c);
         out.corners.push_back({first, second, third});
     }
@@ -169,12 +105,12 @@ void add_cluster(Part& part, const Mesh& mesh, std::span<const CurveKey> keys, L
     out.clusters.push_back(cluster);
 }
 
-Part make_part(const Mesh& mesh, std::span<const CurveKey> keys) {
+Part make_part(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
+    constexpr std::size_t kMost = SurfaceClusters::kTriangles;
     Part part;
     LocalVertices local;
-    for (std::size_t first = 0; first < keys.size(); first += SurfaceClusters::kTriangles)
-        add_cluster(part, mesh,
-                    keys.subspan(first, std::min(SurfaceClusters::kTriangles, keys.size() - first)), local);
+    for (std::size_t first = 0; first < triangles.size(); first += kMost)
+        add_cluster(part, mesh, triangles.subspan(first, std::min(kMost, triangles.size() - first)), local);
     return part;
 }
 
@@ -206,7 +142,7 @@ void add_levels(SurfaceClusters& all, std::vector<FloatBox> boxes) {
 }
 
 void add_samples(SurfaceClusters& all) {
-    for (std::size_t i = 0; i < all.clusters.size(); i += 4) {
+    for (std::size_t i = 0; i < all.clusters.size(); i += kClustersPerSample) {
         const float* const coordinates = all.coordinates.data() + all.clusters[i].first_coordinate;
         const std::size_t padded = all.clusters[i].padded();
         all.samples.push_back({coordinates[0], coordinates[padded], coordinates[2 * padded]});
@@ -215,11 +151,12 @@ void add_samples(SurfaceClusters& all) {
 
 SurfaceClusters make_clusters(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
     static_assert(kChunk % SurfaceClusters::kTriangles == 0);
-    const std::vector<CurveKey> keys = sorted(curve_keys(mesh, triangles));
-    std::vector<Part> parts(chunks_of(keys.size()));
+    const std::vector<std::uint32_t> order = curve_order(mesh, triangles);
+    std::vector<Part> parts((order.size() + kChunk - 1) / kChunk);
     parallel_for(parts.size(), [&](std::size_t chunk) {
         const std::size_t first = chunk * kChunk;
-        parts[chunk] = make_part(mesh, std::span(keys).subspan(first, std::min(kChunk, keys.size() - first)));
+        parts[chunk] =
+            make_part(mesh, std::span(order).subspan(first, std::min(kChunk, order.size() - first)));
     });
     SurfaceClusters all;
     std::vector<FloatBox> boxes;

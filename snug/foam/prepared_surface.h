@@ -48,7 +48,7 @@ struct SurfaceClusters {
     /// levels[0] bounds the clusters, one box each; box i of levels[n + 1] bounds group i of levels[n]; the
     /// last level has one group.
     std::vector<BoxLevel> levels;
-    std::vector<Vec3f> samples;  ///< a vertex of every fourth cluster
+    std::vector<Vec3f> samples;  ///< one vertex of some clusters, spread evenly
     /// The largest coordinate: what the errors of float arithmetic are measured against.
     float largest = 0;
 };

@@ -151,7 +151,7 @@ export class Stage {
     const {centre, radius} = this.#content.extent;
     this.#limits(radius);
     // The controls lie over the lower edge of the picture.
-    void this.#controls.setFocalOffset(0, radius * 0.12, 0, false);
+    void this.#controls.setFocalOffset(0, radius * 0.18, 0, false);
     void this.#controls.fitToSphere(new Sphere(centre, radius * 0.92), smoothly);
     this.draw();
   }
