@@ -1,10 +1,14 @@
+#include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -33,6 +37,7 @@ constexpr std::size_t kThinTriangles = 500'000;
 
 struct StudioArguments {
     std::optional<std::string> object;
+    std::optional<std::string> replacement_object;
     std::optional<std::string> files;
     int port = 0;
     std::uintmax_t most_bytes = kBrowserLimit;
@@ -52,41 +57,45 @@ std::vector<std::byte> as_vector(const std::string& text) {
     return {bytes.begin(), bytes.end()};
 }
 
+/// At least `value`, in three digits or a few more.
+std::string rounded_up(double value) {
+    int decimals = 0;
+    double power = 1;
+    for (; decimals < 9 && value * power < 100; ++decimals) power *= 10;
+    return number(std::ceil(value * power) / power, decimals);
+}
+
 /// A copy for looking instead of a file that no page can hold. Its lengths are the file's own.
-Result<void> offer_thin_copy(Site& site, nlohmann::json& info, const fs::path& path,
-                             std::span<const std::byte> bytes, StatusLine& status) {
-    status.show("Thinning " + path.string());
-    const auto mesh = read_mesh(bytes, path.string());
-    if (!mesh) return fail(mesh.error().kind, fmt::format("{}: {}", path.string(), mesh.error().message));
-    const ThinMesh thin = thinned(*mesh, kThinTriangles);
+void offer_thin_copy(Site& site, nlohmann::json& info, const Mesh& mesh, const fs::path& path) {
+    const ThinMesh thin = thinned(mesh, kThinTriangles);
     info["name"] = path.stem().string() + "-thin.ply";
-    info["triangles"] = mesh->triangles.size();
     info["shown_triangles"] = thin.mesh.triangles.size();
     info["deviation"] = thin.deviation;
     site.contents["/object/file"] = write_ply(thin.mesh.vertices, thin.mesh.triangles, {});
-    return {};
 }
 
 /// Puts the object, and its project if it has one, where the page looks for it.
 Result<nlohmann::json> offer_object(Site& site, const StudioArguments& arguments, StatusLine& status) {
-    const auto source = find_object(*arguments.object);
+    const auto source = find_object(*arguments.object, arguments.replacement_object);
     if (!source) return tl::unexpected(source.error());
     status.show("Reading " + source->object.string());
     auto bytes = read_file(source->object);
     if (!bytes) return tl::unexpected(bytes.error());
     const ObjectFile file = describe(source->object, *bytes);
+    const auto mesh = read_mesh(*bytes, source->object.string());
+    if (!mesh)
+        return fail(mesh.error().kind, fmt::format("{}: {}", source->object.string(), mesh.error().message));
     const bool thin = bytes->size() > arguments.most_bytes;
-    nlohmann::json info{{"name", file.name},   {"original", file.name},
-                        {"bytes", file.bytes}, {"sha256", file.sha256},
-                        {"thinned", thin},     {"project", source->project.has_value()}};
+    const std::size_t triangles = mesh->triangles.size();
+    nlohmann::json info{{"name", file.name},      {"original", file.name},
+                        {"bytes", file.bytes},    {"sha256", file.sha256},
+                        {"thinned", thin},        {"project", source->project.has_value()},
+                        {"triangles", triangles}, {"shown_triangles", triangles},
+                        {"deviation", 0}};
     if (thin) {
-        if (auto done = offer_thin_copy(site, info, source->object, *bytes, status); !done)
-            return tl::unexpected(done.error());
+        status.show("Thinning " + source->object.string());
+        offer_thin_copy(site, info, *mesh, source->object);
     } else {
-        const auto mesh = read_mesh(*bytes, source->object.string());
-        if (!mesh)
-            return fail(mesh.error().kind,
-                        fmt::format("{}: {}", source->object.string(), mesh.error().message));
         site.contents["/object/file"] = std::move(*bytes);
     }
     if (source->project) site.contents["/object/project"] = as_vector(project_json(*source->project));
@@ -108,7 +117,7 @@ int studio(const StudioArguments& arguments) {
                 "{} is too large for a page: it shows a copy of {} triangles that lies at most {} (in the "
                 "file's unit) off. Foams are made from the original by `snug make`.\n",
                 *arguments.object, (*info)["shown_triangles"].get<std::size_t>(),
-                number((*info)["deviation"].get<double>(), 3));
+                rounded_up((*info)["deviation"].get<double>()));
     }
     const auto done = serve(*site, arguments.port, [&](int port) {
         const std::string address =
@@ -126,8 +135,14 @@ int studio(const StudioArguments& arguments) {
 void add_studio(CLI::App& program, Command& chosen) {
     CLI::App* command = program.add_subcommand("studio", "Serve the studio to a browser on this machine");
     const auto arguments = std::make_shared<StudioArguments>();
-    command->add_option("OBJECT", arguments->object, "A mesh or a project (*.snug.json) to open in it");
-    command->add_option("--port", arguments->port, "Port of 127.0.0.1 (0: a free one)")
+    CLI::Option* object =
+        command->add_option("OBJECT", arguments->object, "A mesh or a project (*.snug.json) to open in it");
+    command
+        ->add_option("--object", arguments->replacement_object,
+                     "The object's file, for a project that does not lie beside it")
+        ->type_name("FILE")
+        ->needs(object);
+    command->add_option("--port", arguments->port, "Port of 127.0.0.1 (0: 8737, or the next free one)")
         ->type_name("N")
         ->check(CLI::Range(0, 65535));
     command->add_option("--files", arguments->files, "The built studio, if it is elsewhere")

@@ -1,5 +1,6 @@
 #include "cli/web_server.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <httplib.h>
@@ -21,6 +22,10 @@ constexpr const char* kHost = "127.0.0.1";
 constexpr int kUsualPort = 8737;
 constexpr int kPortsToTry = 20;
 constexpr auto kInterruptPause = std::chrono::milliseconds(50);
+/// Browsers open connections and leave them idle. Each holds a thread so long, and Ctrl-C waits for it.
+constexpr int kIdleSeconds = 1;
+constexpr std::size_t kThreads = 32;
+constexpr std::size_t kPieceBytes = 1 << 20;
 
 /// The page says the same of itself; here it also holds for what is no page.
 constexpr const char* kPolicy =
@@ -31,6 +36,7 @@ constexpr const char* kPolicy =
 const std::map<std::string, const char*> kTypes{
     {".html", "text/html; charset=utf-8"},
     {".js", "text/javascript; charset=utf-8"},
+    {".mjs", "text/javascript; charset=utf-8"},
     {".css", "text/css; charset=utf-8"},
     {".json", "application/json"},
     {".svg", "image/svg+xml"},
@@ -44,16 +50,24 @@ const char* content_type(const fs::path& path) {
     return type == kTypes.end() ? "application/octet-stream" : type->second;
 }
 
-void answer(httplib::Response& response, const std::vector<std::byte>& bytes, const char* type) {
-    response.set_content(reinterpret_cast<const char*>(bytes.data()), bytes.size(), type);
+/// From where the bytes lie: an object may be too large to be copied for each request.
+void send_kept(httplib::Response& response, const std::vector<std::byte>& bytes) {
+    response.set_content_provider(bytes.size(), "application/octet-stream",
+                                  [&bytes](std::size_t offset, std::size_t length, httplib::DataSink& sink) {
+                                      const auto* start =
+                                          reinterpret_cast<const char*>(bytes.data() + offset);
+                                      return sink.write(start, std::min(length, kPieceBytes));
+                                  });
 }
 
 void find(const Site& site, const httplib::Request& request, httplib::Response& response) {
     if (const auto kept = site.contents.find(request.path); kept != site.contents.end())
-        return answer(response, kept->second, "application/octet-stream");
+        return send_kept(response, kept->second);
     const auto file = site.files.find(request.path);
     const auto bytes = file == site.files.end() ? fail(ErrorKind::input, "") : read_file(file->second);
-    if (bytes) return answer(response, *bytes, content_type(file->second));
+    if (bytes)
+        return response.set_content(reinterpret_cast<const char*>(bytes->data()), bytes->size(),
+                                    content_type(file->second));
     response.status = 404;
     response.set_content("There is nothing here.\n", "text/plain; charset=utf-8");
 }
@@ -120,6 +134,8 @@ Result<Site> site_of_folder(const fs::path& folder) {
 Result<void> serve(const Site& site, int port, const std::function<void(int)>& on_ready) {
     httplib::Server server;
     server.set_socket_options(own_port_alone);
+    server.set_keep_alive_timeout(kIdleSeconds);
+    server.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
     server.set_default_headers({{"Content-Security-Policy", kPolicy},
                                 {"X-Content-Type-Options", "nosniff"},
                                 {"Referrer-Policy", "no-referrer"},

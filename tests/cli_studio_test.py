@@ -13,6 +13,7 @@ import socket
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from pathlib import Path
 
@@ -58,6 +59,12 @@ class Server:
         return response, body
 
 
+def policy_of_page():
+    """What the page says of itself, which the server repeats for all that it serves."""
+    page = Path(__file__).resolve().parent.parent / "studio" / "index.html"
+    return re.search(r'Content-Security-Policy"\s*content="([^"]*)"', page.read_text())[1]
+
+
 class StudioTest(unittest.TestCase):
     def setUp(self):
         holder = tempfile.TemporaryDirectory()
@@ -68,6 +75,12 @@ class StudioTest(unittest.TestCase):
         (self.site / "index.html").write_text("<title>page</title>")
         (self.site / "assets" / "snug.wasm").write_bytes(b"\0asm")
         (self.site / "assets" / "app.js").write_text("1")
+        (self.site / "assets" / "core.mjs").write_text("2")
+        (self.site / "assets" / "app.css").write_text("a {}")
+        (self.site / "icon.svg").write_text("<svg/>")
+        (self.site / "icon.png").write_bytes(b"\x89PNG")
+        (self.site / "list.json").write_text("[]")
+        (self.site / "manifest.webmanifest").write_text("{}")
         (self.site / ".secret").write_text("no")
         (self.folder / "outside.txt").write_text("no")
         os.symlink(self.folder / "outside.txt", self.site / "link.txt")
@@ -84,14 +97,19 @@ class StudioTest(unittest.TestCase):
         with self.serve() as server:
             for path, kind, body in (("/", "text/html", b"<title>page</title>"), ("/index.html", "text/html", None),
                                      ("/assets/snug.wasm", "application/wasm", b"\0asm"),
-                                     ("/assets/app.js", "text/javascript", b"1")):
+                                     ("/assets/app.js", "text/javascript", b"1"),
+                                     ("/assets/core.mjs", "text/javascript", b"2"),
+                                     ("/assets/app.css", "text/css", None), ("/icon.svg", "image/svg+xml", None),
+                                     ("/icon.png", "image/png", None), ("/list.json", "application/json", None),
+                                     ("/manifest.webmanifest", "application/manifest+json", None)):
                 response, content = server.ask(path)
                 self.assertEqual(response.status, 200, path)
                 self.assertTrue(response.getheader("Content-Type").startswith(kind), path)
-                self.assertEqual(response.getheader("X-Content-Type-Options"), "nosniff")
+                for name, value in (("X-Content-Type-Options", "nosniff"), ("Referrer-Policy", "no-referrer"),
+                                    ("Cache-Control", "no-cache"), ("Cross-Origin-Resource-Policy", "same-origin")):
+                    self.assertEqual(response.getheader(name), value, path)
                 policy = response.getheader("Content-Security-Policy")
-                self.assertIn("default-src 'none'", policy)
-                self.assertNotIn("unsafe-inline", policy)
+                self.assertEqual(policy, policy_of_page() + "; frame-ancestors 'none'", path)
                 if body is not None:
                     self.assertEqual(content, body)
             self.assertEqual(server.ask("/", "HEAD")[0].status, 200)
@@ -103,7 +121,7 @@ class StudioTest(unittest.TestCase):
                          "/assets", "/assets/", "//etc/passwd", "/etc/passwd", "/object/info", "/%00"):
                 response, body = server.ask(path)
                 self.assertIn(response.status, (400, 404), path)
-                self.assertNotIn(b"no\n", body)
+                self.assertNotEqual(body, b"no", path)
 
     def test_refuses_other_methods_and_other_names_for_this_machine(self):
         with self.serve() as server:
@@ -139,7 +157,11 @@ class StudioTest(unittest.TestCase):
             info = json.loads(server.ask("/object/info")[1])
             self.assertEqual((info["name"], info["thinned"], info["project"]), ("vase.stl", False, False))
             self.assertEqual(info["sha256"], hashlib.sha256(vase.read_bytes()).hexdigest())
+            self.assertEqual(info["triangles"], info["shown_triangles"])
             self.assertEqual(server.ask("/object/file")[1], vase.read_bytes())
+            response, nothing = server.ask("/object/file", "HEAD")
+            self.assertEqual((response.status, nothing), (200, b""))
+            self.assertEqual(response.getheader("Content-Length"), str(vase.stat().st_size))
 
     def test_offers_a_project_with_its_object(self):
         vase = self.sample("vase.stl")
@@ -151,6 +173,19 @@ class StudioTest(unittest.TestCase):
             design = json.loads(server.ask("/object/project")[1])["design"]
             self.assertEqual(design["placement"]["rotation_deg"], [0, 90, 0])
             self.assertEqual(server.ask("/object/file")[1], vase.read_bytes())
+        moved = vase.rename(self.folder / "out" / "moved.stl")
+        with self.serve(project, "--object", moved) as server:
+            self.assertEqual(server.ask("/object/file")[1], moved.read_bytes())
+
+    def test_connections_that_stay_idle_hold_up_neither_a_page_nor_the_end(self):
+        with self.serve() as server:
+            idle = [socket.create_connection(("127.0.0.1", server.port)) for _ in range(12)]
+            start = time.monotonic()
+            self.assertEqual(server.ask("/")[0].status, 200)
+            self.assertEqual(server.end(), 0)
+            self.assertLess(time.monotonic() - start, 3)
+            for connection in idle:
+                connection.close()
 
     def test_a_file_that_is_too_large_is_shown_as_a_thin_copy(self):
         vase = self.sample("vase.stl")

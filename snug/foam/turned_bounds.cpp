@@ -70,14 +70,12 @@ class Furthest {
 }  // namespace
 
 Box3d turned_bounds(const SurfaceClusters& surface, const Rotation& rotation) {
-    Box3d box;
-    if (surface.clusters.empty()) return box;
-    for (int axis = 0; axis < 3; ++axis) {
-        const Vec3d row = rotation.row[static_cast<std::size_t>(axis)];
-        box.max[axis] = Furthest(surface, row).find();
-        box.min[axis] = -Furthest(surface, -row).find();
-    }
-    return box;
+    if (surface.clusters.empty()) return {};
+    const auto reach = [&surface](Vec3d direction) { return Furthest(surface, direction).find(); };
+    const auto& [x, y, z] = rotation.row;
+    const Vec3d max{reach(x), reach(y), reach(z)};
+    const Vec3d min{-reach(-x), -reach(-y), -reach(-z)};
+    return {min, max};
 }
 
 }  // namespace snug
