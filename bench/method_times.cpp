@@ -1,8 +1,8 @@
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <fstream>
 #include <string>
+#include <sys/resource.h>
 #include <tbb/global_control.h>
 #include <thread>
 #include <vector>
@@ -12,110 +12,114 @@
 
 #include "snug/design/design.h"
 #include "snug/fabricate/mesh_files.h"
+#include "snug/foam/block_map.h"
+#include "snug/foam/depth_map.h"
+#include "snug/foam/foam_pair.h"
+#include "snug/foam/parting.h"
 #include "snug/foam/prepared_surface.h"
-#include "snug/mesh/read.h"
 #include "snug/pipeline.h"
 
-#include "bench/contest.h"
 #include "bench/measure_times.h"
 #include "bench/objects.h"
 #include "bench/paper_method.h"
 
 // From a placement to two foams: the paper's method, a plain exact loop over all triangles, and Snug, by
 // turns in one run over the same random rotations. Prints JSON, which report.py makes into
-// docs/benchmarks.md. Usage: method_times FOLDER (where the largest object is left for other programs)
+// docs/benchmarks.md. Usage: method_times FOLDER (where the largest object is left for the WebAssembly run)
 
 namespace snug::bench {
 namespace {
 
 using nlohmann::json;
 
-constexpr int kRepetitions = 5;
-constexpr int kFewRotations = 4;  ///< of the slow method, where no claim rests on it
-constexpr int kTexels = 1024, kFewTexels = 256;
+constexpr int kRotations = 20;
+constexpr int kTexels = 1024;
+const Reach kReach = reach(0, false);
 
-/// Tells how much of one processor the main thread was given while it had work: on a machine that others use,
-/// too, times say little.
-class ProcessorShare {
-  public:
-    template <class Work>
-    void during(Work&& work) {
-        const double start = processor_ms();
-        wall_ += time_of(work);
-        processor_ += processor_ms() - start;
-    }
-    [[nodiscard]] double share() const { return processor_ / wall_; }
+DesignSpace space_of(int columns, int layers) {
+    const double side = kDiagonal * 1.1;
+    return {{layers, columns, columns}, {side / layers, side / columns, side / columns}};
+}
 
-  private:
-    static double processor_ms() {
-        timespec time{};
-        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-        return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
+FoamPair foams_of(const DepthMap& depths, const DesignSpace& space, const Placement& placement) {
+    const BlockMap blocks = block_map(depths, space, kReach);
+    return split(blocks, space, auto_parting_level(blocks, space, placement.bounds));
+}
+
+/// One object in one space, each method in its turn at each rotation.
+struct Contest {
+    const Mesh& mesh;
+    const PreparedSurface& prepared;
+    PaperMethod& paper;
+
+    [[nodiscard]] json run(const DesignSpace& space, int count) const {
+        std::vector<double> by_paper, by_loop, by_snug, by_threads;
+        std::size_t columns = 0, equal = 0;
+        for (const Vec3d& rotation : rotations(count)) {
+            const Placement placement = place(mesh, rotation, {});
+            DepthMap sampled, exact;
+            by_paper.push_back(time_of([&] {
+                sampled = paper.depth_map(placement, space);
+                (void)foams_of(sampled, space, placement);
+            }));
+            {
+                const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+                by_loop.push_back(time_of([&] {
+                    const Placement placed = place(mesh, rotation, {});
+                    exact = depth_map(mesh, placed, space, kReach);
+                    (void)foams_of(exact, space, placed);
+                }));
+                by_snug.push_back(time_of([&] { from_placement(rotation, space); }));
+            }
+            by_threads.push_back(time_of([&] { from_placement(rotation, space); }));
+            const BlockMap a = block_map(sampled, space, kReach), b = block_map(exact, space, kReach);
+            columns += a.size();
+            for (std::size_t i = 0; i < a.size(); ++i) equal += a[i] == b[i];
+        }
+        return {{"paper", summary(by_paper)},
+                {"loop", summary(by_loop)},
+                {"snug", summary(by_snug)},
+                {"threads", summary(by_threads)},
+                {"blocks", {space.blocks.x, space.blocks.y, space.blocks.z}},
+                {"paper_columns_equal", static_cast<double>(equal) / static_cast<double>(columns)}};
     }
-    double wall_ = 0, processor_ = 0;
+
+    void from_placement(Vec3d rotation, const DesignSpace& space) const {
+        const Placement placement = place(prepared, rotation, {});
+        (void)foams_of(depth_map(prepared, placement, space, kReach), space, placement);
+    }
 };
 
-/// Bytes of what a prepared surface keeps.
-std::size_t bytes_of(const SurfaceClusters& clusters) {
-    std::size_t bytes = clusters.coordinates.size() * sizeof(float) + clusters.corners.size() * 3 +
-                        clusters.clusters.size() * sizeof(SurfaceClusters::Cluster) +
-                        clusters.samples.size() * sizeof(Vec3f);
-    for (const BoxLevel& level : clusters.levels) bytes += level.groups.size() * sizeof(BoxGroup);
-    return bytes;
-}
-
-/// Reading, beside preparing on one thread and on all.
-json loading(const Mesh& mesh, PreparedSurface& prepared, ProcessorShare& share) {
-    const FileBytes file = write_ply(mesh.vertices, mesh.triangles, {});
-    std::vector<double> reading, preparing, preparing_alone;
-    for (int i = 0; i < kRepetitions; ++i) {
-        reading.push_back(time_of([&] { (void)read_mesh(file, "a.ply"); }));
-        preparing.push_back(time_of([&] { prepared = prepare_surface(mesh); }));
+/// `large`: one of the two that the claims are about. `growth`: with the layers, too.
+json contests(const NamedMesh& object, bool large, bool growth) {
+    std::vector<double> preparing, preparing_alone;
+    PreparedSurface prepared;
+    for (int i = 0; i < 5; ++i) {
+        preparing.push_back(time_of([&] { prepared = prepare_surface(object.mesh); }));
         const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-        share.during([&] { preparing_alone.push_back(time_of([&] { prepared = prepare_surface(mesh); })); });
+        preparing_alone.push_back(time_of([&] { prepared = prepare_surface(object.mesh); }));
     }
-    return {{"read", summary(reading)},
+    PaperMethod paper(object.mesh, kTexels);
+    const Contest contest{object.mesh, prepared, paper};
+    json runs = json::array();
+    const std::vector<int> resolutions =
+        large ? std::vector{10, 15, 20, 25, 30, 100, 300} : std::vector{10, 15, 20, 25, 30};
+    for (const int resolution : resolutions) {
+        const bool full = large && (resolution == 10 || resolution == 30 || resolution == 300);
+        runs.push_back(contest.run(space_of(resolution, resolution), full ? kRotations : 5));
+    }
+    json by_layers = json::array();
+    if (growth)
+        for (const int layers : {10, 100, 1000, 4096})
+            by_layers.push_back(contest.run(space_of(30, layers), 5));
+    return {{"name", object.name},
+            {"vertices", object.mesh.vertices.size()},
+            {"triangles", object.mesh.triangles.size()},
+            {"renderer", paper.renderer()},
             {"prepare", summary(preparing)},
             {"prepare_one_thread", summary(preparing_alone)},
-            {"mesh_bytes", 12 * (mesh.vertices.size() + mesh.triangles.size())},
-            {"prepared_bytes", bytes_of(prepared.body) + bytes_of(prepared.caps)}};
-}
-
-/// `claimed`: one of the two objects that the claims are about.
-json contests(const NamedMesh& object, bool claimed, ProcessorShare& share) {
-    PreparedSurface prepared;
-    json result{{"name", object.name},
-                {"vertices", object.mesh.vertices.size()},
-                {"triangles", object.mesh.triangles.size()},
-                {"loading", loading(object.mesh, prepared, share)},
-                {"runs", json::array()}};
-    {
-        PaperMethod paper(object.mesh, kTexels);
-        const Contest contest{object.mesh, prepared, &paper};
-        for (const int resolution : {10, 15, 20, 25, 30, 100, 300}) {
-            const bool of_claim = resolution == 10 || resolution == 30 || resolution == 300;
-            if (resolution > 30 && !claimed) continue;
-            share.during([&] {
-                result["runs"].push_back(contest.run(space_of(resolution, resolution),
-                                                     of_claim || !claimed ? kRotations : kFewRotations));
-            });
-        }
-        result["renderer"] = paper.renderer();
-    }
-    if (claimed) {
-        PaperMethod paper(object.mesh, kFewTexels);
-        result["few_texels"] = Contest{object.mesh, prepared, &paper}.run(space_of(30, 30), kFewRotations);
-    }
-    return result;
-}
-
-/// The growth with nx alone.
-json by_layers(const Mesh& mesh) {
-    const PreparedSurface prepared = prepare_surface(mesh);
-    json runs = json::array();
-    for (const int layers : {10, 30, 100, 1000, 4096})
-        runs.push_back(Contest{mesh, prepared, nullptr}.run(space_of(30, layers), 0));
-    return runs;
+            {"runs", runs},
+            {"layers", by_layers}};
 }
 
 /// The whole of snug::pack, as the studio calls it; the same designs go to WebAssembly.
@@ -129,7 +133,7 @@ json packs(const Mesh& mesh) {
         design.space.blocks = space.blocks;
         design.space.block_mm = space.block_mm;
         Object object = *prepare(mesh, design);
-        prepare_for_many(object);
+        object.surface = prepare_surface(object.mesh);
         std::vector<double> times;
         for (const Vec3d& rotation : rotations(kRotations)) {
             design.placement.rotation_deg = rotation;
@@ -140,32 +144,27 @@ json packs(const Mesh& mesh) {
     return result;
 }
 
-void leave(const Mesh& mesh, const std::string& path) {
-    const FileBytes ply = write_ply(mesh.vertices, mesh.triangles, {});
-    std::ofstream(path, std::ios::binary)
-        .write(reinterpret_cast<const char*>(ply.data()), static_cast<std::streamsize>(ply.size()));
-}
-
-int run(const std::string& folder) {
+int run(const char* folder) {
     json report{{"threads", std::thread::hardware_concurrency()},
                 {"compiler", __VERSION__},
-                {"few_texels", kFewTexels},
-                {"texels", kTexels},
                 {"objects", json::array()}};
-    ProcessorShare share;
     const std::vector<NamedMesh> all = objects();
     for (const NamedMesh& object : all) {
         fmt::print(stderr, "{}: {} vertices\n", object.name, object.mesh.vertices.size());
-        report["objects"].push_back(contests(object, &object >= &all.back() - 1, share));
+        report["objects"].push_back(contests(object, &object >= &all.back() - 1, &object == &all.back()));
     }
     const Mesh& largest = all.back().mesh;
-    report["layers"] = by_layers(largest);
     report["pack"] = packs(largest);
-    report["processor_share"] = share.share();
-    leave(largest, folder + "/largest.ply");
-    report["rotations"] = json::array();
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    report["peak_mb"] = static_cast<double>(usage.ru_maxrss) / 1024;
+    const FileBytes ply = write_ply(largest.vertices, largest.triangles, {});
+    std::ofstream(std::string(folder) + "/largest.ply", std::ios::binary)
+        .write(reinterpret_cast<const char*>(ply.data()), static_cast<std::streamsize>(ply.size()));
+    json angles = json::array();
     for (const Vec3d& rotation : rotations(kRotations))
-        report["rotations"].push_back({rotation.x, rotation.y, rotation.z});
+        angles.push_back({rotation.x, rotation.y, rotation.z});
+    report["rotations"] = angles;
     std::puts(report.dump(1).c_str());
     return 0;
 }

@@ -32,14 +32,14 @@ std::optional<Mesh> model(const std::string& file_name) {
 }
 
 struct Source {
-    const char* file;     ///< none: always the sample
+    const char* file;
     const char* instead;  ///< a sample
     int refinements;
 };
 
 NamedMesh made(const Source& source) {
     NamedMesh object;
-    auto mesh = source.file[0] == '\0' ? std::nullopt : model(source.file);
+    auto mesh = model(source.file);
     object.name =
         mesh ? std::string(source.file).substr(0, std::string(source.file).find('.')) : source.instead;
     object.mesh = mesh ? std::move(*mesh) : *sample(source.instead);
@@ -56,7 +56,7 @@ NamedMesh made(const Source& source) {
 }  // namespace
 
 std::vector<NamedMesh> objects() {
-    const Source sources[] = {{"", "torus", 0},  // 7,200 vertices, as the paper's
+    const Source sources[] = {{"cow.obj", "vase", 0},
                               {"camelhead.off", "camera", 0},
                               {"stanford-bunny.obj", "figurine", 0},
                               {"armadillo.obj", "figurine", 1},

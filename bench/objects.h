@@ -14,9 +14,9 @@ struct NamedMesh {
 
 constexpr double kDiagonal = 240;  // mm
 
-/// Six objects of 7,200 (the paper's torus) to some 700,000 vertices (the size of its two largest scans), the
-/// smallest first: a sample and shared models, refined; Snug's own samples where the models are absent.
-/// Vertices are displaced by seeded noise, so that refining leaves no coplanar triangles.
+/// Six objects from some thousands of vertices to some 700,000, the smallest first: shared models, refined;
+/// Snug's own samples where they are absent. Vertices are displaced by seeded noise, so that refining leaves
+/// no coplanar triangles.
 [[nodiscard]] std::vector<NamedMesh> objects();
 
 /// Random angles in degrees, the same in every run.

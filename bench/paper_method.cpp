@@ -64,11 +64,6 @@ struct PaperMethod::Context {
 
     ~Context() { OSMesaDestroyContext(mesa); }
 
-    /// Another method's context may be the current one.
-    void make_current() {
-        require(OSMesaMakeCurrent(mesa, colours.data(), GL_UNSIGNED_BYTE, texels, texels) != 0, "no picture");
-    }
-
     void draw(GLenum keep, double cleared, std::vector<float>& depths) {
         glClearDepth(cleared);
         glDepthFunc(keep);
@@ -98,7 +93,7 @@ PaperMethod::PaperMethod(const Mesh& mesh, int texels) : context_(std::make_uniq
     c.colours.resize(pixels * 4);
     c.nearest.resize(pixels);
     c.farthest.resize(pixels);
-    c.make_current();
+    require(OSMesaMakeCurrent(c.mesa, c.colours.data(), GL_UNSIGNED_BYTE, texels, texels) != 0, "no picture");
 
     GLuint array = 0;
     std::array<GLuint, 2> buffers{};
@@ -130,13 +125,11 @@ PaperMethod::PaperMethod(const Mesh& mesh, int texels) : context_(std::make_uniq
 PaperMethod::~PaperMethod() = default;
 
 const char* PaperMethod::renderer() const {
-    context_->make_current();
     return reinterpret_cast<const char*>(glGetString(GL_RENDERER));
 }
 
 DepthMap PaperMethod::depth_map(const Placement& placement, const DesignSpace& space) {
     Context& c = *context_;
-    c.make_current();
     const Vec3d half = space.size() * 0.5;
     glUniformMatrix4fv(c.matrix, 1, GL_FALSE, to_clip(placement, half).data());
     c.draw(GL_LESS, 1, c.nearest);
