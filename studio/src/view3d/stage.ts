@@ -39,6 +39,8 @@ const VIEWS: Record<Side, [number, number]> = {
  *  the machine draws so fast that nobody notices. */
 const STILL_RATIO = 2;
 const FAST_FRAME_MS = 8;
+/** Pixels are what a software renderer's time goes to. */
+const MOVING_RATIO = 0.5;
 
 export interface StageEvents {
   /** A turn about the world's axes since the handle was taken, or a shift in design coordinates. */
@@ -202,7 +204,7 @@ export class Stage {
 
   #resolve() {
     const sharp = Math.max(window.devicePixelRatio, STILL_RATIO);
-    this.#renderer.setPixelRatio(this.#still || this.#fast ? sharp : Math.min(window.devicePixelRatio, 1));
+    this.#renderer.setPixelRatio(this.#still || this.#fast ? sharp : MOVING_RATIO);
   }
 
   #limits(radius: number) {
