@@ -1,7 +1,6 @@
 #include "snug/fabricate/isometric.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace snug {
 namespace {
@@ -15,10 +14,6 @@ constexpr struct {
 constexpr double kGapShare = 0.09;                       // of the longer horizontal side
 
 }  // namespace
-
-double length(Vec2d v) {
-    return std::sqrt(v.x * v.x + v.y * v.y);
-}
 
 Projected project(Vec3d scene) {
     const double across = scene.x * kAzimuth.cosine - scene.y * kAzimuth.sine;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "snug/base/vec.h"
+#include "snug/base/vec2.h"
 #include "snug/foam/design_space.h"
 
 // The preview's two changes of coordinates: design -> scene (the two halves opened like a book on a table) ->
@@ -10,15 +11,6 @@
 // The top of each half's rim lies at z = 0, so opening the book is one turn by 180 degrees about the hinge.
 
 namespace snug {
-
-/// A point in the plane of the drawing: x to the right, y downward.
-struct Vec2d {
-    double x = 0, y = 0;
-    friend constexpr Vec2d operator+(Vec2d a, Vec2d b) { return {a.x + b.x, a.y + b.y}; }
-    friend constexpr Vec2d operator-(Vec2d a, Vec2d b) { return {a.x - b.x, a.y - b.y}; }
-    friend constexpr Vec2d operator*(Vec2d a, double s) { return {a.x * s, a.y * s}; }
-};
-[[nodiscard]] double length(Vec2d v);
 
 /// Where a scene point is seen, in mm of the drawing before it is scaled to the page.
 struct Projected {

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "snug/fabricate/drawing.h"
+#include "snug/fabricate/mesh_files.h"
+#include "snug/foam/block_map.h"
+#include "snug/foam/design_space.h"
+#include "snug/foam/finding.h"
+#include "snug/foam/foam_pair.h"
+
+// What a maker takes to the workshop. Each way of working (sponge, sheets, print, ...) has one function from
+// a FoamDesign and its own options to a WorkshopPack.
+
+namespace snug {
+
+/// The foams as a maker's drawings need them. References live as long as the packing that they belong to.
+struct FoamDesign {
+    const DesignSpace& space;
+    const BlockMap& blocks;
+    const FoamPair& foams;
+    std::string object_name;  ///< as people know it; UTF-8
+};
+
+/// A file to be written, by its name within the output folder ("sheets/lower-01.svg").
+struct PackFile {
+    std::string name;
+    FileBytes bytes;
+};
+
+/// A zip file in the making: 3MF. The writer around the library packs it.
+struct PackContainer {
+    std::string name;
+    std::vector<PackFile> members;  ///< in the order in which they must stand
+};
+
+/// A line of what is shown before anything is written: "Blocks to pluck" "1,204".
+struct PackFigure {
+    std::string label;
+    std::string value;
+};
+
+struct WorkshopPack {
+    std::vector<PackFile> files;
+    std::vector<DrawingDocument> documents;  ///< become PDF
+    std::vector<PackContainer> containers;
+    std::vector<PackFigure> figures;
+    std::vector<Finding> findings;
+};
+
+}  // namespace snug
