@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "snug/foam/corner_crossings.h"
+
 namespace snug {
 CrossedTriangles::CrossedTriangles(const SurfaceClusters& surface, const ClusterPlacer& placer, double slack,
                                    DepthMapBuilder& builder)
@@ -10,7 +12,13 @@ CrossedTriangles::CrossedTriangles(const SurfaceClusters& surface, const Cluster
       builder_(builder),
       slack_(slack),
       rows_(builder.rows().count()),
-      cells_(builder.columns().count()) {}
+      cells_(builder.columns().count()) {
+    const auto last_row = static_cast<std::int16_t>(rows_ - 1);
+    const auto last_cell = static_cast<std::int16_t>(cells_ - 1);
+    least_ =
+        CellBounds::Lanes{0, 0, static_cast<std::int16_t>(~last_row), static_cast<std::int16_t>(~last_cell)};
+    most_ = CellBounds::Lanes{last_row, last_cell, -1, -1};
+}
 
 ColumnBlock CrossedTriangles::block(CellBounds cells) const {
     return {{std::max(cells.first_j(), 0), std::min(cells.last_j(), rows_ - 1)},
@@ -18,7 +26,8 @@ ColumnBlock CrossedTriangles::block(CellBounds cells) const {
 }
 
 void CrossedTriangles::add(const SurfaceClusters::Cluster& cluster, const PlacedCluster& placed) {
-    // A list made without branches, since which triangles are crossed is hard to predict.
+    // Lists made without branches, since which triangles are crossed and which of those matter is hard to
+    // predict.
     std::array<CellBounds, SurfaceClusters::kTriangles> bounds;
     std::array<std::uint8_t, SurfaceClusters::kTriangles> crossed;
     std::size_t count = 0;
@@ -30,62 +39,77 @@ void CrossedTriangles::add(const SurfaceClusters::Cluster& cluster, const Placed
         bounds[count] = cells;
         count += cells.several();
     }
+    std::array<Corners, SurfaceClusters::kTriangles> matter;
+    std::size_t matter_count = 0;
     for (std::size_t n = 0; n < count; ++n) {
         const auto [i, j, k] = corners[crossed[n]];
-        Corners t{{i, j, k}, {placed.x[i], placed.x[j], placed.x[k]}, 0, 0};
-        t.x_min = std::min({t.x[0], t.x[1], t.x[2]}) - slack_;
-        t.x_max = std::max({t.x[0], t.x[1], t.x[2]}) + slack_;
-        const bool one_cell = bounds[n].first_k() == bounds[n].last_k();
-        const bool one_row = bounds[n].first_j() == bounds[n].last_j();
-        const ColumnBlock columns = block(bounds[n]);
-        if (!(one_cell | one_row)) {
-            add_in_block(cluster, t, columns);
-            continue;
-        }
-        const Strip strip = one_cell ? Strip{1, columns.j, columns.k.first, cells_}
-                                     : Strip{2, columns.k, columns.j.first * cells_, 1};
-        const auto [first, last] = strip.cells;
-        const int may = changes(t, static_cast<std::size_t>(strip.first + first * strip.step)) +
-                        changes(t, static_cast<std::size_t>(strip.first + last * strip.step));
-        if (may + (last - first > 1) > 0) add_in_strip(cluster, t, strip);
+        const double a = placed.x[i], b = placed.x[j], c = placed.x[k];
+        Corners& t = matter[matter_count];
+        t = {
+            {i, j, k}, bounds[n], std::min(std::min(a, b), c) - slack_, std::max(std::max(a, b), c) + slack_};
+        matter_count += may_change(t);
+    }
+    for (std::size_t n = 0; n < matter_count; ++n) {
+        const Corners& t = matter[n];
+        const ColumnBlock columns = block(t.cells);
+        // Counted with what lies beyond the grid, where a triangle crosses more sides.
+        const int more_rows = t.cells.last_j() - t.cells.first_j();
+        const int more_cells = t.cells.last_k() - t.cells.first_k();
+        const bool inside = columns.j == CellRange{t.cells.first_j(), t.cells.last_j()} &&
+                            columns.k == CellRange{t.cells.first_k(), t.cells.last_k()};
+        if (inside && more_rows == 1 && more_cells == 1)
+            add_around_corner(cluster, t, columns);
+        else if (inside && more_rows + more_cells == 1)
+            add_beside_side(cluster, placed, t, columns);
+        else
+            builder_.add_triangle(placed_corners(cluster, t), columns, t.x_min, t.x_max);
     }
 }
 
-// A triangle that stays well inside a row of cells (or one across): its section with a line between two of
-// them lies within one cell, so the ends of the section are all that counts. The same operations as in
-// DepthMapBuilder, edge by edge in the triangle's order.
-void CrossedTriangles::add_in_strip(const SurfaceClusters::Cluster& cluster, const Corners& t,
-                                    const Strip& strip) {
-    const std::array<double, 3> u{placer_.coordinate(cluster, t.vertex[0], strip.axis),
-                                  placer_.coordinate(cluster, t.vertex[1], strip.axis),
-                                  placer_.coordinate(cluster, t.vertex[2], strip.axis)};
-    const double u_min = std::min({u[0], u[1], u[2]}), u_max = std::max({u[0], u[1], u[2]});
-    const GrownCells& cells = strip.axis == 1 ? builder_.rows() : builder_.columns();
-    for (int cell = strip.cells.first; cell <= strip.cells.last; ++cell) {
-        const auto column = static_cast<std::size_t>(strip.first + cell * strip.step);
-        if (!changes(t, column)) continue;
-        DepthRange& depth = builder_.depths()[column];
-        for (const double side : {cells.low(cell), cells.high(cell)}) {
-            if (side < u_min || side > u_max) continue;
-            const CrossedEdges crossed = crossed_edges(u, side);
-            // A corner on the line has two edges that need not give it the same x.
-            if (crossed.count != 2) return builder_.add_triangle(placed_corners(cluster, t));
-            for (std::size_t i = 0; i < 2; ++i) {
-                const std::size_t a = crossed.edge[i], b = next_corner(a);
-                depth.include(t.x[a] + (side - u[a]) / (u[b] - u[a]) * (t.x[b] - t.x[a]));
-            }
-        }
-    }
+bool CrossedTriangles::may_change(const Corners& t) const {
+    // Triangles outside the grid are taken for ones at its edge: they are few.
+    const CellBounds cells = t.cells.clamped(least_, most_);
+    const int more_rows = cells.last_j() - cells.first_j(), more_cells = cells.last_k() - cells.first_k();
+    const auto first = static_cast<std::size_t>(cells.first_j() * cells_ + cells.first_k());
+    const auto last = static_cast<std::size_t>(cells.last_j() * cells_ + cells.last_k());
+    if (changes(t, first) | changes(t, last) | (more_rows + more_cells > 2)) return true;
+    const auto across = static_cast<std::size_t>(more_cells);
+    return more_rows * more_cells > 0 && (changes(t, first + across) | changes(t, last - across));
 }
 
-void CrossedTriangles::add_in_block(const SurfaceClusters::Cluster& cluster, const Corners& t,
-                                    const ColumnBlock& block) {
-    for (int j = block.j.first; j <= block.j.last; ++j) {
-        for (int k = block.k.first; k <= block.k.last; ++k) {
-            if (!changes(t, builder_.depths().index(j, k))) continue;
-            return builder_.add_triangle(placed_corners(cluster, t), block, t.x_min, t.x_max);
-        }
-    }
+void CrossedTriangles::add_beside_side(const SurfaceClusters::Cluster& cluster, const PlacedCluster& placed,
+                                       const Corners& t, const ColumnBlock& block) {
+    const bool along_y = block.k.first == block.k.last;
+    const GrownCells& cells = along_y ? builder_.rows() : builder_.columns();
+    const int first = along_y ? block.j.first : block.k.first;
+    const auto [a, b, c] = t.vertex;
+    const int axis = along_y ? 1 : 2;
+    const std::array<double, 3> u{placer_.coordinate(cluster, a, axis), placer_.coordinate(cluster, b, axis),
+                                  placer_.coordinate(cluster, c, axis)};
+    std::array<DepthRange, 2> found;
+    if (!extremes_beside_side(u, {placed.x[a], placed.x[b], placed.x[c]},
+                              {cells.high(first), cells.low(first + 1)}, found))
+        return builder_.add_triangle(placed_corners(cluster, t));
+    DepthMap& depths = builder_.depths();
+    depths(block.j.first, block.k.first).include(found[0]);
+    depths(block.j.last, block.k.last).include(found[1]);
+}
+
+void CrossedTriangles::add_around_corner(const SurfaceClusters::Cluster& cluster, const Corners& t,
+                                         const ColumnBlock& block) {
+    const GrownCells &rows = builder_.rows(), &cells = builder_.columns();
+    const auto corners = placed_corners(cluster, t);
+    std::array<DepthRange, 4> found;
+    if (!extremes_around_corner(corners,
+                                {rows.high(block.j.first), rows.low(block.j.last), cells.high(block.k.first),
+                                 cells.low(block.k.last)},
+                                found))
+        return builder_.add_triangle(corners);
+    DepthMap& depths = builder_.depths();
+    depths(block.j.first, block.k.first).include(found[0]);
+    depths(block.j.first, block.k.last).include(found[1]);
+    depths(block.j.last, block.k.first).include(found[2]);
+    depths(block.j.last, block.k.last).include(found[3]);
 }
 
 std::array<Vec3d, 3> CrossedTriangles::placed_corners(const SurfaceClusters::Cluster& cluster,

@@ -27,23 +27,19 @@ class CrossedTriangles {
     /// A triangle of the cluster at hand.
     struct Corners {
         std::array<std::uint8_t, 3> vertex;  ///< within the cluster
-        std::array<double, 3> x;
+        CellBounds cells;
         double x_min, x_max;  ///< all that crossings may have
-    };
-    /// Neighbouring columns: first + step * cell for the cells.
-    struct Strip {
-        int axis;  ///< along which they lie: y or z
-        CellRange cells;
-        int first;
-        int step;
     };
 
     [[nodiscard]] bool changes(const Corners& t, std::size_t column) const {
         const DepthRange& depth = builder_.depths()[column];
         return (t.x_max > depth.highest) | (t.x_min < depth.lowest);
     }
-    void add_in_strip(const SurfaceClusters::Cluster& cluster, const Corners& t, const Strip& strip);
-    void add_in_block(const SurfaceClusters::Cluster& cluster, const Corners& t, const ColumnBlock& block);
+    [[nodiscard]] bool may_change(const Corners& t) const;
+    void add_beside_side(const SurfaceClusters::Cluster& cluster, const PlacedCluster& placed,
+                         const Corners& t, const ColumnBlock& block);
+    void add_around_corner(const SurfaceClusters::Cluster& cluster, const Corners& t,
+                           const ColumnBlock& block);
     [[nodiscard]] std::array<Vec3d, 3> placed_corners(const SurfaceClusters::Cluster& cluster,
                                                       const Corners& t) const;
 
@@ -52,6 +48,7 @@ class CrossedTriangles {
     DepthMapBuilder& builder_;
     double slack_;
     int rows_, cells_;
+    CellBounds::Lanes least_, most_;  ///< of bounds within the grid
 };
 
 }  // namespace snug

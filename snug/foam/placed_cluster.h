@@ -32,6 +32,11 @@ struct CellBounds {
     [[nodiscard]] CellBounds merged(CellBounds other) const {
         return {lanes < other.lanes ? lanes : other.lanes};
     }
+    /// The same with what lies beyond a grid, from `least` to `most` of each lane, replaced by its edge.
+    [[nodiscard]] CellBounds clamped(Lanes least, Lanes most) const {
+        const Lanes above = lanes > least ? lanes : least;
+        return {above < most ? above : most};
+    }
 };
 
 /// The vertices of one cluster, placed: x exactly, and which cells they lie in. The arrays are padded as the
