@@ -1,0 +1,35 @@
+#include "snug/search/exact_cut.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "snug/foam/fit_report.h"
+#include "snug/foam/fitted_space.h"
+#include "snug/foam/foam_pair.h"
+
+namespace snug {
+
+std::optional<ExactCut> exact_cut(const PreparedSurface& surface, const DesignSpace& space,
+                                  const CutOptions& cut, Vec3d rotation_deg, Vec3d offset_mm) {
+    ExactCut result;
+    result.placement = place(surface, rotation_deg, offset_mm);
+    const Vec3d least = fitted_blocks(result.placement.bounds, space.block_mm, cut.clearance_mm, 0);
+    for (int axis = 0; axis < 3; ++axis)
+        if (least[axis] > space.blocks[axis]) return {};
+    const Reach grown = reach(cut.clearance_mm, cut.cut_on_touch);
+    result.depths = depth_map(surface, result.placement, space, grown);
+    result.blocks = block_map(result.depths, space, grown);
+    // Where the halves meet changes neither the walls nor what is cut.
+    const FitReport fit = fit_report(split(result.blocks, space, 0), result.blocks, space);
+    result.cut_blocks = fit.cut_blocks;
+    result.wall_mm = fit.wall_mm;
+    return result;
+}
+
+bool keeps_walls(const std::array<double, 6>& wall_mm, const std::array<double, 6>& least_wall) {
+    for (std::size_t side = 0; side < wall_mm.size(); ++side)
+        if (wall_mm[side] < least_wall[side]) return false;
+    return true;
+}
+
+}  // namespace snug

@@ -1,0 +1,280 @@
+#include "snug/search/placement_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include "snug/base/parallel.h"
+#include "snug/base/text.h"
+#include "snug/foam/turned_bounds.h"
+#include "snug/search/exact_cut.h"
+#include "snug/search/frames.h"
+#include "snug/search/quick_cut.h"
+#include "snug/search/surface_points.h"
+#include "snug/search/turn.h"
+
+namespace snug {
+namespace {
+
+constexpr double kFewPoints = 5000, kManyPoints = 40000;
+constexpr std::size_t kFirstSpread = 384;  ///< rotations of the first round; each round has twice as many
+constexpr std::size_t kMostSpread = 12288;
+constexpr std::size_t kBatch = 64;
+constexpr std::size_t kChain = 48;      ///< turns that a coarse climb tries
+constexpr std::size_t kFineChain = 48;  ///< and a fine one
+constexpr std::size_t kKept = 32;       ///< candidates that are kept from round to round
+constexpr double kDistinct = 0.99905;   ///< closeness of rotations 5 degrees apart
+
+struct Candidate {
+    Turn turn;
+    OffsetCut cut;
+};
+
+/// The points at one density, and how finely their offsets are looked at.
+struct Level {
+    SurfacePoints points;
+    int fine_y_z = 4, fine_x = 8;
+};
+
+}  // namespace
+
+struct PlacementSearch::State {
+    const PreparedSurface* surface = nullptr;
+    DesignSpace space;
+    CutOptions cut;
+    std::array<double, 6> least_wall{};
+    std::uint64_t seed = 0;
+    double longest = 0;
+    Level coarse, fine;
+    std::optional<BlockSymmetry> symmetry;
+    std::vector<Turn> first;  ///< rotations that shapes suggest, looked at before all others
+
+    FoundPlacement origin, best;
+    Turn best_turn;
+    long long evaluations = 0;
+
+    std::size_t round = 0;
+    std::uint64_t spread = 0;  ///< how many of the sequence were taken
+    std::size_t left_in_round = 0;
+    std::vector<Candidate> fresh;    ///< of this round, best first
+    std::vector<Candidate> waiting;  ///< coarse climbs to do
+    std::vector<Candidate> climbed;  ///< fine climbs to do
+    std::vector<Candidate> kept;     ///< fine, best first
+    std::size_t polish = 0;
+
+    [[nodiscard]] QuickCut kernel(const Level& level) const {
+        return QuickCut(space, cut, least_wall, longest, level.fine_y_z, level.fine_x);
+    }
+    [[nodiscard]] std::vector<OffsetCut> look(QuickCut& kernel, const Level& level, const Turn& turn,
+                                              std::size_t most) const {
+        const Rotation rotation = rotation_of(turn);
+        return kernel.least(level.points, rotation, turned_bounds(surface->body, rotation), most);
+    }
+
+    std::vector<Turn> next_spread();
+    void spread_step();
+    Candidate climb(Candidate from, const Level& level, std::uint64_t stream, std::size_t tries,
+                    double widest, double least) const;
+    void climb_step(std::vector<Candidate>& from, std::vector<Candidate>& to, const Level& level,
+                    std::size_t tries, double widest, double least);
+    void keep(std::vector<Candidate>& list, const Candidate& candidate, std::size_t most) const;
+    void decide(const Candidate& candidate);
+};
+
+using State = PlacementSearch::State;
+
+namespace {
+
+bool better(const Candidate& a, const Candidate& b) {
+    return a.cut.blocks < b.cut.blocks;
+}
+
+}  // namespace
+
+/// The sequence's next rotations, one of each set of equals.
+std::vector<Turn> State::next_spread() {
+    std::vector<Turn> turns;
+    if (!first.empty()) {
+        turns.swap(first);
+        return turns;
+    }
+    const std::size_t wanted = std::min(kBatch, left_in_round);
+    while (turns.size() < wanted) {
+        const Turn turn = spread_turn(spread++, seed);
+        if (closeness(symmetry->least_turned(turn), turn) > 1 - 1e-9) turns.push_back(turn);
+    }
+    left_in_round -= wanted;
+    return turns;
+}
+
+/// Keeps the best, no two of them close to each other.
+void State::keep(std::vector<Candidate>& list, const Candidate& candidate, std::size_t most) const {
+    for (Candidate& other : list) {
+        if (symmetry->closest(candidate.turn, other.turn) < kDistinct) continue;
+        if (!better(candidate, other)) return;
+        other = candidate;
+        std::stable_sort(list.begin(), list.end(), better);
+        return;
+    }
+    list.insert(std::upper_bound(list.begin(), list.end(), candidate, better), candidate);
+    if (list.size() > most) list.pop_back();
+}
+
+void State::spread_step() {
+    const std::vector<Turn> turns = next_spread();
+    constexpr std::size_t kTask = 16;
+    std::vector<std::vector<OffsetCut>> cuts(turns.size());
+    parallel_for((turns.size() + kTask - 1) / kTask, [&](std::size_t task) {
+        QuickCut quick = kernel(coarse);
+        for (std::size_t i = task * kTask; i < std::min(turns.size(), (task + 1) * kTask); ++i)
+            cuts[i] = look(quick, coarse, turns[i], 1);
+    });
+    evaluations += static_cast<long long>(turns.size());
+    const std::size_t most = 12 + 6 * round;
+    for (std::size_t i = 0; i < turns.size(); ++i)
+        if (!cuts[i].empty()) keep(fresh, {turns[i], cuts[i].front()}, most);
+}
+
+/// Small turns, ever smaller; each that cuts no more is taken.
+Candidate State::climb(Candidate from, const Level& level, std::uint64_t stream, std::size_t tries,
+                       double widest, double least) const {
+    SeededNumbers numbers(stream);
+    QuickCut quick = kernel(level);
+    if (const auto here = look(quick, level, from.turn, 1); !here.empty()) from.cut = here.front();
+    double step = widest;
+    const double shrink = std::sqrt(std::sqrt(least / widest));  // over a quarter of the tries
+    const double rate = 1 - (1 - shrink) * 4 / static_cast<double>(tries);
+    for (std::size_t i = 0; i < tries; ++i) {
+        const Turn turn = numbers.small_turn(step * numbers.between(0.3, 1)) * from.turn;
+        const auto cuts = look(quick, level, turn, 1);
+        if (!cuts.empty() && cuts.front().blocks <= from.cut.blocks) from = {turn, cuts.front()};
+        step = std::max(least, step * rate);
+    }
+    return from;
+}
+
+void State::climb_step(std::vector<Candidate>& from, std::vector<Candidate>& to, const Level& level,
+                       std::size_t tries, double widest, double least) {
+    constexpr std::size_t kAtOnce = 4;
+    const std::size_t count = std::min(kAtOnce, from.size());
+    std::vector<Candidate> ends(count);
+    parallel_for(count, [&](std::size_t i) {
+        const std::uint64_t stream =
+            seed * 0x9e3779b97f4a7c15u + static_cast<std::uint64_t>(evaluations) * 64 + i;
+        ends[i] = climb(from[i], level, stream, tries, widest, least);
+    });
+    from.erase(from.begin(), from.begin() + static_cast<std::ptrdiff_t>(count));
+    evaluations += static_cast<long long>(count * (tries + 1));
+    for (const Candidate& end : ends) keep(to, end, kKept);
+}
+
+/// Lets the exact kernel decide where the points do not refuse.
+void State::decide(const Candidate& candidate) {
+    if (candidate.cut.blocks >= best.cut_blocks) return;
+    QuickCut quick = kernel(fine);
+    const Turn turn = symmetry->least_turned(candidate.turn);
+    const Vec3d rotation_deg = euler_of(rotation_of(turn));
+    for (const OffsetCut& at : look(quick, fine, turn_of(rotation_from_euler(rotation_deg)), 4)) {
+        if (at.blocks >= best.cut_blocks) return;
+        ++evaluations;
+        const auto exact = exact_cut(*surface, space, cut, rotation_deg, at.offset_mm);
+        if (!exact || !keeps_walls(exact->wall_mm, least_wall) || exact->cut_blocks >= best.cut_blocks)
+            continue;
+        best = {rotation_deg, at.offset_mm, exact->cut_blocks};
+        best_turn = turn;
+    }
+}
+
+Result<PlacementSearch> PlacementSearch::start(const Mesh& mesh, const PreparedSurface& surface,
+                                               const Design& design, const DesignSpace& space,
+                                               std::uint64_t seed) {
+    auto state = std::make_unique<State>();
+    state->surface = &surface;
+    state->space = space;
+    state->cut = design.cut;
+    state->seed = seed;
+    const PlacementOptions& at = design.placement;
+    const auto exact = exact_cut(surface, space, design.cut, at.rotation_deg, at.offset_mm);
+    if (!exact)
+        return fail(ErrorKind::does_not_fit,
+                    "the object leaves the design space of " + dimensions(space.size()) +
+                        " mm as it stands: make the space larger or turn the object before optimizing");
+    const double wanted = wanted_wall_mm(design.space);
+    bool alike = true;
+    for (std::size_t side = 0; side < 6; ++side) {
+        state->least_wall[side] = std::min(wanted, exact->wall_mm[side]);
+        alike = alike && (side % 2 == 0 || state->least_wall[side] == state->least_wall[side - 1]);
+    }
+    state->symmetry.emplace(space, alike);
+    state->evaluations = 1;
+    state->origin = state->best = {at.rotation_deg, at.offset_mm, exact->cut_blocks};
+    state->best_turn = turn_of(rotation_from_euler(at.rotation_deg));
+
+    const Vec3d size = bounds(mesh).size();
+    state->longest = std::sqrt(dot(size, size));
+    const double area = surface_area(mesh);
+    const double pitch = std::min({space.block_mm.x, space.block_mm.y, space.block_mm.z});
+    state->fine.points = surface_points(mesh, std::max(std::sqrt(area / kManyPoints), pitch / 64));
+    state->coarse.points = thinned(state->fine.points, std::sqrt(1.6 * area / kFewPoints));
+    state->fine.fine_y_z = 8;
+    state->fine.fine_x = 16;
+    state->first = suggested_turns(mesh);
+    state->first.push_back(state->best_turn);
+    state->left_in_round = kFirstSpread;
+    return PlacementSearch(std::move(state));
+}
+
+void PlacementSearch::step() {
+    State& s = *state_;
+    if (s.left_in_round > 0) {
+        s.spread_step();
+        if (s.left_in_round > 0) return;
+        s.waiting = std::move(s.fresh);
+        s.fresh.clear();
+    } else if (!s.waiting.empty()) {
+        s.climb_step(s.waiting, s.climbed, s.coarse, kChain, 6, 0.5);
+        if (s.waiting.empty()) s.climbed.resize(std::min(s.climbed.size(), std::size_t{6} + 2 * s.round));
+    } else if (!s.climbed.empty()) {
+        s.climb_step(s.climbed, s.kept, s.fine, kFineChain, 1.5, 0.1);
+        for (std::size_t i = 0; i < std::min<std::size_t>(4, s.kept.size()); ++i) s.decide(s.kept[i]);
+    } else if (s.polish < 4) {
+        // The best of all rounds once more, from where they stand.
+        std::vector<Candidate> again(s.kept.begin(),
+                                     s.kept.begin() + std::min<std::ptrdiff_t>(4, std::ssize(s.kept)));
+        const double widest = s.polish % 2 == 0 ? 1 : 0.3;
+        if (!again.empty()) s.climb_step(again, s.kept, s.fine, kFineChain, widest, 0.03);
+        for (std::size_t i = 0; i < std::min<std::size_t>(4, s.kept.size()); ++i) s.decide(s.kept[i]);
+        ++s.polish;
+    } else {
+        s.polish = 0;
+        ++s.round;
+        s.left_in_round = std::min(kMostSpread, kFirstSpread << std::min<std::size_t>(s.round, 16));
+    }
+}
+
+PlacementSearch::PlacementSearch(std::unique_ptr<State> state) : state_(std::move(state)) {}
+PlacementSearch::PlacementSearch(PlacementSearch&&) noexcept = default;
+PlacementSearch& PlacementSearch::operator=(PlacementSearch&&) noexcept = default;
+PlacementSearch::~PlacementSearch() = default;
+
+const FoundPlacement& PlacementSearch::origin() const {
+    return state_->origin;
+}
+const FoundPlacement& PlacementSearch::best() const {
+    return state_->best;
+}
+long long PlacementSearch::evaluations() const {
+    return state_->evaluations;
+}
+
+bool run(PlacementSearch& search, long long evaluations, const SearchProgress& progress) {
+    while (search.evaluations() < evaluations) {
+        search.step();
+        if (progress && !progress(search)) return false;
+    }
+    return true;
+}
+
+}  // namespace snug

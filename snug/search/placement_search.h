@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "snug/base/result.h"
+#include "snug/base/vec.h"
+#include "snug/design/design.h"
+#include "snug/foam/design_space.h"
+#include "snug/foam/prepared_surface.h"
+#include "snug/mesh/mesh.h"
+
+// Search over everything that changes the foam: all rotations, less those that the blocks' symmetry makes
+// equal, and the offset within half a block of the centre. Coarse to fine: points of the surface, for a
+// lattice of offsets at a time, refuse most (quick_cut.h); the exact kernel decides among the rest.
+
+namespace snug {
+
+/// A placement that was looked at exactly.
+struct FoundPlacement {
+    Vec3d rotation_deg;
+    Vec3d offset_mm;
+    long long cut_blocks = 0;
+};
+
+/// A search without an end: each step leaves the best placement so far, which is never worse than the start.
+/// The same for the same seed on any number of threads.
+class PlacementSearch {
+  public:
+    /// Stands at the design's placement. `space` is that of the packing there; `surface` is prepared from
+    /// `mesh`, and must outlive the search. Fails (kind does_not_fit) where the object, grown by its
+    /// clearance, leaves the space already.
+    [[nodiscard]] static Result<PlacementSearch> start(const Mesh& mesh, const PreparedSurface& surface,
+                                                       const Design& design, const DesignSpace& space,
+                                                       std::uint64_t seed);
+    PlacementSearch(PlacementSearch&&) noexcept;
+    PlacementSearch& operator=(PlacementSearch&&) noexcept;
+    ~PlacementSearch();
+
+    /// Looks at some more rotations: a few milliseconds of work.
+    void step();
+
+    [[nodiscard]] const FoundPlacement& origin() const;  ///< where it started
+    [[nodiscard]] const FoundPlacement& best() const;
+    /// Rotations looked at, each at many offsets, and placements looked at exactly, the start included.
+    [[nodiscard]] long long evaluations() const;
+
+    struct State;  ///< opaque
+
+  private:
+    explicit PlacementSearch(std::unique_ptr<State> state);
+    std::unique_ptr<State> state_;
+};
+
+/// Is told after each step; false cancels.
+using SearchProgress = std::function<bool(const PlacementSearch&)>;
+
+constexpr long long kSearchEvaluations = 40000;  ///< some seconds on one core
+
+/// Steps until as many evaluations are done or `progress` cancels. False if it was cancelled.
+bool run(PlacementSearch& search, long long evaluations, const SearchProgress& progress = {});
+
+}  // namespace snug

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "snug/base/rotation.h"
+#include "snug/base/vec.h"
+#include "snug/foam/design_space.h"
+
+// Rotations as unit quaternions: spread evenly, turned a little, and written as the angles that people and
+// projects use. No libm: the same bits on every system.
+
+namespace snug {
+
+/// A rotation as a unit quaternion; q and -q are the same rotation.
+struct Turn {
+    double w = 1, x = 0, y = 0, z = 0;
+};
+
+/// First `b`, then `a`.
+[[nodiscard]] Turn operator*(const Turn& a, const Turn& b);
+[[nodiscard]] Rotation rotation_of(const Turn& turn);
+[[nodiscard]] Turn turn_of(const Rotation& rotation);
+/// About an axis of any length but 0; the angle in degrees.
+[[nodiscard]] Turn turn_about(Vec3d axis, double degrees);
+/// The cosine of half the angle between two rotations: 1 where they are equal, 0 half a turn apart.
+[[nodiscard]] double closeness(const Turn& a, const Turn& b);
+
+/// The direction of (cosine, sine) in degrees, -180 to 180, the same bits on every system; 0 for (0, 0).
+[[nodiscard]] double degrees_of(double sine, double cosine);
+/// psi, theta, phi in degrees of R = Rz(phi) Ry(theta) Rx(psi), each rounded to a millionth of a degree.
+[[nodiscard]] Vec3d euler_of(const Rotation& rotation);
+
+/// Numbers that depend on the seed alone (SplitMix64, Steele and others 2014).
+class SeededNumbers {
+  public:
+    explicit SeededNumbers(std::uint64_t seed) : state_(seed) {}
+    std::uint64_t bits();
+    double unit();  ///< in [0, 1)
+    double between(double low, double high) { return low + (high - low) * unit(); }
+    /// A rotation about an axis of any direction.
+    Turn small_turn(double degrees);
+
+  private:
+    std::uint64_t state_;
+};
+
+/// What may be turned with the blocks without changing how many are cut: half turns about the axes, and
+/// quarter turns about x where blocks are as wide as deep and as many.
+class BlockSymmetry {
+  public:
+    /// `any`: without it no two rotations count as equal (walls that differ from side to side).
+    BlockSymmetry(const DesignSpace& space, bool any);
+
+    [[nodiscard]] const std::vector<Turn>& turns() const { return turns_; }
+    /// The closest that an equal of `a` comes to `b`; see closeness().
+    [[nodiscard]] double closest(const Turn& a, const Turn& b) const;
+    /// The one among a rotation's equals that turns the object least.
+    [[nodiscard]] Turn least_turned(const Turn& turn) const;
+
+  private:
+    std::vector<Turn> turns_;
+};
+
+/// Rotation number i of an endless sequence that fills all rotations evenly wherever it is broken off
+/// (Shoemake, Uniform random rotations, 1992, on a Kronecker sequence); another start for each seed.
+[[nodiscard]] Turn spread_turn(std::uint64_t i, std::uint64_t seed);
+
+}  // namespace snug
