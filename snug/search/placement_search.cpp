@@ -25,6 +25,7 @@ constexpr std::size_t kBatch = 64;
 constexpr std::size_t kChain = 48;      ///< turns that a coarse climb tries
 constexpr std::size_t kFineChain = 48;  ///< and a fine one
 constexpr std::size_t kKept = 32;       ///< candidates that are kept from round to round
+constexpr std::size_t kDecided = 4;     ///< candidates, and offsets of each, that are looked at exactly
 constexpr double kDistinct = 0.99905;   ///< closeness of rotations 5 degrees apart
 
 struct Candidate {
@@ -81,6 +82,9 @@ struct PlacementSearch::State {
                     std::size_t tries, double widest, double least);
     void keep(std::vector<Candidate>& list, const Candidate& candidate, std::size_t most) const;
     void decide(const Candidate& candidate);
+    void decide_best(const std::vector<Candidate>& list) {
+        for (std::size_t i = 0; i < std::min(kDecided, list.size()); ++i) decide(list[i]);
+    }
 };
 
 using State = PlacementSearch::State;
@@ -176,7 +180,7 @@ void State::decide(const Candidate& candidate) {
     QuickCut quick = kernel(fine);
     const Turn turn = symmetry->least_turned(candidate.turn);
     const Vec3d rotation_deg = euler_of(rotation_of(turn));
-    for (const OffsetCut& at : look(quick, fine, turn_of(rotation_from_euler(rotation_deg)), 4)) {
+    for (const OffsetCut& at : look(quick, fine, turn_of(rotation_from_euler(rotation_deg)), kDecided)) {
         if (at.blocks >= best.cut_blocks) return;
         ++evaluations;
         const auto exact = exact_cut(*surface, space, cut, rotation_deg, at.offset_mm);
@@ -229,7 +233,10 @@ Result<PlacementSearch> PlacementSearch::start(const Mesh& mesh, const PreparedS
 void PlacementSearch::step() {
     State& s = *state_;
     if (s.left_in_round > 0) {
+        const bool first = s.spread == 0 && s.round == 0;
         s.spread_step();
+        // What shapes suggest is often the answer, and early results are worth having.
+        if (first || s.left_in_round == 0) s.decide_best(s.fresh);
         if (s.left_in_round > 0) return;
         s.waiting = std::move(s.fresh);
         s.fresh.clear();
@@ -238,14 +245,14 @@ void PlacementSearch::step() {
         if (s.waiting.empty()) s.climbed.resize(std::min(s.climbed.size(), std::size_t{6} + 2 * s.round));
     } else if (!s.climbed.empty()) {
         s.climb_step(s.climbed, s.kept, s.fine, kFineChain, 1.5, 0.1);
-        for (std::size_t i = 0; i < std::min<std::size_t>(4, s.kept.size()); ++i) s.decide(s.kept[i]);
+        s.decide_best(s.kept);
     } else if (s.polish < 4) {
         // The best of all rounds once more, from where they stand.
         std::vector<Candidate> again(s.kept.begin(),
                                      s.kept.begin() + std::min<std::ptrdiff_t>(4, std::ssize(s.kept)));
         const double widest = s.polish % 2 == 0 ? 1 : 0.3;
         if (!again.empty()) s.climb_step(again, s.kept, s.fine, kFineChain, widest, 0.03);
-        for (std::size_t i = 0; i < std::min<std::size_t>(4, s.kept.size()); ++i) s.decide(s.kept[i]);
+        s.decide_best(s.kept);
         ++s.polish;
     } else {
         s.polish = 0;
