@@ -94,7 +94,7 @@ EMSCRIPTEN_BINDINGS(snug) {
         .function("pack", &bound::Session::pack)
         .function("gaps", &bound::Session::gaps)
         .function("distances", &bound::Session::distances)
-        .function("startClimb", &bound::Session::start_climb)
-        .function("climbRound", &bound::Session::climb_round)
+        .function("startSearch", &bound::Session::start_search)
+        .function("searchStep", &bound::Session::search_step)
         .function("outputFiles", &bound::Session::output_files);
 }

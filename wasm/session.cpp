@@ -1,6 +1,7 @@
 #include "wasm/session.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
 #include "snug/base/stopwatch.h"
@@ -9,6 +10,11 @@
 
 namespace snug::wasm {
 namespace {
+
+/// The same placements for the same object, whenever it is searched.
+constexpr std::uint64_t kSearchSeed = 1;
+/// Between two looks at what the page says.
+constexpr double kStepMs = 60;
 
 const Error kNoObject{ErrorKind::usage, "there is no object yet: open one first"};
 const Error kNoFoams{ErrorKind::usage, "there are no foams yet that could be measured"};
@@ -48,7 +54,7 @@ val Session::load(const val& bytes, const std::string& name, const std::string& 
     auto object = prepare(*mesh, *design);
     if (!object && !asks_for_unit(box, *design)) return to_val(object.error());
 
-    climb_.reset();
+    search_.reset();
     packing_.reset();
     surface_.reset();
     object_.reset();
@@ -65,7 +71,7 @@ std::optional<Error> Session::prepare_for(const Design& design) {
     if (object_ && options_ == design.object) return implausible_size(box_.size(), design);
     auto object = prepare(*read_, design);
     if (!object) return object.error();
-    climb_.reset();
+    search_.reset();
     packing_.reset();
     surface_.reset();
     options_ = design.object;
@@ -121,23 +127,29 @@ val Session::distances(const val& points) {
     return typed_array(distances.data(), distances.size());
 }
 
-val Session::start_climb(const std::string& design_text) {
+val Session::start_search(const std::string& design_text) {
     const auto design = parse_design(design_text);
     if (!design) return to_val(design.error());
     if (const auto error = prepare_for(*design)) return to_val(*error);
     prepare_for_many(*object_);
     const auto packing = snug::pack(*object_, *design);
     if (!packing) return to_val(packing.error());
-    const auto climb = snug::start_climb(*object_->surface, *design, packing->space);
-    if (!climb) return to_val(climb.error());
-    climb_ = *climb;
-    return to_val(*climb_);
+    auto search =
+        PlacementSearch::start(object_->mesh, *object_->surface, *design, packing->space, kSearchSeed);
+    if (!search) return to_val(search.error());
+    search_ = std::move(*search);
+    searched_ = packing->space;
+    return to_val(*search_, searched_);
 }
 
-val Session::climb_round() {
-    if (!climb_) return to_val(Error{ErrorKind::cancelled, "the object changed while it was turned"});
-    if (!ended(*climb_)) snug::climb_round(*climb_, *object_->surface);
-    return to_val(*climb_);
+val Session::search_step() {
+    if (!search_) return to_val(Error{ErrorKind::cancelled, "the object changed while it was turned"});
+    Stopwatch watch;
+    run(*search_, kSearchEvaluations, [spent = 0.0, &watch](const PlacementSearch&) mutable {
+        spent += watch.lap();
+        return spent < kStepMs;
+    });
+    return to_val(*search_, searched_);
 }
 
 val Session::output_files(const std::string& project_text, const val& progress) {

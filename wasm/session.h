@@ -6,7 +6,7 @@
 #include "snug/foam/surface_distance.h"
 #include "snug/mesh/mesh.h"
 #include "snug/pipeline.h"
-#include "snug/search/greedy_climb.h"
+#include "snug/search/placement_search.h"
 
 #include "wasm/values.h"
 
@@ -33,9 +33,10 @@ class Session {
     /// Of points (x, y, z after each other, design coordinates) from the surface of the last packing's
     /// object.
     val distances(const val& points);
-    /// Starts a climb where the design stands; the next packing of another object ends it.
-    val start_climb(const std::string& design);
-    val climb_round();
+    /// Starts a search where the design stands; another object ends it.
+    val start_search(const std::string& design);
+    /// Looks on for some milliseconds.
+    val search_step();
     /// Everything that `snug make` writes for the design and the object's file.
     val output_files(const std::string& project, const val& progress);
 
@@ -48,7 +49,8 @@ class Session {
     std::optional<Object> object_;
     std::optional<Packing> packing_;
     std::optional<SurfaceDistance> surface_;  ///< of object_, once it was asked for
-    std::optional<Climb> climb_;
+    std::optional<PlacementSearch> search_;   ///< of object_
+    DesignSpace searched_;
 };
 
 }  // namespace snug::wasm

@@ -217,12 +217,17 @@ val to_val(const GapReport& gap) {
     return result;
 }
 
-val to_val(const Climb& climb) {
+val to_val(const PlacementSearch& search, const DesignSpace& space) {
+    const FoundPlacement& best = search.best();
     val result = val::object();
-    result.set("rotation_deg", to_val(climb.rotation_deg));
-    result.set("fill_ratio", climb.fill_ratio);
-    result.set("evaluations", static_cast<double>(climb.evaluations));
-    result.set("ended", ended(climb));
+    result.set("rotation_deg", to_val(best.rotation_deg));
+    result.set("offset_mm", to_val(best.offset_mm));
+    result.set("cut_blocks", static_cast<double>(best.cut_blocks));
+    result.set("fill_ratio",
+               1 - static_cast<double>(best.cut_blocks) / static_cast<double>(space.block_count()));
+    result.set("fraction", std::min(1.0, static_cast<double>(search.evaluations()) /
+                                             static_cast<double>(kSearchEvaluations)));
+    result.set("ended", search.evaluations() >= kSearchEvaluations);
     return result;
 }
 

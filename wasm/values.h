@@ -15,7 +15,7 @@
 #include "snug/foam/gap.h"
 #include "snug/outputs.h"
 #include "snug/pipeline.h"
-#include "snug/search/greedy_climb.h"
+#include "snug/search/placement_search.h"
 
 // The library's values as the page has them (studio/src/engine/api.ts), field for field. Arrays are copies:
 // they stay valid when the module's memory grows, and may be transferred.
@@ -47,7 +47,7 @@ template <class T>
 [[nodiscard]] val to_val(const Mesh& mesh);
 [[nodiscard]] val to_val(const Packing& packing, double library_ms);
 [[nodiscard]] val to_val(const GapReport& gap);
-[[nodiscard]] val to_val(const Climb& climb);
+[[nodiscard]] val to_val(const PlacementSearch& search, const DesignSpace& space);
 [[nodiscard]] val to_val(const OutputFile& file);
 [[nodiscard]] val to_val(const std::vector<OutputFile>& files);
 

@@ -72,9 +72,9 @@ bool CrossedTriangles::may_change(const Corners& t) const {
     const int more_rows = cells.last_j() - cells.first_j(), more_cells = cells.last_k() - cells.first_k();
     const auto first = static_cast<std::size_t>(cells.first_j() * cells_ + cells.first_k());
     const auto last = static_cast<std::size_t>(cells.last_j() * cells_ + cells.last_k());
-    if (changes(t, first) | changes(t, last) | (more_rows + more_cells > 2)) return true;
+    if (changes(t, first) + changes(t, last) + (more_rows + more_cells > 2) > 0) return true;
     const auto across = static_cast<std::size_t>(more_cells);
-    return more_rows * more_cells > 0 && (changes(t, first + across) | changes(t, last - across));
+    return more_rows * more_cells > 0 && changes(t, first + across) + changes(t, last - across) > 0;
 }
 
 void CrossedTriangles::add_beside_side(const SurfaceClusters::Cluster& cluster, const PlacedCluster& placed,

@@ -31,7 +31,8 @@ class CrossedTriangles {
         double x_min, x_max;  ///< all that crossings may have
     };
 
-    [[nodiscard]] bool changes(const Corners& t, std::size_t column) const {
+    /// 1 or 0: for sums without branches.
+    [[nodiscard]] int changes(const Corners& t, std::size_t column) const {
         const DepthRange& depth = builder_.depths()[column];
         return (t.x_max > depth.highest) | (t.x_min < depth.lowest);
     }

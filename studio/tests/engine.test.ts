@@ -1,6 +1,6 @@
 import {createHash} from 'node:crypto';
 import {afterEach, beforeEach, describe, expect, test, vi} from 'vitest';
-import type {ClimbStep, Design, Packing} from '../src/engine/api';
+import type {SearchStep, Design, Packing} from '../src/engine/api';
 import type {EngineCore} from '../src/engine/core';
 import {good, refused, startCore} from './support/snug';
 import {box, torus} from './support/shapes';
@@ -90,7 +90,7 @@ describe('an object', () => {
     expect(refused(await core.pack(design)).error).toContain('open one');
     refused(await core.gaps());
     refused(await core.reprepare(design));
-    refused(await core.climb(design, () => {}));
+    refused(await core.search(design, () => {}));
     refused(await core.outputFiles(design));
   });
 });
@@ -237,43 +237,43 @@ describe('a project', () => {
   });
 });
 
-describe('a climb', () => {
+describe('a search', () => {
   test('raises F step by step and ends where the packing says the same', async () => {
     await load(box([120, 80, 60]));
     design.placement.rotation_deg = [0, 9, 0];
     const start = (await pack()).fit!.fill_ratio;
-    const steps: ClimbStep[] = [];
-    const end = good(await core.climb(design, (step) => steps.push(step)));
+    const steps: SearchStep[] = [];
+    const end = good(await core.search(design, (step) => steps.push(step)));
     expect(steps[0]!.fill_ratio).toBe(start);
     expect(steps.at(-1)).toEqual(end);
     expect(end.fill_ratio).toBeGreaterThan(start);
     for (let i = 1; i < steps.length; i++)
       expect(steps[i]!.fill_ratio).toBeGreaterThanOrEqual(steps[i - 1]!.fill_ratio);
-    design.placement.rotation_deg = end.rotation_deg;
-    expect((await pack()).fit!.fill_ratio).toBe(end.fill_ratio);
+    design.placement = {rotation_deg: end.rotation_deg, offset_mm: end.offset_mm};
+    expect((await pack()).fit!.cut_blocks).toBe(end.cut_blocks);
   });
 
   test('that is cancelled gives the best so far, and packings go on meanwhile', async () => {
     await sample('camera');
     design.placement.rotation_deg = [31, 17, -43];
-    const steps: ClimbStep[] = [];
-    const climbing = core.climb(design, (step) => {
+    const steps: SearchStep[] = [];
+    const searching = core.search(design, (step) => {
       steps.push(step);
       if (steps.length === 3) void core.cancel();
     });
     const meanwhile = await pack();
     expect(meanwhile.fit!.fill_ratio).toBe(steps[0]!.fill_ratio);
-    expect(good(await climbing)).toEqual(steps[2]);
+    expect(good(await searching)).toEqual(steps[2]);
     expect(steps.length).toBe(3);
   });
 
   test('ends where another object comes', async () => {
     await sample('camera');
     design.placement.rotation_deg = [31, 17, -43];
-    const steps: ClimbStep[] = [];
-    const climbing = core.climb(design, (step) => steps.push(step));
+    const steps: SearchStep[] = [];
+    const searching = core.search(design, (step) => steps.push(step));
     await load(box([120, 80, 60]));
-    expect(good(await climbing)).toEqual(steps.at(-1));
+    expect(good(await searching)).toEqual(steps.at(-1));
   });
 });
 

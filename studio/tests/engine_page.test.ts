@@ -1,5 +1,5 @@
 import {afterEach, beforeEach, expect, test, vi} from 'vitest';
-import type {ClimbStep, Design, Engine, Failure} from '../src/engine/api';
+import type {SearchStep, Design, Engine, Failure} from '../src/engine/api';
 import type {EngineCore} from '../src/engine/core';
 import {createEngine, type CoreHandle} from '../src/engine/engine';
 import {failure} from '../src/engine/failure';
@@ -82,27 +82,27 @@ test('a slider that moves faster than foams are made ends with the newest foam',
   expect(good(answers[19]!).placement).toEqual(good(await engine.pack(design)).placement);
 });
 
-test('gaps, climbs and files leave the quick core free and share one other', async () => {
+test('gaps, searches and files leave the quick core free and share one other', async () => {
   await load(box([120, 80, 60]));
   design.placement.rotation_deg = [0, 9, 0];
   good(await engine.pack(design));
-  const steps: ClimbStep[] = [];
-  const [gap, climb, files] = await Promise.all([
+  const steps: SearchStep[] = [];
+  const [gap, search, files] = await Promise.all([
     engine.gaps(),
-    engine.climb(design, (step) => steps.push(step)),
+    engine.search(design, (step) => steps.push(step)),
     engine.outputFiles(design),
   ]);
   expect(good(gap).widest_mm).toBeGreaterThan(0);
-  expect(good(climb)).toEqual(steps.at(-1));
+  expect(good(search)).toEqual(steps.at(-1));
   expect(good(files).map(({name}) => name)).toContain('report.json');
   expect(cores.started.length).toBe(2);
 });
 
-test('cancelling a climb gives the best so far and keeps the core', async () => {
+test('cancelling a search gives the best so far and keeps the core', async () => {
   await load(torus(60, 30));
   design.placement.rotation_deg = [31, 17, -43];
-  const steps: ClimbStep[] = [];
-  const end = await engine.climb(design, (step) => {
+  const steps: SearchStep[] = [];
+  const end = await engine.search(design, (step) => {
     steps.push(step);
     if (steps.length === 2) void engine.cancel();
   });

@@ -107,11 +107,18 @@ export interface Gap {
   undercut_mm3: number | null;
 }
 
-/** One step of the climb: where it stands now. */
-export interface ClimbStep {
+/** A placement and what it cuts. */
+export interface FoundPlacement {
   rotation_deg: Triple;
+  offset_mm: Triple;
+  cut_blocks: number;
+}
+
+/** Where a search stands: at the best so far. */
+export interface SearchStep extends FoundPlacement {
   fill_ratio: number;
-  evaluations: number;
+  /** How much of the search is done, 0 to 1. */
+  fraction: number;
 }
 
 export interface OutputFile {
@@ -122,7 +129,7 @@ export interface OutputFile {
 /** Is told how much of long work is done, 0 to 1. */
 export type OnProgress = (fraction: number) => void;
 
-/** Calls may overlap: pack() answers while gaps(), climb() and outputFiles() go on. */
+/** Calls may overlap: pack() answers while gaps(), search() and outputFiles() go on. */
 export interface Engine {
   version(): Promise<string>;
   defaultDesign(): Promise<Design>;
@@ -152,10 +159,11 @@ export interface Engine {
   /** How far points (x, y, z after each other, design coordinates) lie from the surface of the object in the last
    *  packing. */
   distances(points: Float32Array<ArrayBuffer>): Promise<Float32Array<ArrayBuffer> | Failure>;
-  /** The paper's greedy climb over the three angles, the space staying that of the start; `onStep` hears each
-   *  round. After cancel() the best so far is returned. */
-  climb(design: Design, onStep: (step: ClimbStep) => void): Promise<ClimbStep | Failure>;
-  /** Ends gaps(), climb() and outputFiles(), whichever runs; the first and the last then give a Failure of kind
+  /** The placement that cuts the least foam away: every rotation, and offsets of up to half a block; the space and
+   *  its walls stay those of the start. `onStep` hears where it stands several times a second. After cancel() the
+   *  best so far is returned. */
+  search(design: Design, onStep: (step: SearchStep) => void): Promise<SearchStep | Failure>;
+  /** Ends gaps(), search() and outputFiles(), whichever runs; the first and the last then give a Failure of kind
    *  `cancelled`. */
   cancel(): Promise<void>;
   /** Everything that `snug make` writes for this design, byte for byte (report.json's timing_ms aside).

@@ -1,6 +1,6 @@
 import type {Session, SnugModule} from 'snug-wasm/snug.mjs';
 import type {
-  ClimbStep,
+  SearchStep,
   Design,
   DisplayMesh,
   Failure,
@@ -23,7 +23,7 @@ export class EngineCore {
   readonly #snug: SnugModule;
   readonly #session: Session;
   #file: Promise<ObjectFile> = Promise.resolve({name: '', bytes: 0, sha256: ''});
-  #climb = 0;
+  #search = 0;
 
   constructor(snug: SnugModule) {
     this.#snug = snug;
@@ -55,7 +55,7 @@ export class EngineCore {
     const design = JSON.stringify({...(await this.defaultDesign()), object});
     const info = guarded(() => this.#session.load(bytes, name, design));
     if (isFailure(info)) return info;
-    this.#climb++;
+    this.#search++;
     this.#file = sha256(bytes).then((hash) => ({name: withoutFolders(name), bytes: bytes.length, sha256: hash}));
     return {file: await this.#file, ...info};
   }
@@ -99,17 +99,17 @@ export class EngineCore {
     return guarded(() => this.#session.distances(points));
   }
 
-  /** Round by round, so that cancel() and everything else is heard in between. */
-  async climb(design: Design, onStep: (step: ClimbStep) => void): Promise<ClimbStep | Failure> {
-    const mine = ++this.#climb;
-    const start = guarded(() => this.#session.startClimb(JSON.stringify(design)));
+  /** Step by step, so that cancel() and everything else is heard in between. */
+  async search(design: Design, onStep: (step: SearchStep) => void): Promise<SearchStep | Failure> {
+    const mine = ++this.#search;
+    const start = guarded(() => this.#session.startSearch(JSON.stringify(design)));
     if (isFailure(start)) return start;
     let {ended, ...step} = start;
     onStep(step);
     while (!ended) {
       await afterWaitingMessages();
-      if (mine !== this.#climb) break;
-      const next = guarded(() => this.#session.climbRound());
+      if (mine !== this.#search) break;
+      const next = guarded(() => this.#session.searchStep());
       if (isFailure(next)) return next.kind === 'cancelled' ? step : next;
       ({ended, ...step} = next);
       onStep(step);
@@ -117,9 +117,9 @@ export class EngineCore {
     return step;
   }
 
-  /** Ends the climb after its round. */
+  /** Ends the search after its step. */
   async cancel(): Promise<void> {
-    this.#climb++;
+    this.#search++;
   }
 
   async outputFiles(design: Design, onProgress?: OnProgress): Promise<OutputFile[] | Failure> {

@@ -1,6 +1,6 @@
 import {proxy, wrap} from 'comlink';
 import type {
-  ClimbStep,
+  SearchStep,
   Design,
   DisplayMesh,
   Engine,
@@ -61,7 +61,7 @@ class PageEngine implements Engine {
   /** Settles when #quick has its object back after a restart. */
   #restored: Promise<void> = Promise.resolve();
   #slow: {handle: CoreHandle; loaded: Promise<ObjectInfo | Failure | null>} | null = null;
-  #slowWork = {gaps: 0, climbs: 0, outputs: 0};
+  #slowWork = {gaps: 0, searches: 0, outputs: 0};
   /** What a new core needs. A Blob lies outside the page's memory. */
   #object: {name: string; content: Blob; options: Design['object']} | null = null;
   #packed: Design | null = null;
@@ -151,14 +151,14 @@ class PageEngine implements Engine {
     });
   }
 
-  async climb(design: Design, onStep: (step: ClimbStep) => void): Promise<ClimbStep | Failure> {
-    let last: ClimbStep | null = null;
-    const listen = (step: ClimbStep) => {
+  async search(design: Design, onStep: (step: SearchStep) => void): Promise<SearchStep | Failure> {
+    let last: SearchStep | null = null;
+    const listen = (step: SearchStep) => {
       last = step;
       onStep(step);
     };
     const plain = copied(design);
-    const answer = await this.#slowly('climbs', (core) => core.climb(plain, proxy(listen)));
+    const answer = await this.#slowly('searches', (core) => core.search(plain, proxy(listen)));
     return isFailure(answer) && answer.kind === 'cancelled' ? (last ?? answer) : answer;
   }
 
@@ -168,10 +168,10 @@ class PageEngine implements Engine {
   }
 
   async cancel(): Promise<void> {
-    const {gaps, climbs, outputs} = this.#slowWork;
-    // A climb listens between its rounds; the others have no ear until they are done.
+    const {gaps, searches, outputs} = this.#slowWork;
+    // A search listens between its steps; the others have no ear until they are done.
     if (gaps + outputs > 0) this.#endSlow();
-    else if (climbs > 0) await this.#slow?.handle.core.cancel();
+    else if (searches > 0) await this.#slow?.handle.core.cancel();
   }
 
   #tooLarge(name: string, object: Design['object']): Failure {
@@ -221,7 +221,7 @@ class PageEngine implements Engine {
   }
 
   async #slowly<T>(
-    kind: 'gaps' | 'climbs' | 'outputs',
+    kind: 'gaps' | 'searches' | 'outputs',
     ask: (core: CoreHandle['core']) => Promise<T | Failure>,
   ): Promise<T | Failure> {
     const {handle, loaded} = (this.#slow ??= this.#startSlow());
@@ -238,14 +238,14 @@ class PageEngine implements Engine {
     const handle = this.#start();
     const object = this.#object;
     const loaded = object ? handle.core.load(object.name, object.content, object.options) : Promise.resolve(null);
-    this.#slowWork = {gaps: 0, climbs: 0, outputs: 0};
+    this.#slowWork = {gaps: 0, searches: 0, outputs: 0};
     return {handle, loaded};
   }
 
   #endSlow(answer: Failure = CANCELLED) {
     this.#slow?.handle.end(answer);
     this.#slow = null;
-    this.#slowWork = {gaps: 0, climbs: 0, outputs: 0};
+    this.#slowWork = {gaps: 0, searches: 0, outputs: 0};
   }
 }
 

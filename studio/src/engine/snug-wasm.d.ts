@@ -1,7 +1,7 @@
 // The WebAssembly module that wasm/ builds. Designs and projects pass as JSON texts.
 
 declare module 'snug-wasm/snug.mjs' {
-  import type {ClimbStep, DisplayMesh, Failure, Gap, ObjectFile, ObjectInfo, OutputFile, Packing, Preset} from './api';
+  import type {SearchStep, DisplayMesh, Failure, Gap, ObjectFile, ObjectInfo, OutputFile, Packing, Preset} from './api';
 
   type Progress = ((fraction: number) => boolean) | null;
   type Made = {files: OutputFile[]; report: string};
@@ -14,8 +14,8 @@ declare module 'snug-wasm/snug.mjs' {
     pack(design: string): Packing | Failure;
     gaps(progress: Progress): Gap | Failure;
     distances(points: Float32Array): Float32Array<ArrayBuffer> | Failure;
-    startClimb(design: string): (ClimbStep & {ended: boolean}) | Failure;
-    climbRound(): (ClimbStep & {ended: boolean}) | Failure;
+    startSearch(design: string): (SearchStep & {ended: boolean}) | Failure;
+    searchStep(): (SearchStep & {ended: boolean}) | Failure;
     outputFiles(project: string, progress: Progress): Made | Failure;
     delete(): void;
   }

@@ -23,6 +23,10 @@ export function withBlocks(design: Design, axis: number, count: number, shown: T
   return {...design, space: {...design.space, blocks}};
 }
 
+export function withSpace(design: Design, blocks: Design['space']['blocks']): Design {
+  return {...design, space: {...design.space, blocks}};
+}
+
 export function withFittedSpace(design: Design, fitted: boolean, shown: Triple): Design {
   return {...design, space: {...design.space, blocks: fitted ? 'auto' : shown}};
 }
@@ -37,6 +41,10 @@ export function withWall(design: Design, wall_mm: number | null): Design {
 
 export function withRotation(design: Design, rotation_deg: Triple): Design {
   return {...design, placement: {...design.placement, rotation_deg}};
+}
+
+export function withPlacement(design: Design, {rotation_deg, offset_mm}: Design['placement']): Design {
+  return {...design, placement: {rotation_deg, offset_mm}};
 }
 
 export function withOffset(design: Design, offset_mm: Triple): Design {

@@ -1,8 +1,8 @@
-import type {Design, DisplayMesh, Engine, Failure, Gap, ObjectInfo, Packing, Preset, Triple} from '../engine/api';
+import type {Design, DisplayMesh, Engine, Failure, Gap, ObjectInfo, Packing, Preset} from '../engine/api';
 import {isFailure} from '../engine/failure';
 import {makeLine} from '../engine/make_line';
 import type {Autosave, Moment, StoredObject} from './autosave';
-import {forNewObject, withRotation} from './edit';
+import {forNewObject, withPlacement, withSpace} from './edit';
 import {canRedo, canUndo, moved, present, record, startHistory, type History} from './history';
 
 /** Drawn while something moves, and when it stands still. */
@@ -19,7 +19,7 @@ export interface Problem {
   text: string;
 }
 
-export type Work = 'start' | 'read' | 'gaps' | 'climb' | 'make';
+export type Work = 'start' | 'read' | 'gaps' | 'search' | 'make';
 /** What takes long just now. `fraction`: 0 to 1 where it is known. */
 export interface Busy {
   work: Work;
@@ -128,7 +128,7 @@ export class Studio {
     options: {converted?: boolean; design?: Design} = {},
   ): Promise<Failure | null> {
     this.#stopResting();
-    // A climb or an export of the last object ends first, and leaves the design alone.
+    // A search or an export of the last object ends first, and leaves the design alone.
     if (this.busy) await this.engine.cancel();
     await this.#work;
     this.busy = {work: 'read', fraction: null, cancel: null};
@@ -148,30 +148,42 @@ export class Studio {
     return failed && options.design ? this.openObject(name, content, {converted: options.converted}) : failed;
   }
 
-  /** The climb of the paper over the three angles, shown step by step. */
+  /** Looks for the placement that cuts the least foam away, and shows the best so far on the way. */
   optimize(): Promise<void> {
-    this.#work = this.#climb();
+    this.#work = this.#search();
     return this.#work;
   }
 
-  async #climb(): Promise<void> {
+  async #search(): Promise<void> {
     const start = this.design;
     this.#stopResting();
-    this.busy = {work: 'climb', fraction: null, cancel: () => void this.engine.cancel()};
-    const at = (rotation: Triple) => withRotation(start, rotation);
-    const best = await this.engine.climb(start, ({rotation_deg}) => {
-      if (this.busy?.work !== 'climb') return;
-      this.design = at(rotation_deg);
-      void this.#pack(this.design);
+    this.busy = {work: 'search', fraction: 0, cancel: () => void this.engine.cancel()};
+    const blocks = this.packing?.blocks ?? start.space.blocks;
+    let shown = '';
+    const best = await this.engine.search(start, (step) => {
+      if (this.busy?.work !== 'search') return;
+      this.busy = {...this.busy, fraction: step.fraction};
+      const next = withSpace(withPlacement(start, step), blocks);
+      if (JSON.stringify(next.placement) === shown) return;
+      shown = JSON.stringify(next.placement);
+      this.design = next;
+      void this.#pack(next);
     });
     this.busy = null;
     if (isFailure(best)) {
       this.design = start;
       this.#refuse('optimize', best);
     } else {
-      this.design = at(best.rotation_deg);
+      this.design = await this.#asFound(withPlacement(start, best), best.cut_blocks, blocks);
     }
     await this.#show(this.design, 'optimize');
+  }
+
+  /** A space that is fitted anew may begin half a block elsewhere and cut more: then the search's own stays. */
+  async #asFound(design: Design, cut_blocks: number, blocks: Design['space']['blocks']): Promise<Design> {
+    const packing = await this.engine.pack(design);
+    const asGood = !isFailure(packing) && packing.fit !== null && packing.fit.cut_blocks <= cut_blocks;
+    return asGood ? design : withSpace(design, blocks);
   }
 
   async measureGaps(): Promise<void> {
