@@ -33,8 +33,9 @@ namespace fs = std::filesystem;
 struct MakeArguments {
     std::string object;
     std::string folder;
-    std::optional<std::string> units, preset, blocks, block_size, rotate, move, parting, replacement_object;
-    std::optional<double> scale, longest, clearance, wall;
+    std::optional<std::string> units, preset, blocks, block_size, rotate, move, parting, wall,
+        replacement_object;
+    std::optional<double> scale, longest, clearance;
     std::vector<std::string> formats;
     bool cap = false, cut_on_touch = false, quiet = false, json = false;
     int threads = 0;
@@ -61,9 +62,11 @@ void add_options(CLI::App& make, MakeArguments& arguments) {
     make.add_option("--clearance", a.clearance,
                     "Grow the object by this on every side; negative squeezes it (0)")
         ->type_name("MM");
-    make.add_option("--wall", a.wall,
-                    "Least foam between object and case, each side (0; 50 with --blocks auto)")
-        ->type_name("MM");
+    make.add_option(
+            "--wall", a.wall,
+            "Least foam between object and case: all sides, or X,Y,Z, or floor,roof,back,front,left,right "
+            "(0; 50 with --blocks auto)")
+        ->type_name("MM|X,Y,Z|SIX");
     make.add_option("--parting", a.parting, "Blocks of the lower foam where the object does not touch (auto)")
         ->type_name("auto|LEVEL");
     make.add_flag("--cap", a.cap, "Close the holes of an open object before cutting");
@@ -125,7 +128,11 @@ Result<Design> design_from(const MakeArguments& a, Design design) {
     if (auto error = take("--move", a.move, parse_vector, design.placement.offset_mm))
         return tl::unexpected(*error);
     if (a.clearance) design.cut.clearance_mm = *a.clearance;
-    if (a.wall) design.space.wall_mm = *a.wall;
+    if (a.wall) {
+        const auto walls = parse_walls("--wall", *a.wall);
+        if (!walls) return tl::unexpected(walls.error());
+        design.space.wall_mm = *walls;
+    }
     if (a.cut_on_touch) design.cut.cut_on_touch = true;
     if (a.parting && *a.parting == "auto") {
         design.parting.level.reset();

@@ -1,6 +1,7 @@
 #include "cli/option_values.h"
 
 #include <charconv>
+#include <vector>
 
 #include <fast_float/fast_float.h>
 #include <fmt/core.h>
@@ -49,6 +50,27 @@ Result<Vec3d> parse_sizes(const std::string& option, std::string_view text) {
 
 Result<Vec3d> parse_vector(const std::string& option, std::string_view text) {
     return parse_three<double>(option, text, ',', "0,90,0");
+}
+
+Result<Walls> parse_walls(const std::string& option, std::string_view text) {
+    std::vector<double> values;
+    std::string_view rest = text;
+    bool good = true;
+    for (bool more = true; more && good;) {
+        const std::size_t end = rest.find(',');
+        more = end != std::string_view::npos;
+        good = parse_number(rest.substr(0, end), values.emplace_back());
+        rest.remove_prefix(more ? end + 1 : rest.size());
+    }
+    if (good && values.size() == 1) return equal_walls(values[0]);
+    if (good && values.size() == 3) return paired_walls({values[0], values[1], values[2]});
+    if (good && values.size() == 6)
+        return Walls{values[0], values[1], values[2], values[3], values[4], values[5]};
+    return fail(
+        ErrorKind::usage,
+        fmt::format("{} takes one number of mm, three (x,y,z) or six (floor,roof,back,front,left,right) "
+                    "such as 50 or 40,50,50, not {}",
+                    option, quoted(text)));
 }
 
 Result<int> parse_integer(const std::string& option, std::string_view text) {

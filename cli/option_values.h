@@ -6,6 +6,7 @@
 
 #include "snug/base/result.h"
 #include "snug/base/vec.h"
+#include "snug/design/walls.h"
 
 namespace snug::cli {
 
@@ -19,6 +20,9 @@ namespace snug::cli {
 
 /// "0,90,0"
 [[nodiscard]] Result<Vec3d> parse_vector(const std::string& option, std::string_view text);
+
+/// "50", "40,50,50" (x, y, z) or six sides "60,40,50,50,50,50", mm
+[[nodiscard]] Result<Walls> parse_walls(const std::string& option, std::string_view text);
 
 /// "7"
 [[nodiscard]] Result<int> parse_integer(const std::string& option, std::string_view text);

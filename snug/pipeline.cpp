@@ -7,6 +7,7 @@
 #include "snug/base/stopwatch.h"
 #include "snug/base/text.h"
 #include "snug/foam/depth_map.h"
+#include "snug/foam/find_case_problems.h"
 #include "snug/foam/find_problems.h"
 #include "snug/foam/fitted_space.h"
 #include "snug/foam/parting.h"
@@ -23,15 +24,23 @@ double millimetres_per_unit(Vec3d size, const ObjectOptions& options) {
     return millimetres(options.units.value_or(Unit::mm)) * options.scale;
 }
 
-Placement placement_of(const Object& object, const PlacementOptions& options) {
-    if (object.surface) return place(*object.surface, options.rotation_deg, options.offset_mm);
-    return place(object.mesh, options.rotation_deg, options.offset_mm);
+/// A space that is fitted to unequal walls does not have the object in its middle.
+Vec3d shift_between_walls(const SpaceOptions& space, bool in_case) {
+    return space.blocks || in_case ? Vec3d{} : fitted_shift(space.block_mm, wanted_wall_mm(space));
+}
+
+Placement placement_of(const Object& object, const PlacementOptions& options, Vec3d shift_mm) {
+    const Vec3d offset = options.offset_mm + shift_mm;
+    if (object.surface) return place(*object.surface, options.rotation_deg, offset);
+    return place(object.mesh, options.rotation_deg, offset);
 }
 
 /// The design space, fitted to the placed object where the design leaves the counts open.
-Result<DesignSpace> space_for(const Box3d& placed, const Design& design) {
+Result<DesignSpace> space_for(Box3d placed, const Design& design) {
     const SpaceOptions& options = design.space;
     if (options.blocks) return DesignSpace{*options.blocks, options.block_mm};
+    const Vec3d shift = shift_between_walls(options, false);
+    placed = {placed.min - shift, placed.max - shift};
     const Vec3d counts =
         fitted_blocks(placed, options.block_mm, design.cut.clearance_mm, wanted_wall_mm(options));
     if (std::max({counts.x, counts.y, counts.z}) > kMostBlocks)
@@ -43,7 +52,7 @@ Result<DesignSpace> space_for(const Box3d& placed, const Design& design) {
 /// Whether the object, grown by the clearance, leaves the space; a face that coincides with the space's does
 /// not.
 std::optional<Finding> outside(const Box3d& placed, const DesignSpace& space, double clearance_mm) {
-    const Vec3d least = fitted_blocks(placed, space.block_mm, clearance_mm, 0);
+    const Vec3d least = fitted_blocks(placed, space.block_mm, clearance_mm);
     if (least.x <= space.blocks.x && least.y <= space.blocks.y && least.z <= space.blocks.z) return {};
     const Vec3d least_mm{least.x * space.block_mm.x, least.y * space.block_mm.y, least.z * space.block_mm.z};
     const Vec3d grown_size = placed.size() + Vec3d{2, 2, 2} * clearance_mm;
@@ -56,6 +65,13 @@ std::optional<Finding> outside(const Box3d& placed, const DesignSpace& space, do
                    placed.centre()};
 }
 
+/// As chosen, or at the line of the case's lid, or the best one.
+int parting_level(const Packing& packing, const PartingOptions& options) {
+    if (options.level) return *options.level;
+    if (packing.fitted_case && packing.fitted_case->lid_level) return *packing.fitted_case->lid_level;
+    return auto_parting_level(packing.blocks, packing.space, packing.placement.bounds);
+}
+
 std::vector<Finding> findings_of(const Object& object, const Design& design, const Packing& packing,
                                  const DepthMap& depths, Reach reach) {
     std::vector<Finding> findings;
@@ -65,6 +81,8 @@ std::vector<Finding> findings_of(const Object& object, const Design& design, con
     find_uncut_parts(object.mesh, object.measure, placement, space, reach, packing.blocks, findings);
     find_thin_walls(packing.fit, packing.blocks, space, wanted_wall_mm(design.space), findings);
     find_pieces(packing.fit, findings);
+    if (packing.fitted_case)
+        find_case_problems(*packing.fitted_case, packing.fit, packing.foams->parting_level, findings);
     find_parts(object.measure, placement, findings);
     if (object.capped)
         findings.push_back({Severity::note,
@@ -122,36 +140,47 @@ void prepare_for_many(Object& object) {
 
 Result<Packing> pack(const Object& object, const Design& design) {
     Packing packing;
+    const bool in_case = design.case_options.inside_mm.has_value();
     packing.rotation_deg = design.placement.rotation_deg;
     packing.offset_mm = design.placement.offset_mm;
-    packing.placement = placement_of(object, design.placement);
-    const auto space = space_for(packing.placement.bounds, design);
-    if (!space) return tl::unexpected(space.error());
-    packing.space = *space;
-    if (const auto finding = outside(packing.placement.bounds, *space, design.cut.clearance_mm)) {
+    packing.placement = placement_of(object, design.placement, shift_between_walls(design.space, in_case));
+    if (in_case) {
+        auto fitted = case_space(design.case_options, design.space.block_mm);
+        if (!fitted) return tl::unexpected(fitted.error());
+        packing.space = fitted->space;
+        packing.available = available_blocks(*fitted);
+        packing.fitted_case = std::move(*fitted);
+    } else {
+        const auto fitted = space_for(packing.placement.bounds, design);
+        if (!fitted) return tl::unexpected(fitted.error());
+        packing.space = *fitted;
+    }
+    const DesignSpace& space = packing.space;
+    if (auto finding = outside(packing.placement.bounds, space, design.cut.clearance_mm)) {
+        if (in_case)
+            finding->message = too_small(*packing.fitted_case, packing.placement.bounds.size(),
+                                         design.cut.clearance_mm, wanted_wall_mm(design.space));
         packing.findings.push_back(*finding);
         return packing;
     }
 
     const Reach grown = reach(design.cut.clearance_mm, design.cut.cut_on_touch);
     Stopwatch watch;
-    const DepthMap depths = object.surface ? depth_map(*object.surface, packing.placement, *space, grown)
-                                           : depth_map(object.mesh, packing.placement, *space, grown);
+    const DepthMap depths = object.surface ? depth_map(*object.surface, packing.placement, space, grown)
+                                           : depth_map(object.mesh, packing.placement, space, grown);
     packing.timing.depth_map = watch.lap();
-    packing.blocks = block_map(depths, *space, grown);
+    packing.blocks = block_map(depths, space, grown);
     packing.timing.block_map = watch.lap();
 
-    const int level = design.parting.level
-                          ? *design.parting.level
-                          : auto_parting_level(packing.blocks, *space, packing.placement.bounds);
-    if (level > space->blocks.x)
+    const int level = parting_level(packing, design.parting);
+    if (level > space.blocks.x)
         return fail(ErrorKind::usage, "the parting level " + std::to_string(level) +
-                                          " is above the space's " + std::to_string(space->blocks.x) +
+                                          " is above the space's " + std::to_string(space.blocks.x) +
                                           " blocks");
-    packing.foams = split(packing.blocks, *space, level);
+    packing.foams = split(packing.blocks, space, level, packing.available);
     packing.timing.foam_pair = watch.lap();
 
-    packing.fit = fit_report(*packing.foams, packing.blocks, *space);
+    packing.fit = fit_report(*packing.foams, packing.blocks, space, packing.available);
     packing.findings = findings_of(object, design, packing, depths, grown);
     return packing;
 }

@@ -8,6 +8,7 @@
 #include "snug/base/result.h"
 #include "snug/design/design.h"
 #include "snug/foam/block_map.h"
+#include "snug/foam/case_space.h"
 #include "snug/foam/design_space.h"
 #include "snug/foam/finding.h"
 #include "snug/foam/fit_report.h"
@@ -51,6 +52,8 @@ struct Packing {
     Vec3d offset_mm;
     Placement placement;
     DesignSpace space;
+    std::optional<CaseSpace> fitted_case;  ///< where the design has a case: what `space` is of
+    Available available;                   ///< blocks that exist in it
     BlockMap blocks;
     std::optional<FoamPair> foams;  ///< none where the object leaves the space (finding `outside`)
     FitReport fit;                  ///< of `foams`
@@ -72,7 +75,8 @@ struct Packing {
 void prepare_for_many(Object& object);
 
 /// The method. `design` must be checked() already. Fails with kind `usage` where a fitted space would need
-/// too many blocks, or where the parting level lies outside it.
+/// too many blocks, or where the parting level lies outside it, and with kind `does_not_fit` where not one
+/// block goes into the case.
 [[nodiscard]] Result<Packing> pack(const Object& object, const Design& design);
 
 /// The gap report of a packing that has foams. Fails only when cancelled.

@@ -99,7 +99,7 @@ TEST(Findings, WallsAreNamedWhereTheyAreThinOrGone) {
     EXPECT_EQ(codes(packed(part, design_of({6, 10, 10}, 15))), (Codes{"thin_floor", "thin_roof"}));
     EXPECT_EQ(codes(packed(part, design_of({10, 4, 10}, 15))), (Codes{"touches_case", "touches_case"}));
     Design wanted = design_of({10, 10, 10}, 15);
-    wanted.space.wall_mm = 50;
+    wanted.space.wall_mm = equal_walls(50);
     EXPECT_EQ(codes(packed(part, wanted)).size(), 6u);
     EXPECT_EQ(codes(packed(part, wanted)).front(), "wall_below_wanted");
 }
@@ -148,10 +148,10 @@ TEST(Findings, SeparatePartsAreNotedAndSpecksWarnedOf) {
 TEST(FittedSpace, CountsTheObjectAndItsWalls) {
     const Vec3d block{15, 15, 22};
     const Box3d object{{-30, -30, -33}, {30, 30, 33}};
-    EXPECT_EQ(fitted_blocks(object, block, 0, 0), (Vec3d{4, 4, 3}));
-    EXPECT_EQ(fitted_blocks(object, block, 0, 50), (Vec3d{4 + 8, 4 + 8, 3 + 6}));
-    EXPECT_EQ(fitted_blocks(object, block, 0.5, 0), (Vec3d{5, 5, 4}));
-    EXPECT_EQ(fitted_blocks({{0, 0, 0}, {0, 0, 0}}, block, 0, 15), (Vec3d{3, 3, 3}));
+    EXPECT_EQ(fitted_blocks(object, block, 0), (Vec3d{4, 4, 3}));
+    EXPECT_EQ(fitted_blocks(object, block, 0, equal_walls(50)), (Vec3d{4 + 8, 4 + 8, 3 + 6}));
+    EXPECT_EQ(fitted_blocks(object, block, 0.5), (Vec3d{5, 5, 4}));
+    EXPECT_EQ(fitted_blocks({{0, 0, 0}, {0, 0, 0}}, block, 0, equal_walls(15)), (Vec3d{3, 3, 3}));
 }
 
 TEST(FittedSpace, KeepsTheWantedWallsInAnyPlacement) {
@@ -160,12 +160,12 @@ TEST(FittedSpace, KeepsTheWantedWallsInAnyPlacement) {
         SCOPED_TRACE(turn);
         Design design = design_of({1, 1, 1}, 7);
         design.space.blocks.reset();
-        design.space.wall_mm = 5.0 * (turn % 8);
+        design.space.wall_mm = equal_walls(5.0 * (turn % 8));
         design.cut.clearance_mm = 0.7 * (turn % 5);
         design.placement.rotation_deg = {37.0 * turn, 59.0 * turn, 83.0 * turn};
         const Packing packing = packed(vase, design);
         ASSERT_TRUE(packing.foams.has_value());
-        for (const double wall : packing.fit.wall_mm) EXPECT_GE(wall, *design.space.wall_mm);
+        for (const double wall : packing.fit.wall_mm) EXPECT_GE(wall, design.space.wall_mm->front());
     }
 }
 

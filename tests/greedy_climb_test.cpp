@@ -80,7 +80,7 @@ Design random_climb_design(Random& random) {
     design.placement.offset_mm = {random.between(-5, 5), random.between(-5, 5), random.between(-5, 5)};
     design.cut.clearance_mm = random.between(-1, 3);
     design.cut.cut_on_touch = random.chance(0.3);
-    if (random.chance(0.7)) design.space.wall_mm = random.between(0, 60);
+    if (random.chance(0.7)) design.space.wall_mm = equal_walls(random.between(0, 60));
     return design;
 }
 
@@ -103,9 +103,9 @@ TEST(GreedyClimb, IsNeverWorseThanTheStartKeepsTheWallsAndSaysWhatTheMethodSays)
         EXPECT_GE(end.fill_ratio, start.fill_ratio);
         EXPECT_EQ(end.cut_blocks, climb->cut_blocks);
         EXPECT_EQ(end.fill_ratio, climb->fill_ratio);
-        const double wanted = wanted_wall_mm(design.space);
+        const Walls wanted = wanted_wall_mm(design.space);
         for (std::size_t side = 0; side < 6; ++side)
-            EXPECT_GE(end.wall_mm[side], std::min(wanted, start.wall_mm[side])) << "side " << side;
+            EXPECT_GE(end.wall_mm[side], std::min(wanted[side], start.wall_mm[side])) << "side " << side;
         better += end.cut_blocks < start.cut_blocks;
     }
     EXPECT_GT(better, 30);
@@ -151,14 +151,14 @@ TEST(GreedyClimb, KeepsAWantedWallThatAFreeClimbGivesUp) {
         if (!free) continue;
         const FitReport start = packed(mesh, design, space, design.placement.rotation_deg);
         const FitReport freely = packed(mesh, design, space, free->rotation_deg);
-        design.space.wall_mm = *std::min_element(start.wall_mm.begin(), start.wall_mm.end());
-        if (*std::min_element(freely.wall_mm.begin(), freely.wall_mm.end()) >= *design.space.wall_mm)
-            continue;
+        const double thinnest = *std::min_element(start.wall_mm.begin(), start.wall_mm.end());
+        design.space.wall_mm = equal_walls(thinnest);
+        if (*std::min_element(freely.wall_mm.begin(), freely.wall_mm.end()) >= thinnest) continue;
         ++given_up;
         const auto kept = greedy_climb(mesh, design, space);
         ASSERT_TRUE(kept);
         for (const double wall : packed(mesh, design, space, kept->rotation_deg).wall_mm)
-            EXPECT_GE(wall, *design.space.wall_mm);
+            EXPECT_GE(wall, thinnest);
         improved_all_the_same += kept->cut_blocks < start.cut_blocks;
     }
     EXPECT_GT(given_up, 3);

@@ -38,8 +38,8 @@ Problem problem(const SpaceOptions& space) {
     }
     if (!within(space.block_mm, kLeastBlockSize, kGreatestBlockSize))
         return "block sizes run from 0.1 to 10000 mm on each axis, not " + dimensions(space.block_mm, 4);
-    if (space.wall_mm && !within(*space.wall_mm, 0, kGreatestLength))
-        return "the wall must be 0 mm or more, not " + number(*space.wall_mm, 4);
+    for (const double wall : space.wall_mm.value_or(Walls{}))
+        if (!within(wall, 0, kGreatestLength)) return "the wall must be 0 mm or more, not " + number(wall, 4);
     return {};
 }
 
@@ -57,8 +57,8 @@ Problem problem(const CutOptions& cut, Vec3d block) {
            " mm or more for these blocks (-0.4 of the smallest side), not " + number(cut.clearance_mm, 4);
 }
 
-Problem problem(const PartingOptions& parting, const SpaceOptions& space) {
-    const int most = space.blocks ? space.blocks->x : kMostBlocks;
+Problem problem(const PartingOptions& parting, const SpaceOptions& space, bool fitted_to_case) {
+    const int most = space.blocks && !fitted_to_case ? space.blocks->x : kMostBlocks;
     if (!parting.level || (*parting.level >= 0 && *parting.level <= most)) return {};
     return "the parting level must be auto or 0 to " + std::to_string(most) + " blocks, not " +
            std::to_string(*parting.level);
@@ -108,8 +108,8 @@ std::optional<Unit> unit_from_name(std::string_view name) {
     return {};
 }
 
-double wanted_wall_mm(const SpaceOptions& space) {
-    return space.wall_mm.value_or(space.blocks ? 0.0 : 50.0);
+Walls wanted_wall_mm(const SpaceOptions& space) {
+    return space.wall_mm.value_or(equal_walls(space.blocks ? 0 : 50));
 }
 
 Result<Design> checked(Design design) {
@@ -117,8 +117,9 @@ Result<Design> checked(Design design) {
     if (!found) found = problem(design.space);
     if (!found) found = problem(design.placement);
     if (!found) found = problem(design.cut, design.space.block_mm);
-    if (!found) found = problem(design.parting, design.space);
+    if (!found) found = problem(design.parting, design.space, design.case_options.inside_mm.has_value());
     if (!found) found = problem(design.output);
+    if (!found) found = problem_of(design.case_options);
     if (found) return fail(ErrorKind::usage, *found);
     return design;
 }

@@ -7,6 +7,8 @@
 
 #include "snug/base/result.h"
 #include "snug/base/vec.h"
+#include "snug/design/case_options.h"
+#include "snug/design/walls.h"
 
 // Everything that a user chooses, one struct for each stage of the method, with its default beside each
 // field.
@@ -37,7 +39,7 @@ struct SpaceOptions {
     std::string preset = "paper";                     ///< the foam's name, see presets.h
     std::optional<Vec3i> blocks = Vec3i{30, 18, 18};  ///< 1 to 4096 an axis; none: the object plus walls
     Vec3d block_mm{15, 15, 22};                       ///< 0.1 to 10,000 an axis
-    std::optional<double> wall_mm;  ///< least foam on each side; none: 50 where the space is fitted
+    std::optional<Walls> wall_mm;  ///< least foam on each side; none: 50 where the space is fitted
     friend bool operator==(const SpaceOptions&, const SpaceOptions&) = default;
 };
 
@@ -71,12 +73,13 @@ struct Design {
     CutOptions cut;
     PartingOptions parting;
     OutputOptions output;
+    CaseOptions case_options;
     friend bool operator==(const Design&, const Design&) = default;
 };
 
-/// The wall that the design asks for: the chosen one, or 50 mm (the usual least for parcels) where the space
-/// is fitted to the object, or none.
-[[nodiscard]] double wanted_wall_mm(const SpaceOptions& space);
+/// The walls that the design asks for: the chosen ones, or 50 mm (the usual least for parcels) where the
+/// space is fitted to the object, or none.
+[[nodiscard]] Walls wanted_wall_mm(const SpaceOptions& space);
 
 /// The first thing that is out of range, as an Error of kind `usage`.
 [[nodiscard]] Result<Design> checked(Design design);

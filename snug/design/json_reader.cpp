@@ -108,6 +108,17 @@ JsonReader& JsonReader::read(const char* name, std::vector<std::string>& target)
     return *this;
 }
 
+JsonReader::Numbers JsonReader::read_numbers(const char* name, std::span<double> values, bool one_for_all) {
+    const Json* field = find(name);
+    if (!field) return Numbers::missing;
+    if (field->is_null()) return Numbers::null;
+    const bool list = field->is_array();
+    if (list ? field->size() != values.size() : !one_for_all) return Numbers::wrong;
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (!get(list ? (*field)[i] : *field, values[i])) return Numbers::wrong;
+    return Numbers::good;
+}
+
 void JsonReader::refuse(const char* name, std::string_view expected) {
     if (!problem_) problem_ = (path_.empty() ? "" : path_ + ".") + name + " must be " + std::string(expected);
 }

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <array>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,6 +32,27 @@ class JsonReader {
     JsonReader& read(const char* name, Vec3i& target);
     JsonReader& read(const char* name, std::vector<std::string>& target);
 
+    /// null, a list of N numbers, or (with `one_for_all`) one number that stands for all.
+    template <std::size_t N>
+    JsonReader& read_list(const char* name, std::optional<std::array<double, N>>& target,
+                          std::string_view expected, bool one_for_all = false) {
+        std::array<double, N> values{};
+        switch (read_numbers(name, values, one_for_all)) {
+            case Numbers::missing:
+                break;
+            case Numbers::null:
+                target.reset();
+                break;
+            case Numbers::good:
+                target = values;
+                break;
+            case Numbers::wrong:
+                refuse(name, expected);
+                break;
+        }
+        return *this;
+    }
+
     /// null or a value.
     template <class T>
     JsonReader& read(const char* name, std::optional<T>& target) {
@@ -54,7 +78,10 @@ class JsonReader {
     void adopt(const JsonReader& nested);
 
   private:
+    enum class Numbers { missing, null, good, wrong };
+
     const nlohmann::json* find(const char* name);
+    Numbers read_numbers(const char* name, std::span<double> values, bool one_for_all);
 
     nlohmann::json value_;
     std::string path_;

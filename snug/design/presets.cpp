@@ -11,6 +11,7 @@ namespace {
 Result<Preset> preset_from(const nlohmann::json& json, const std::string& path) {
     JsonReader reader(json, path);
     Preset preset;
+    std::string division(division_name(preset.division));
     reader.require("name");
     reader.require("block_mm");
     reader.read("name", preset.name)
@@ -19,7 +20,12 @@ Result<Preset> preset_from(const nlohmann::json& json, const std::string& path) 
         .read("clearance_mm", preset.clearance_mm)
         .read("density_kg_m3", preset.density_kg_m3)
         .read("rigid", preset.rigid)
-        .read("worked", preset.worked);
+        .read("worked", preset.worked)
+        .read("division", division);
+    if (const auto known = division_from_name(division))
+        preset.division = *known;
+    else
+        reader.refuse("division", "none, across or all");
     if (preset.name.empty()) reader.refuse("name", "a word");
     if (preset.density_kg_m3 && *preset.density_kg_m3 <= 0) reader.refuse("density_kg_m3", "above 0");
     if (const auto problem = reader.problem()) return fail(ErrorKind::usage, *problem);
@@ -70,14 +76,16 @@ const std::vector<Preset>& built_in_presets() {
          1,
          33,
          false,
-         "cut each sheet, then glue the stack"},
+         "cut each sheet, then glue the stack",
+         Division::across},
         {"sheet-10",
          "polyethylene sheets of 10 mm, cut to contour in steps of 2.5 mm",
          {10, 2.5, 2.5},
          1,
          33,
          false,
-         "cut each sheet, then glue the stack"},
+         "cut each sheet, then glue the stack",
+         Division::across},
         {"lego-brick",
          "toy bricks on an 8 mm pitch, 9.6 mm high",
          {9.6, 8, 8},
@@ -92,7 +100,14 @@ const std::vector<Preset>& built_in_presets() {
          {},
          true,
          "build it layer by layer"},
-        {"print", "3D print in steps of 2 mm", {2, 2, 2}, 1, {}, true, "print each half cavity up"},
+        {"print",
+         "3D print in steps of 2 mm",
+         {2, 2, 2},
+         1,
+         {},
+         true,
+         "print each half cavity up",
+         Division::all},
     };
     return presets;
 }
@@ -123,6 +138,7 @@ void apply(const Preset& preset, Design& design) {
     design.space.preset = preset.name;
     design.space.block_mm = preset.block_mm;
     design.cut.clearance_mm = preset.clearance_mm;
+    design.case_options.division = preset.division;
 }
 
 }  // namespace snug

@@ -20,6 +20,7 @@ struct Preset {
     std::optional<double> density_kg_m3;  ///< none where it depends on the maker
     bool rigid = false;                   ///< true: holds, but does not cushion
     std::string worked;                   ///< how a person gets the blocks out
+    Division division = Division::none;   ///< whether it may be cut to other sizes
     friend bool operator==(const Preset&, const Preset&) = default;
 };
 
@@ -33,7 +34,7 @@ struct Preset {
 /// The last preset of that name, or an Error (kind usage) that lists the known names.
 [[nodiscard]] Result<Preset> find_preset(const std::vector<Preset>& known, std::string_view name);
 
-/// Sets the block size and clearance to the preset's.
+/// Sets the block size, clearance and division to the preset's.
 void apply(const Preset& preset, Design& design);
 
 }  // namespace snug

@@ -1,6 +1,7 @@
 #include "snug/design/project.h"
 
 #include <algorithm>
+#include <array>
 
 #include "snug/base/text.h"
 #include "snug/design/json_reader.h"
@@ -21,8 +22,29 @@ Json value_or_null(const std::optional<T>& value) {
     return value ? Json(*value) : Json(nullptr);
 }
 
+/// One number where the six walls are equal, as older projects have it.
+Json wall_or_null(const std::optional<Walls>& walls) {
+    if (!walls) return nullptr;
+    return are_equal(*walls) ? Json(walls->front()) : Json(*walls);
+}
+
+Json section_or_null(const std::optional<CrossSection>& section) {
+    return section ? Json::array({section->width, section->length}) : Json(nullptr);
+}
+
+Json case_json(const CaseOptions& options) {
+    return {{"name", options.name},
+            {"inside_mm", options.inside_mm ? array(*options.inside_mm) : Json(nullptr)},
+            {"play_mm", options.play_mm},
+            {"lid_mm", value_or_null(options.lid_mm)},
+            {"corner_radius_mm", options.corner_radius_mm},
+            {"base_mm", section_or_null(options.base_mm)},
+            {"top_mm", section_or_null(options.top_mm)},
+            {"division", division_name(options.division)}};
+}
+
 Json to_json(const Design& design) {
-    const auto& [object, space, placement, cut, parting, output] = design;
+    const auto& [object, space, placement, cut, parting, output, case_options] = design;
     Json json;
     json["object"] = {{"units", object.units ? Json(std::string(unit_name(*object.units))) : Json(nullptr)},
                       {"scale", object.scale},
@@ -31,12 +53,13 @@ Json to_json(const Design& design) {
     json["space"] = {{"preset", space.preset},
                      {"blocks", space.blocks ? array(*space.blocks) : Json("auto")},
                      {"block_mm", array(space.block_mm)},
-                     {"wall_mm", value_or_null(space.wall_mm)}};
+                     {"wall_mm", wall_or_null(space.wall_mm)}};
     json["placement"] = {{"rotation_deg", array(placement.rotation_deg)},
                          {"offset_mm", array(placement.offset_mm)}};
     json["cut"] = {{"clearance_mm", cut.clearance_mm}, {"cut_on_touch", cut.cut_on_touch}};
     json["parting"] = {{"level", parting.level ? Json(*parting.level) : Json("auto")}};
     json["output"] = {{"formats", output.formats}};
+    json["case"] = case_json(case_options);
     return json;
 }
 
@@ -69,7 +92,8 @@ void read_or_auto(JsonReader& json, const char* name, std::optional<T>& target) 
 }
 
 void read_space(JsonReader json, SpaceOptions& space, JsonReader& parent) {
-    json.read("preset", space.preset).read("block_mm", space.block_mm).read("wall_mm", space.wall_mm);
+    json.read("preset", space.preset).read("block_mm", space.block_mm);
+    json.read_list("wall_mm", space.wall_mm, "a number, six numbers in brackets, or null", true);
     read_or_auto(json, "blocks", space.blocks);
     parent.adopt(json);
 }
@@ -94,6 +118,31 @@ void read_output(JsonReader json, OutputOptions& output, JsonReader& parent) {
     parent.adopt(json);
 }
 
+void read_section(JsonReader& json, const char* name, std::optional<CrossSection>& section) {
+    std::optional<std::array<double, 2>> sides;
+    if (section) sides = {section->width, section->length};
+    json.read_list(name, sides, "two numbers in brackets (width, length), or null");
+    section.reset();
+    if (sides) section = CrossSection{(*sides)[0], (*sides)[1]};
+}
+
+void read_case(JsonReader json, CaseOptions& options, JsonReader& parent) {
+    std::string division(division_name(options.division));
+    json.read("name", options.name)
+        .read("inside_mm", options.inside_mm)
+        .read("play_mm", options.play_mm)
+        .read("lid_mm", options.lid_mm)
+        .read("corner_radius_mm", options.corner_radius_mm)
+        .read("division", division);
+    read_section(json, "base_mm", options.base_mm);
+    read_section(json, "top_mm", options.top_mm);
+    if (const auto known = division_from_name(division))
+        options.division = *known;
+    else
+        json.refuse("division", "none, across or all");
+    parent.adopt(json);
+}
+
 Result<Design> design_from(JsonReader json) {
     Design design;
     read_object(json.object("object"), design.object, json);
@@ -102,6 +151,7 @@ Result<Design> design_from(JsonReader json) {
     read_cut(json.object("cut"), design.cut, json);
     read_parting(json.object("parting"), design.parting, json);
     read_output(json.object("output"), design.output, json);
+    read_case(json.object("case"), design.case_options, json);
     if (const auto problem = json.problem()) return fail(ErrorKind::input, *problem);
     auto result = checked(design);
     if (!result) return fail(ErrorKind::input, result.error().message);

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "snug/fabricate/corners.h"
+#include "snug/fabricate/run_solid.h"
 #include "snug/fabricate/triangulate.h"
 
 namespace snug {
@@ -165,12 +166,32 @@ Solid solid(const Heights& heights, const DesignSpace& space, bool from_above) {
     return result;
 }
 
+/// Whether some column is kept but does not begin at its own side of the space.
+bool is_shortened(const Heights& missing) {
+    return std::any_of(missing.begin(), missing.end(), [](std::uint16_t blocks) { return blocks > 0; });
+}
+
+Solid shortened_solid(const Heights& heights, const Heights& missing, const DesignSpace& space,
+                      bool from_above) {
+    Grid<CutRun> runs(heights.ny(), heights.nz());
+    for (std::size_t column = 0; column < runs.size(); ++column) {
+        const int from = missing[column], to = heights[column], nx = space.blocks.x;
+        runs[column] = {static_cast<std::int16_t>(from_above ? nx - to : from),
+                        static_cast<std::int16_t>(from_above ? nx - from : to)};
+    }
+    return run_solid(runs, space);
+}
+
 }  // namespace
 
 Solid lower_solid(const FoamPair& foams, const DesignSpace& space) {
+    if (is_shortened(foams.lower_missing))
+        return shortened_solid(foams.lower, foams.lower_missing, space, false);
     return solid(foams.lower, space, false);
 }
 Solid upper_solid(const FoamPair& foams, const DesignSpace& space) {
+    if (is_shortened(foams.upper_missing))
+        return shortened_solid(foams.upper, foams.upper_missing, space, true);
     return solid(foams.upper, space, true);
 }
 

@@ -158,13 +158,14 @@ void find_uncut_parts(const Mesh& mesh, const MeshMeasure& measure, const Placem
     }
 }
 
-void find_thin_walls(const FitReport& fit, const BlockMap& blocks, const DesignSpace& space, double wanted_mm,
-                     std::vector<Finding>& findings) {
+void find_thin_walls(const FitReport& fit, const BlockMap& blocks, const DesignSpace& space,
+                     const Walls& wanted_mm, std::vector<Finding>& findings) {
     if (fit.cut_blocks == 0) return;
     for (int i = 0; i < 6; ++i) {
         const auto side = static_cast<Side>(i);
         const double wall = fit.wall_mm[static_cast<std::size_t>(i)];
-        if (wall >= std::max(kLeastGoodWall, wanted_mm)) continue;
+        const double wanted = wanted_mm[static_cast<std::size_t>(i)];
+        if (wall >= std::max(kLeastGoodWall, wanted)) continue;
         const std::string place = std::string(kSides[i].name);
         const auto where = thinnest_place(blocks, space, side);
         if (wall <= 0)
@@ -179,7 +180,7 @@ void find_thin_walls(const FitReport& fit, const BlockMap& blocks, const DesignS
                 where);
         else
             add(findings, Severity::warning, "wall_below_wanted",
-                "only " + mm(wall) + " of foam " + place + " where " + mm(wanted_mm) +
+                "only " + mm(wall) + " of foam " + place + " where " + mm(wanted) +
                     " is wanted; use more blocks",
                 where);
     }

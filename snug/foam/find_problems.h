@@ -28,10 +28,10 @@ void find_uncut_parts(const Mesh& mesh, const MeshMeasure& measure, const Placem
                       std::vector<Finding>& findings);
 
 /// No foam between object and case: `no_floor`, `no_roof`, `touches_case` (danger); below 25 mm:
-/// `thin_floor`, `thin_roof`, `thin_wall`; below the wall that the design wants: `wall_below_wanted`
+/// `thin_floor`, `thin_roof`, `thin_wall`; below the walls that the design wants: `wall_below_wanted`
 /// (warnings).
-void find_thin_walls(const FitReport& fit, const BlockMap& blocks, const DesignSpace& space, double wanted_mm,
-                     std::vector<Finding>& findings);
+void find_thin_walls(const FitReport& fit, const BlockMap& blocks, const DesignSpace& space,
+                     const Walls& wanted_mm, std::vector<Finding>& findings);
 
 /// A foam half in more than one piece, or without any foam: `lower_pieces`, `upper_pieces` (warning),
 /// `no_lower`, `no_upper` (danger).

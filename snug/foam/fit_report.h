@@ -16,13 +16,17 @@ struct FitReport {
     long long lower_blocks = 0;
     long long upper_blocks = 0;
     long long cut_blocks = 0;
+    long long shortened_blocks = 0;  ///< that do not exist because the case is rounded or leans
+    long long outside_blocks = 0;    ///< of those, what the object would need
     double foam_mm3 = 0;
-    double fill_ratio = 0;            ///< F: foam volume / design-space volume (the paper, section 3.4)
+    double fill_ratio = 0;  ///< F: foam volume / volume of all blocks that exist (the paper, section 3.4)
     std::array<double, 6> wall_mm{};  ///< thinnest foam between the cut and each side, whole blocks
     int lower_pieces = 0;             ///< pieces of foam that do not share a block face
     int upper_pieces = 0;
 };
 
-[[nodiscard]] FitReport fit_report(const FoamPair& foams, const BlockMap& blocks, const DesignSpace& space);
+/// `available` as the foams were split with. In a rounded or leaning case walls end where its blocks do.
+[[nodiscard]] FitReport fit_report(const FoamPair& foams, const BlockMap& blocks, const DesignSpace& space,
+                                   const Available& available = {});
 
 }  // namespace snug

@@ -2,13 +2,19 @@
 
 #include "snug/base/box.h"
 #include "snug/base/vec.h"
+#include "snug/design/walls.h"
 
 namespace snug {
 
-/// The fewest blocks of a size that hold an object with a clearance and at least wall_mm of whole foam blocks
-/// on each side: an axis counts ceil((length + 2 clearance - 0.02) / size) + 2 ceil(wall / size). `placed` is
-/// the object's box in design coordinates; away from the centre the space grows on both sides. Counts may
-/// pass the limit of 4096.
-[[nodiscard]] Vec3d fitted_blocks(const Box3d& placed, Vec3d block_mm, double clearance_mm, double wall_mm);
+/// The fewest blocks of a size that hold an object with a clearance and at least the walls in whole foam
+/// blocks on each side: an axis counts ceil((length + 2 clearance - 0.02) / size) + ceil(wall / size) for
+/// each of its walls. `placed` is the object's box in design coordinates; away from the centre the space
+/// grows on both sides. Counts may pass the limit of 4096.
+[[nodiscard]] Vec3d fitted_blocks(const Box3d& placed, Vec3d block_mm, double clearance_mm,
+                                  const Walls& walls = {});
+
+/// How far the object moves from the centre of such a space where the walls on opposite sides differ, in mm:
+/// whole or half blocks, so that it meets the blocks as it would in the middle.
+[[nodiscard]] Vec3d fitted_shift(Vec3d block_mm, const Walls& walls);
 
 }  // namespace snug

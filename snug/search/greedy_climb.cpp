@@ -7,6 +7,7 @@
 
 #include "snug/base/text.h"
 #include "snug/foam/block_map.h"
+#include "snug/foam/case_space.h"
 #include "snug/foam/fit_report.h"
 #include "snug/foam/fitted_space.h"
 #include "snug/foam/foam_pair.h"
@@ -19,13 +20,16 @@ namespace {
 std::optional<FitReport> evaluate(Climb& climb, const PreparedSurface& surface, Vec3d rotation_deg) {
     ++climb.evaluations;
     const Placement placement = place(surface, rotation_deg, climb.offset_mm);
-    const Vec3d least = fitted_blocks(placement.bounds, climb.space.block_mm, climb.cut.clearance_mm, 0);
+    const Vec3d least = fitted_blocks(placement.bounds, climb.space.block_mm, climb.cut.clearance_mm);
     for (int axis = 0; axis < 3; ++axis)
         if (least[axis] > climb.space.blocks[axis]) return {};
     const Reach grown = reach(climb.cut.clearance_mm, climb.cut.cut_on_touch);
     const BlockMap blocks = block_map(depth_map(surface, placement, climb.space, grown), climb.space, grown);
     // Where the halves meet changes neither the walls nor what is cut.
-    return fit_report(split(blocks, climb.space, 0), blocks, climb.space);
+    const FoamPair foams = split(blocks, climb.space, 0, climb.available);
+    const FitReport fit = fit_report(foams, blocks, climb.space, climb.available);
+    if (fit.outside_blocks > 0) return {};
+    return fit;
 }
 
 bool keeps_walls(const FitReport& fit, const std::array<double, 6>& least_wall) {
@@ -53,15 +57,18 @@ Result<Climb> start_climb(const PreparedSurface& surface, const Design& design, 
     climb.space = space;
     climb.cut = design.cut;
     climb.offset_mm = design.placement.offset_mm;
+    if (design.case_options.inside_mm)
+        if (const auto fitted = case_space(design.case_options, design.space.block_mm))
+            climb.available = available_blocks(*fitted);
     const auto fit = evaluate(climb, surface, design.placement.rotation_deg);
     if (!fit)
         return fail(ErrorKind::does_not_fit,
                     "the object leaves the design space of " + dimensions(space.size()) +
                         " mm as it stands: make the space larger or turn the object before optimizing");
     stand_at(climb, design.placement.rotation_deg, *fit);
-    const double wanted = wanted_wall_mm(design.space);
+    const Walls wanted = wanted_wall_mm(design.space);
     for (std::size_t side = 0; side < climb.least_wall.size(); ++side)
-        climb.least_wall[side] = std::min(wanted, fit->wall_mm[side]);
+        climb.least_wall[side] = std::min(wanted[side], fit->wall_mm[side]);
     return climb;
 }
 

@@ -8,6 +8,7 @@
 #include "snug/design/design.h"
 #include "snug/foam/depth_map.h"
 #include "snug/foam/design_space.h"
+#include "snug/foam/foam_pair.h"
 #include "snug/foam/prepared_surface.h"
 #include "snug/mesh/mesh.h"
 
@@ -22,6 +23,7 @@ struct Climb {
     DesignSpace space;                   ///< stays that of the start, fitted or not
     CutOptions cut;                      ///< as the design has it
     Vec3d offset_mm;                     ///< as the design has it
+    Available available;                 ///< blocks that exist in the design's case
     std::array<double, 6> least_wall{};  ///< mm on each side (FitReport::wall_mm): as wanted, or as at the
                                          ///< start where that was thinner
 

@@ -7,7 +7,7 @@ export type Triple = [number, number, number];
 /** Everything that a user chooses: the `design` of a project file, field for field (snug/design/design.h). */
 export interface Design {
   object: {units: Unit | null; scale: number; longest_mm: number | null; cap: boolean};
-  space: {preset: string; blocks: Triple | 'auto'; block_mm: Triple; wall_mm: number | null};
+  space: {preset: string; blocks: Triple | 'auto'; block_mm: Triple; wall_mm: number | number[] | null};
   placement: {rotation_deg: Triple; offset_mm: Triple};
   cut: {clearance_mm: number; cut_on_touch: boolean};
   parting: {level: number | 'auto'};

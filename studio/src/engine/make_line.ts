@@ -22,7 +22,7 @@ export function makeLine(file: string, design: Design, defaults: Design): string
   const size = (value: Triple) => value.map(decimal).join('x');
   add('block-size', size(space.block_mm), own ? '' : size(defaults.space.block_mm));
   add('clearance', decimal(cut.clearance_mm), own ? '' : decimal(defaults.cut.clearance_mm));
-  if (space.wall_mm !== null) add('wall', decimal(space.wall_mm), '');
+  if (space.wall_mm !== null) add('wall', [space.wall_mm].flat().map(decimal).join(), '');
   const list = (value: Triple) => value.map(decimal).join(',');
   add('rotate', list(placement.rotation_deg), list(defaults.placement.rotation_deg));
   add('move', list(placement.offset_mm), list(defaults.placement.offset_mm));

@@ -35,6 +35,11 @@ export function withBlockSize(design: Design, axis: number, mm: number): Design 
   return {...design, space: {...design.space, block_mm: withAxis(design.space.block_mm, axis, mm)}};
 }
 
+/** The thinnest of the walls that were chosen, where the sides differ. */
+export function leastWall(wall_mm: number | number[] | null): number | null {
+  return wall_mm === null ? null : Math.min(...[wall_mm].flat());
+}
+
 export function withWall(design: Design, wall_mm: number | null): Design {
   return {...design, space: {...design.space, wall_mm}};
 }
