@@ -24,6 +24,7 @@ void add_make(CLI::App& program, Command& chosen);
 void add_inspect(CLI::App& program, Command& chosen);
 void add_sample(CLI::App& program, Command& chosen);
 void add_presets(CLI::App& program, Command& chosen);
+void add_cases(CLI::App& program, Command& chosen);
 void add_studio(CLI::App& program, Command& chosen);
 
 }  // namespace snug::cli

@@ -24,6 +24,7 @@ int main(int argc, char** argv) {
     add_inspect(program, chosen);
     add_sample(program, chosen);
     add_presets(program, chosen);
+    add_cases(program, chosen);
     add_studio(program, chosen);
 
     try {

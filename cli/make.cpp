@@ -19,6 +19,7 @@
 #include "cli/console.h"
 #include "cli/files.h"
 #include "cli/interrupt.h"
+#include "cli/make_case.h"
 #include "cli/object_file.h"
 #include "cli/option_values.h"
 #include "cli/summary.h"
@@ -39,6 +40,7 @@ struct MakeArguments {
     std::vector<std::string> formats;
     bool cap = false, cut_on_touch = false, quiet = false, json = false;
     int threads = 0;
+    CaseArguments case_arguments;
 };
 
 void add_options(CLI::App& make, MakeArguments& arguments) {
@@ -67,6 +69,7 @@ void add_options(CLI::App& make, MakeArguments& arguments) {
             "Least foam between object and case: all sides, or X,Y,Z, or floor,roof,back,front,left,right "
             "(0; 50 with --blocks auto)")
         ->type_name("MM|X,Y,Z|SIX");
+    add_case_options(make, a.case_arguments);
     make.add_option("--parting", a.parting, "Blocks of the lower foam where the object does not touch (auto)")
         ->type_name("auto|LEVEL");
     make.add_flag("--cap", a.cap, "Close the holes of an open object before cutting");
@@ -133,6 +136,8 @@ Result<Design> design_from(const MakeArguments& a, Design design) {
         if (!walls) return tl::unexpected(walls.error());
         design.space.wall_mm = *walls;
     }
+    if (auto done = take_case(a.case_arguments, a.blocks.has_value(), design); !done)
+        return tl::unexpected(done.error());
     if (a.cut_on_touch) design.cut.cut_on_touch = true;
     if (a.parting && *a.parting == "auto") {
         design.parting.level.reset();

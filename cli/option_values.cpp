@@ -73,6 +73,13 @@ Result<Walls> parse_walls(const std::string& option, std::string_view text) {
                     option, quoted(text)));
 }
 
+Result<double> parse_length(const std::string& option, std::string_view text) {
+    double value = 0;
+    if (!parse_number(text, value))
+        return fail(ErrorKind::usage, fmt::format("{} takes a number of mm, not {}", option, quoted(text)));
+    return value;
+}
+
 Result<int> parse_integer(const std::string& option, std::string_view text) {
     int value = 0;
     if (!parse_number(text, value))

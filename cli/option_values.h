@@ -24,6 +24,9 @@ namespace snug::cli {
 /// "50", "40,50,50" (x, y, z) or six sides "60,40,50,50,50,50", mm
 [[nodiscard]] Result<Walls> parse_walls(const std::string& option, std::string_view text);
 
+/// "45" or "12.5", mm
+[[nodiscard]] Result<double> parse_length(const std::string& option, std::string_view text);
+
 /// "7"
 [[nodiscard]] Result<int> parse_integer(const std::string& option, std::string_view text);
 

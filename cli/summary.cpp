@@ -6,6 +6,8 @@
 
 #include "snug/base/text.h"
 
+#include "cli/make_case.h"
+
 namespace snug::cli {
 namespace {
 
@@ -80,6 +82,7 @@ std::string summary(const Object& object, const Project& project, const Packing&
     };
     std::string text = line("Object", project.object.name + ": " + object_line(object));
     text += line("Space", blocks_of(packing.space));
+    if (packing.fitted_case) text += case_lines(*packing.fitted_case, packing.foams->parting_level);
     text += line("Foam", fmt::format("lower {}, lid {}, together {}; F {}",
                                      counted(fit.lower_blocks, "block", "blocks"),
                                      counted(fit.upper_blocks, "block", "blocks"), litres(fit.foam_mm3),

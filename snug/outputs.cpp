@@ -62,6 +62,30 @@ Json foam_json(const FitReport& fit, const FoamPair& foams) {
             {"lower_pieces", fit.lower_pieces}, {"upper_pieces", fit.upper_pieces}};
 }
 
+/// Sizes as people name a case: length, width, height.
+Json length_first(Vec3d size) {
+    return array(Vec3d{size.z, size.y, size.x});
+}
+
+Json case_json(const CaseSpace& fitted, int parting_level, const FitReport& fit) {
+    const CaseOptions& options = fitted.options;
+    const double foam_begin = options.play_mm + (fitted.rest_under ? fitted.rest_mm.x : 0);
+    Json list = Json::array();
+    for (const Filler& filler : fillers(fitted, parting_level))
+        list.push_back({{"side", side_name(filler.side)},
+                        {"half", filler.lid ? "lid" : "lower"},
+                        {"size_mm", length_first(filler.size_mm)}});
+    return {{"name", options.name},
+            {"inside_mm", length_first(*options.inside_mm)},
+            {"play_mm", rounded(options.play_mm)},
+            {"lid_mm", options.lid_mm ? Json(rounded(*options.lid_mm)) : Json(nullptr)},
+            {"parting_mm", rounded(foam_begin + parting_level * fitted.space.block_mm.x)},
+            {"lid_off_mm", fitted.lid_level ? Json(rounded(fitted.lid_off_mm)) : Json(nullptr)},
+            {"rest_mm", length_first(fitted.rest_mm)},
+            {"fillers", list},
+            {"shortened_blocks", fit.shortened_blocks}};
+}
+
 FileBytes bytes_of(std::string_view text) {
     const auto* data = reinterpret_cast<const std::byte*>(text.data());
     return {data, data + text.size()};
@@ -112,6 +136,10 @@ std::string report_json(const Object& object, const ObjectFile& file, const Pack
     if (packing.foams) {
         json["wall_mm"] = Json::array();
         for (const double wall : packing.fit.wall_mm) json["wall_mm"].push_back(rounded(wall));
+    }
+    if (packing.fitted_case) {
+        const int level = packing.foams ? packing.foams->parting_level : 0;
+        json["case"] = case_json(*packing.fitted_case, level, packing.fit);
     }
     json["findings"] = findings_json(packing.findings);
     const Timing& timing = packing.timing;

@@ -115,6 +115,11 @@ int pieces(const Grid<std::uint16_t>& heights, const Grid<std::uint16_t>& missin
 
 }  // namespace
 
+std::string_view side_name(Side side) {
+    constexpr std::string_view kNames[6] = {"floor", "roof", "back", "front", "left", "right"};
+    return kNames[side];
+}
+
 FitReport fit_report(const FoamPair& foams, const BlockMap& blocks, const DesignSpace& space,
                      const Available& available) {
     FitReport report;
