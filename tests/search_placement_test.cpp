@@ -124,7 +124,7 @@ TEST(PlacementSearch, NeverCutsMoreThanTheStartKeepsItsWallsAndIsWhatThePipeline
             design.placement.rotation_deg[axis] = random.between(-180, 180);
             design.placement.offset_mm[axis] = random.between(-0.4, 0.4) * design.space.block_mm[axis];
         }
-        design.space.wall_mm = random.between(0, 4) * design.space.block_mm.x;
+        design.space.wall_mm = equal_walls(random.between(0, 4) * design.space.block_mm.x);
         const PreparedSurface surface = prepare_surface(soup.mesh);
         const auto started = PlacementSearch::start(soup.mesh, surface, design, space_of(design), seed);
         if (!started) continue;

@@ -13,7 +13,7 @@ std::optional<ExactCut> exact_cut(const PreparedSurface& surface, const DesignSp
                                   const CutOptions& cut, Vec3d rotation_deg, Vec3d offset_mm) {
     ExactCut result;
     result.placement = place(surface, rotation_deg, offset_mm);
-    const Vec3d least = fitted_blocks(result.placement.bounds, space.block_mm, cut.clearance_mm, 0);
+    const Vec3d least = fitted_blocks(result.placement.bounds, space.block_mm, cut.clearance_mm);
     for (int axis = 0; axis < 3; ++axis)
         if (least[axis] > space.blocks[axis]) return {};
     const Reach grown = reach(cut.clearance_mm, cut.cut_on_touch);

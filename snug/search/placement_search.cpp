@@ -82,6 +82,8 @@ struct PlacementSearch::State {
                     std::size_t tries, double widest, double least);
     void keep(std::vector<Candidate>& list, const Candidate& candidate, std::size_t most) const;
     void decide(const Candidate& candidate);
+    /// At the best of its offsets that keeps the walls.
+    [[nodiscard]] std::optional<FoundPlacement> exactly(const Candidate& candidate) const;
     void decide_best(const std::vector<Candidate>& list) {
         for (std::size_t i = 0; i < std::min(kDecided, list.size()); ++i) decide(list[i]);
     }
@@ -191,6 +193,19 @@ void State::decide(const Candidate& candidate) {
     }
 }
 
+std::optional<FoundPlacement> State::exactly(const Candidate& candidate) const {
+    QuickCut quick = kernel(fine);
+    const Vec3d rotation_deg = euler_of(rotation_of(symmetry->least_turned(candidate.turn)));
+    std::optional<FoundPlacement> found;
+    for (const OffsetCut& at : look(quick, fine, turn_of(rotation_from_euler(rotation_deg)), kDecided)) {
+        const auto exact = exact_cut(*surface, space, cut, rotation_deg, at.offset_mm);
+        if (!exact || !keeps_walls(exact->wall_mm, least_wall)) continue;
+        if (!found || exact->cut_blocks < found->cut_blocks)
+            found = {rotation_deg, at.offset_mm, exact->cut_blocks};
+    }
+    return found;
+}
+
 Result<PlacementSearch> PlacementSearch::start(const Mesh& mesh, const PreparedSurface& surface,
                                                const Design& design, const DesignSpace& space,
                                                std::uint64_t seed) {
@@ -205,10 +220,10 @@ Result<PlacementSearch> PlacementSearch::start(const Mesh& mesh, const PreparedS
         return fail(ErrorKind::does_not_fit,
                     "the object leaves the design space of " + dimensions(space.size()) +
                         " mm as it stands: make the space larger or turn the object before optimizing");
-    const double wanted = wanted_wall_mm(design.space);
+    const Walls wanted = wanted_wall_mm(design.space);
     bool alike = true;
     for (std::size_t side = 0; side < 6; ++side) {
-        state->least_wall[side] = std::min(wanted, exact->wall_mm[side]);
+        state->least_wall[side] = std::min(wanted[side], exact->wall_mm[side]);
         alike = alike && (side % 2 == 0 || state->least_wall[side] == state->least_wall[side - 1]);
     }
     state->symmetry.emplace(space, alike);
@@ -274,6 +289,44 @@ const FoundPlacement& PlacementSearch::best() const {
 }
 long long PlacementSearch::evaluations() const {
     return state_->evaluations;
+}
+
+std::vector<FoundPlacement> PlacementSearch::distinct(std::size_t most, double apart) const {
+    const State& s = *state_;
+    const double closest = turn_about({1, 0, 0}, apart).w;
+    std::vector<FoundPlacement> found{s.best};
+    std::vector<Turn> turns{s.best_turn};
+    for (const Candidate& candidate : s.kept) {
+        if (found.size() >= most) break;
+        const auto near = [&](const Turn& turn) {
+            return s.symmetry->closest(candidate.turn, turn) > closest;
+        };
+        if (std::any_of(turns.begin(), turns.end(), near)) continue;
+        const auto exact = s.exactly(candidate);
+        if (!exact) continue;
+        found.push_back(*exact);
+        turns.push_back(candidate.turn);
+    }
+    std::stable_sort(found.begin() + 1, found.end(), [](const FoundPlacement& a, const FoundPlacement& b) {
+        return a.cut_blocks < b.cut_blocks;
+    });
+    return found;
+}
+
+std::vector<std::optional<FoundPlacement>> PlacementSearch::glance(std::span<const Turn> turns) const {
+    const State& s = *state_;
+    constexpr std::size_t kTask = 16;
+    std::vector<std::optional<FoundPlacement>> found(turns.size());
+    parallel_for((turns.size() + kTask - 1) / kTask, [&](std::size_t task) {
+        QuickCut quick = s.kernel(s.coarse);
+        for (std::size_t i = task * kTask; i < std::min(turns.size(), (task + 1) * kTask); ++i) {
+            const auto cuts = s.look(quick, s.coarse, turns[i], 1);
+            if (cuts.empty()) continue;
+            found[i] =
+                FoundPlacement{euler_of(rotation_of(turns[i])), cuts.front().offset_mm, cuts.front().blocks};
+        }
+    });
+    return found;
 }
 
 bool run(PlacementSearch& search, long long evaluations, const SearchProgress& progress) {

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "snug/base/result.h"
@@ -11,6 +14,7 @@
 #include "snug/foam/design_space.h"
 #include "snug/foam/prepared_surface.h"
 #include "snug/mesh/mesh.h"
+#include "snug/search/turn.h"
 
 // Search over everything that changes the foam: all rotations, less those that the blocks' symmetry makes
 // equal, and the offset within half a block of the centre. Coarse to fine: points of the surface, for a
@@ -46,6 +50,14 @@ class PlacementSearch {
     [[nodiscard]] const FoundPlacement& best() const;
     /// Rotations looked at, each at many offsets, and placements looked at exactly, the start included.
     [[nodiscard]] long long evaluations() const;
+
+    /// The best few that lie at least `apart` degrees from each other, whatever the blocks' symmetry makes of
+    /// them; the best of all first.
+    [[nodiscard]] std::vector<FoundPlacement> distinct(std::size_t most, double apart) const;
+
+    /// What points of the surface say about rotations, each at its best offset: a little less than it cuts,
+    /// mostly. None where no offset keeps the walls.
+    [[nodiscard]] std::vector<std::optional<FoundPlacement>> glance(std::span<const Turn> turns) const;
 
     struct State;  ///< opaque
 
