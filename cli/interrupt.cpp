@@ -41,6 +41,9 @@ InterruptGuard::InterruptGuard() {
 InterruptGuard::~InterruptGuard() {
     deferred = 0;
 }
+void InterruptGuard::forget() {
+    raised = 0;
+}
 bool InterruptGuard::interrupted() {
     return raised != 0;
 }

@@ -15,6 +15,8 @@ class InterruptGuard {
     InterruptGuard& operator=(const InterruptGuard&) = delete;
 
     [[nodiscard]] static bool interrupted();
+    /// The interrupt was answered: what follows may be interrupted again.
+    static void forget();
 };
 
 }  // namespace snug::cli

@@ -20,6 +20,7 @@
 #include "cli/files.h"
 #include "cli/interrupt.h"
 #include "cli/make_case.h"
+#include "cli/make_search.h"
 #include "cli/object_file.h"
 #include "cli/option_values.h"
 #include "cli/summary.h"
@@ -38,6 +39,7 @@ struct MakeArguments {
         replacement_object;
     std::optional<double> scale, longest, clearance;
     std::vector<std::string> formats;
+    SearchArguments search;
     bool cap = false, cut_on_touch = false, quiet = false, json = false;
     int threads = 0;
     CaseArguments case_arguments;
@@ -74,6 +76,7 @@ void add_options(CLI::App& make, MakeArguments& arguments) {
         ->type_name("auto|LEVEL");
     make.add_flag("--cap", a.cap, "Close the holes of an open object before cutting");
     make.add_flag("--cut-on-touch", a.cut_on_touch, "Also cut blocks that the object merely touches");
+    add_search_options(make, a.search);
     make.add_option("--object", a.replacement_object,
                     "The object's file, for a project that does not lie beside it")
         ->type_name("FILE");
@@ -147,6 +150,7 @@ Result<Design> design_from(const MakeArguments& a, Design design) {
         design.parting.level = *level;
     }
     if (!a.formats.empty()) design.output.formats = a.formats;
+    if (auto done = apply(a.search, design.search); !done) return tl::unexpected(done.error());
     return checked(design);
 }
 
@@ -176,9 +180,10 @@ Result<Task> task_from(const MakeArguments& arguments) {
 struct Packed {
     Object object;
     Packing packing;
+    std::optional<SearchReport> search;
 };
 
-Result<Packed> read_and_pack(Task& task, StatusLine& status) {
+Result<Packed> read_and_pack(Task& task, const SearchArguments& search_arguments, StatusLine& status) {
     const std::string path = task.object_path.string();
     status.show("Reading " + path);
     Stopwatch watch;
@@ -192,6 +197,12 @@ Result<Packed> read_and_pack(Task& task, StatusLine& status) {
     status.show("Cutting");
     auto object = prepare(std::move(*mesh), task.project.design);
     if (!object) return fail(object.error().kind, fmt::format("{}: {}", path, object.error().message));
+    std::optional<SearchReport> searched;
+    if (search_arguments.asked()) {
+        auto found = search(*object, task.project.design, search_arguments, status);
+        if (!found) return fail(found.error().kind, fmt::format("{}: {}", path, found.error().message));
+        searched = std::move(*found);
+    }
     auto packing = pack(*object, task.project.design);
     if (!packing) return tl::unexpected(packing.error());
     packing->timing.read = read_ms;
@@ -203,7 +214,7 @@ Result<Packed> read_and_pack(Task& task, StatusLine& status) {
                                      {}});
         sort_by_severity(packing->findings);
     }
-    return Packed{std::move(*object), std::move(*packing)};
+    return Packed{std::move(*object), std::move(*packing), std::move(searched)};
 }
 
 /// Writes everything, the report last, since it tells how long the rest took.
@@ -217,7 +228,7 @@ Result<std::string> write_outputs(const Packed& packed, Packing& packing, const 
     for (const OutputFile& file : files)
         if (auto done = set.write(file.name, file.bytes); !done) return tl::unexpected(done.error());
     packing.timing.write = watch.lap();
-    const std::string report = report_json(packed.object, project.object, packing, gap);
+    const std::string report = report_json(packed.object, project.object, packing, gap, packed.search);
     if (auto done = set.write("report.json", std::as_bytes(std::span(report))); !done)
         return tl::unexpected(done.error());
     if (auto done = set.commit(); !done) return tl::unexpected(done.error());
@@ -233,7 +244,7 @@ int make(const MakeArguments& arguments) {
     if (!task) return report(task.error());
 
     std::optional<StatusLine> status(std::in_place, arguments.quiet);
-    auto packed = read_and_pack(*task, *status);
+    auto packed = read_and_pack(*task, arguments.search, *status);
     if (!packed) {
         status.reset();
         return report(packed.error());

@@ -86,6 +86,15 @@ Json case_json(const CaseSpace& fitted, int parting_level, const FitReport& fit)
             {"shortened_blocks", fit.shortened_blocks}};
 }
 
+Json search_json(const SearchReport& search) {
+    return {{"method", search.method},
+            {"evaluations", search.evaluations},
+            {"start_cut_blocks", search.start_cut_blocks ? Json(*search.start_cut_blocks) : Json(nullptr)},
+            {"cut_blocks", search.cut_blocks},
+            {"seed", search.seed},
+            {"cancelled", search.cancelled}};
+}
+
 FileBytes bytes_of(std::string_view text) {
     const auto* data = reinterpret_cast<const std::byte*>(text.data());
     return {data, data + text.size()};
@@ -117,7 +126,7 @@ std::string depths_csv(const FoamPair& foams) {
 }
 
 std::string report_json(const Object& object, const ObjectFile& file, const Packing& packing,
-                        const std::optional<GapReport>& gap) {
+                        const std::optional<GapReport>& gap, const std::optional<SearchReport>& search) {
     const MeshMeasure& measure = object.measure;
     Json json;
     json["object"] = {{"file", file.name},
@@ -141,6 +150,7 @@ std::string report_json(const Object& object, const ObjectFile& file, const Pack
         const int level = packing.foams ? packing.foams->parting_level : 0;
         json["case"] = case_json(*packing.fitted_case, level, packing.fit);
     }
+    if (search) json["search"] = search_json(*search);
     json["findings"] = findings_json(packing.findings);
     const Timing& timing = packing.timing;
     json["timing_ms"] = {

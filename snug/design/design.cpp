@@ -72,6 +72,18 @@ Problem problem(const OutputOptions& output) {
     return {};
 }
 
+Problem problem(const SearchOptions& search) {
+    double sum = 0;
+    for (const double weight : search.weight) {
+        if (!within(weight, 0, 1000)) return "weights of objectives run from 0 to 1000";
+        sum += weight;
+    }
+    if (sum <= 0) return "give at least one objective a weight above 0";
+    if (!within(search.billed_divisor, 100, 100000))
+        return "the divisor of the billed weight runs from 100 to 100000 cm3 per kg";
+    return {};
+}
+
 }  // namespace
 
 double millimetres(Unit unit) {
@@ -120,6 +132,7 @@ Result<Design> checked(Design design) {
     if (!found) found = problem(design.parting, design.space, design.case_options.inside_mm.has_value());
     if (!found) found = problem(design.output);
     if (!found) found = problem_of(design.case_options);
+    if (!found) found = problem(design.search);
     if (found) return fail(ErrorKind::usage, *found);
     return design;
 }

@@ -9,6 +9,7 @@
 #include "snug/base/vec.h"
 #include "snug/design/case_options.h"
 #include "snug/design/walls.h"
+#include "snug/design/search_options.h"
 
 // Everything that a user chooses, one struct for each stage of the method, with its default beside each
 // field.
@@ -74,6 +75,7 @@ struct Design {
     PartingOptions parting;
     OutputOptions output;
     CaseOptions case_options;
+    SearchOptions search;
     friend bool operator==(const Design&, const Design&) = default;
 };
 

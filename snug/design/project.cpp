@@ -43,8 +43,20 @@ Json case_json(const CaseOptions& options) {
             {"division", division_name(options.division)}};
 }
 
+Json search_json(const SearchOptions& search) {
+    Json weights = Json::object();
+    for (std::size_t i = 0; i < kObjectives; ++i)
+        weights[std::string(objective_name(static_cast<Objective>(i)))] = search.weight[i];
+    return {{"weights", weights},
+            {"upright", search.upright ? Json(std::string(upright_name(*search.upright))) : Json(nullptr)},
+            {"case", std::string(case_goal_name(search.case_goal))},
+            {"billed_divisor", search.billed_divisor},
+            {"seed", static_cast<int>(search.seed)}};
+}
+
 Json to_json(const Design& design) {
-    const auto& [object, space, placement, cut, parting, output, case_options] = design;
+    const ObjectOptions& object = design.object;
+    const SpaceOptions& space = design.space;
     Json json;
     json["object"] = {{"units", object.units ? Json(std::string(unit_name(*object.units))) : Json(nullptr)},
                       {"scale", object.scale},
@@ -54,12 +66,13 @@ Json to_json(const Design& design) {
                      {"blocks", space.blocks ? array(*space.blocks) : Json("auto")},
                      {"block_mm", array(space.block_mm)},
                      {"wall_mm", wall_or_null(space.wall_mm)}};
-    json["placement"] = {{"rotation_deg", array(placement.rotation_deg)},
-                         {"offset_mm", array(placement.offset_mm)}};
-    json["cut"] = {{"clearance_mm", cut.clearance_mm}, {"cut_on_touch", cut.cut_on_touch}};
-    json["parting"] = {{"level", parting.level ? Json(*parting.level) : Json("auto")}};
-    json["output"] = {{"formats", output.formats}};
-    json["case"] = case_json(case_options);
+    json["placement"] = {{"rotation_deg", array(design.placement.rotation_deg)},
+                         {"offset_mm", array(design.placement.offset_mm)}};
+    json["cut"] = {{"clearance_mm", design.cut.clearance_mm}, {"cut_on_touch", design.cut.cut_on_touch}};
+    json["parting"] = {{"level", design.parting.level ? Json(*design.parting.level) : Json("auto")}};
+    json["output"] = {{"formats", design.output.formats}};
+    json["case"] = case_json(design.case_options);
+    json["search"] = search_json(design.search);
     return json;
 }
 
@@ -143,6 +156,29 @@ void read_case(JsonReader json, CaseOptions& options, JsonReader& parent) {
     parent.adopt(json);
 }
 
+void read_search(JsonReader json, SearchOptions& search, JsonReader& parent) {
+    JsonReader weights = json.object("weights");
+    for (std::size_t i = 0; i < kObjectives; ++i)
+        weights.read(std::string(objective_name(static_cast<Objective>(i))).c_str(), search.weight[i]);
+    json.adopt(weights);
+    std::optional<std::string> upright;
+    std::string goal(case_goal_name(search.case_goal));
+    int seed = static_cast<int>(search.seed);
+    json.read("upright", upright)
+        .read("case", goal)
+        .read("billed_divisor", search.billed_divisor)
+        .read("seed", seed);
+    search.upright = upright ? upright_from_name(*upright) : std::nullopt;
+    if (upright && !search.upright) json.refuse("upright", "x, y, z, -x, -y, -z or null");
+    if (const auto known = case_goal_from_name(goal))
+        search.case_goal = *known;
+    else
+        json.refuse("case", "volume or billed-weight");
+    if (seed < 0) json.refuse("seed", "0 to 2147483647");
+    search.seed = static_cast<std::uint32_t>(seed);
+    parent.adopt(json);
+}
+
 Result<Design> design_from(JsonReader json) {
     Design design;
     read_object(json.object("object"), design.object, json);
@@ -152,6 +188,7 @@ Result<Design> design_from(JsonReader json) {
     read_parting(json.object("parting"), design.parting, json);
     read_output(json.object("output"), design.output, json);
     read_case(json.object("case"), design.case_options, json);
+    read_search(json.object("search"), design.search, json);
     if (const auto problem = json.problem()) return fail(ErrorKind::input, *problem);
     auto result = checked(design);
     if (!result) return fail(ErrorKind::input, result.error().message);

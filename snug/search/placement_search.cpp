@@ -50,6 +50,7 @@ struct PlacementSearch::State {
     double longest = 0;
     Level coarse, fine;
     std::optional<BlockSymmetry> symmetry;
+    AllowedTurns allowed{std::nullopt};
     std::vector<Turn> first;  ///< rotations that shapes suggest, looked at before all others
 
     FoundPlacement origin, best;
@@ -108,7 +109,7 @@ std::vector<Turn> State::next_spread() {
     }
     const std::size_t wanted = std::min(kBatch, left_in_round);
     while (turns.size() < wanted) {
-        const Turn turn = spread_turn(spread++, seed);
+        const Turn turn = allowed.spread(spread++, seed);
         if (closeness(symmetry->least_turned(turn), turn) > 1 - 1e-9) turns.push_back(turn);
     }
     left_in_round -= wanted;
@@ -153,7 +154,7 @@ Candidate State::climb(Candidate from, const Level& level, std::uint64_t stream,
     const double shrink = std::sqrt(std::sqrt(least / widest));  // over a quarter of the tries
     const double rate = 1 - (1 - shrink) * 4 / static_cast<double>(tries);
     for (std::size_t i = 0; i < tries; ++i) {
-        const Turn turn = numbers.small_turn(step * numbers.between(0.3, 1)) * from.turn;
+        const Turn turn = allowed.small(numbers, step * numbers.between(0.3, 1)) * from.turn;
         const auto cuts = look(quick, level, turn, 1);
         if (!cuts.empty() && cuts.front().blocks <= from.cut.blocks) from = {turn, cuts.front()};
         step = std::max(least, step * rate);
@@ -226,7 +227,8 @@ Result<PlacementSearch> PlacementSearch::start(const Mesh& mesh, const PreparedS
         state->least_wall[side] = std::min(wanted[side], exact->wall_mm[side]);
         alike = alike && (side % 2 == 0 || state->least_wall[side] == state->least_wall[side - 1]);
     }
-    state->symmetry.emplace(space, alike);
+    state->allowed = AllowedTurns(design.search.upright);
+    state->symmetry.emplace(space, alike, !state->allowed.all());
     state->evaluations = 1;
     state->origin = state->best = {at.rotation_deg, at.offset_mm, exact->cut_blocks};
     state->best_turn = turn_of(rotation_from_euler(at.rotation_deg));
@@ -241,6 +243,9 @@ Result<PlacementSearch> PlacementSearch::start(const Mesh& mesh, const PreparedS
     state->fine.fine_x = 16;
     state->first = suggested_turns(mesh);
     state->first.push_back(state->best_turn);
+    const auto forbidden = [&state](const Turn& turn) { return !state->allowed.allows(turn); };
+    state->first.erase(std::remove_if(state->first.begin(), state->first.end(), forbidden),
+                       state->first.end());
     state->left_in_round = kFirstSpread;
     return PlacementSearch(std::move(state));
 }

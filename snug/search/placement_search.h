@@ -69,7 +69,7 @@ class PlacementSearch {
 /// Is told after each step; false cancels.
 using SearchProgress = std::function<bool(const PlacementSearch&)>;
 
-constexpr long long kSearchEvaluations = 40000;  ///< some seconds on one core
+constexpr long long kSearchEvaluations = 20000;  ///< some seconds on one core
 
 /// Steps until as many evaluations are done or `progress` cancels. False if it was cancelled.
 bool run(PlacementSearch& search, long long evaluations, const SearchProgress& progress = {});

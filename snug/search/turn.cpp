@@ -109,13 +109,15 @@ Turn SeededNumbers::small_turn(double degrees) {
     }
 }
 
-BlockSymmetry::BlockSymmetry(const DesignSpace& space, bool any) {
+BlockSymmetry::BlockSymmetry(const DesignSpace& space, bool walls_alike, bool upright) {
     turns_ = {Turn{}};
-    if (!any) return;
-    turns_.insert(turns_.end(), {Turn{0, 1, 0, 0}, Turn{0, 0, 1, 0}, Turn{0, 0, 0, 1}});
+    if (!walls_alike) return;
+    turns_.push_back({0, 1, 0, 0});
+    if (!upright) turns_.insert(turns_.end(), {Turn{0, 0, 1, 0}, Turn{0, 0, 0, 1}});
     if (space.block_mm.y != space.block_mm.z || space.blocks.y != space.blocks.z) return;
     const Turn quarter{kRootHalf, kRootHalf, 0, 0};
-    for (std::size_t i = 0; i < 4; ++i) turns_.push_back(quarter * turns_[i]);
+    const std::vector<Turn> halves = turns_;
+    for (const Turn& half : halves) turns_.push_back(quarter * half);
 }
 
 double BlockSymmetry::closest(const Turn& a, const Turn& b) const {
@@ -144,6 +146,34 @@ Turn spread_turn(std::uint64_t i, std::uint64_t seed) {
     const auto a = sine_cosine_degrees(360 * at[1]), b = sine_cosine_degrees(360 * at[2]);
     const double inner = std::sqrt(1 - at[0]), outer = std::sqrt(at[0]);
     return unit({outer * b.cosine, inner * a.sine, inner * a.cosine, outer * b.sine});
+}
+
+AllowedTurns::AllowedTurns(std::optional<Upright> upright) {
+    if (!upright) return;
+    axis_ = direction(*upright);
+    const Vec3d up{1, 0, 0};
+    const Vec3d about = cross(axis_, up);
+    if (dot(about, about) > 0)
+        upright_ = turn_about(about, 90);
+    else
+        upright_ = axis_.x > 0 ? Turn{} : Turn{0, 0, 1, 0};
+}
+
+bool AllowedTurns::allows(const Turn& turn) const {
+    return !upright_ || rotation_of(turn)(axis_).x > 1 - 1e-9;
+}
+
+Turn AllowedTurns::spread(std::uint64_t i, std::uint64_t seed) const {
+    if (!upright_) return spread_turn(i, seed);
+    constexpr double kGoldenTurn = 0.61803398874989484820;
+    SeededNumbers numbers(seed);
+    return turn_about({1, 0, 0}, 360 * fraction(numbers.unit() + kGoldenTurn * static_cast<double>(i))) *
+           *upright_;
+}
+
+Turn AllowedTurns::small(SeededNumbers& numbers, double degrees) const {
+    if (!upright_) return numbers.small_turn(degrees);
+    return turn_about({1, 0, 0}, numbers.unit() < 0.5 ? degrees : -degrees);
 }
 
 }  // namespace snug

@@ -2,10 +2,12 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "snug/base/rotation.h"
 #include "snug/base/vec.h"
+#include "snug/design/search_options.h"
 #include "snug/foam/design_space.h"
 
 // Rotations as unit quaternions: spread evenly, turned a little, and written as the angles that people and
@@ -50,8 +52,9 @@ class SeededNumbers {
 /// quarter turns about x where blocks are as wide as deep and as many.
 class BlockSymmetry {
   public:
-    /// `any`: without it no two rotations count as equal (walls that differ from side to side).
-    BlockSymmetry(const DesignSpace& space, bool any);
+    /// `walls_alike`: without it no two rotations count as equal (walls that differ from side to side).
+    /// `upright`: only what keeps +x upward.
+    BlockSymmetry(const DesignSpace& space, bool walls_alike, bool upright = false);
 
     [[nodiscard]] const std::vector<Turn>& turns() const { return turns_; }
     /// The closest that an equal of `a` comes to `b`; see closeness().
@@ -66,5 +69,22 @@ class BlockSymmetry {
 /// Rotation number i of an endless sequence that fills all rotations evenly wherever it is broken off
 /// (Shoemake, Uniform random rotations, 1992, on a Kronecker sequence); another start for each seed.
 [[nodiscard]] Turn spread_turn(std::uint64_t i, std::uint64_t seed);
+
+/// The rotations that a search may use: all, or those that keep an axis of the object along +x.
+class AllowedTurns {
+  public:
+    explicit AllowedTurns(std::optional<Upright> upright);
+
+    [[nodiscard]] bool all() const { return !upright_; }
+    [[nodiscard]] bool allows(const Turn& turn) const;
+    /// As spread_turn(), among the allowed.
+    [[nodiscard]] Turn spread(std::uint64_t i, std::uint64_t seed) const;
+    /// As SeededNumbers::small_turn(): what may come after an allowed turn.
+    [[nodiscard]] Turn small(SeededNumbers& numbers, double degrees) const;
+
+  private:
+    std::optional<Turn> upright_;  ///< one that lays the axis along +x
+    Vec3d axis_;
+};
 
 }  // namespace snug

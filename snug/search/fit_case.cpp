@@ -1,0 +1,266 @@
+#include "snug/search/fit_case.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "snug/base/text.h"
+#include "snug/foam/fitted_space.h"
+#include "snug/search/extreme_points.h"
+#include "snug/search/frames.h"
+#include "snug/search/turn.h"
+
+namespace snug {
+namespace {
+
+constexpr std::uint64_t kSpread = 6000;  ///< rotations that are looked at all over
+constexpr std::size_t kStarts = 6;       ///< of which the best are turned further, for each case tried
+constexpr int kTries = 320;              ///< turns from each start
+constexpr std::size_t kMostCases = 600;  ///< cases that are tried
+constexpr double kHopelessShare = 0.25;  ///< of the object's length, that a start may be too long
+
+struct Sample {
+    Turn turn;
+    Vec3d lengths;
+};
+
+/// Blocks of the walls on both sides of each axis.
+Vec3d wall_blocks(const Walls& walls, Vec3d block_mm) {
+    Vec3d blocks;
+    for (std::size_t side = 0; side < walls.size(); ++side)
+        blocks[static_cast<int>(side / 2)] +=
+            std::ceil((walls[side] - 1e-9) / block_mm[static_cast<int>(side / 2)]);
+    return blocks;
+}
+
+class CaseSearch {
+  public:
+    CaseSearch(const Mesh& mesh, const Design& design, std::uint64_t seed)
+        : design_(design), points_(mesh), allowed_(design.search.upright), numbers_(seed) {
+        const Vec3d size = bounds(mesh).size();
+        longest_ = std::sqrt(dot(size, size));
+        // What the design has stands first: where it is as good as any it stays.
+        take(turn_of(rotation_from_euler(design.placement.rotation_deg)));
+        for (const Turn& turn : suggested_turns(mesh)) take(turn);
+        for (std::uint64_t i = 0; i < kSpread; ++i) take(allowed_.spread(i, seed));
+    }
+
+    [[nodiscard]] const std::vector<Sample>& samples() const { return samples_; }
+
+    /// The blocks that lengths need, without walls.
+    [[nodiscard]] Vec3d blocks(Vec3d lengths) const {
+        return fitted_blocks({lengths * -0.5, lengths * 0.5}, design_.space.block_mm,
+                             design_.cut.clearance_mm);
+    }
+
+    /// How long an object may be that so many blocks hold.
+    [[nodiscard]] Vec3d room(Vec3d blocks) const {
+        Vec3d room;
+        for (int axis = 0; axis < 3; ++axis)
+            room[axis] = blocks[axis] * design_.space.block_mm[axis] + 0.02 - 2 * design_.cut.clearance_mm;
+        return room;
+    }
+
+    /// mm that lengths exceed a room, where they exceed it most; 0 or less where they do not.
+    [[nodiscard]] static double excess(Vec3d lengths, Vec3d room) {
+        return std::max({lengths.x - room.x, lengths.y - room.y, lengths.z - room.z});
+    }
+
+    /// The closest to a room that any rotation comes, from the most promising samples.
+    Sample turned_into(Vec3d room, double& least) {
+        std::vector<std::pair<double, std::size_t>> starts;
+        for (std::size_t i = 0; i < samples_.size(); ++i)
+            starts.emplace_back(excess(samples_[i].lengths, room), i);
+        const auto kept = starts.begin() + static_cast<std::ptrdiff_t>(std::min(kStarts, starts.size()));
+        std::partial_sort(starts.begin(), kept, starts.end());
+        Sample best = samples_[starts.front().second];
+        least = std::numeric_limits<double>::infinity();
+        for (auto start = starts.begin(); start != kept; ++start) {
+            if (start->first > kHopelessShare * longest_) break;
+            const Sample end = climbed(samples_[start->second], room);
+            if (const double over = excess(end.lengths, room); over < least) {
+                least = over;
+                best = end;
+            }
+            if (least <= 0) break;
+        }
+        return best;
+    }
+
+    /// With the lengths that all vertices give.
+    Sample measured(const Sample& sample) {
+        return {sample.turn, points_.add_furthest(rotation_from_euler(euler_of(rotation_of(sample.turn))))};
+    }
+
+  private:
+    void take(const Turn& turn) {
+        if (allowed_.allows(turn)) samples_.push_back(exact(turn));
+    }
+
+    /// As the project will have it: with rounded angles.
+    Sample exact(const Turn& turn) const {
+        const Turn rounded = turn_of(rotation_from_euler(euler_of(rotation_of(turn))));
+        return {rounded, points_.lengths(rotation_of(rounded))};
+    }
+
+    /// Ever smaller turns towards a room; vertices that turn out to be missing are added on the way.
+    Sample climbed(Sample at, Vec3d room) {
+        double step = 8;
+        for (int round = 0; round < 6; ++round) {
+            double over = excess(at.lengths, room);
+            for (int i = 0; i < kTries && over > 0; ++i) {
+                const Turn turn = allowed_.small(numbers_, step * numbers_.between(0.2, 1)) * at.turn;
+                const Vec3d lengths = points_.lengths(rotation_of(turn));
+                const double next = excess(lengths, room);
+                if (next <= over) {
+                    // Where steps succeed they may be longer again.
+                    step = std::min(8.0, step * (next < over ? 1.6 : 1.0));
+                    over = next;
+                    at = {turn, lengths};
+                } else {
+                    step = std::max(1e-5, step * 0.93);
+                }
+            }
+            at = exact(at.turn);
+            const Sample whole = measured(at);
+            const bool known = excess(whole.lengths, at.lengths) <= 1e-9;
+            at = whole;
+            if (known) break;
+            step = 0.5;
+        }
+        return at;
+    }
+
+    const Design& design_;
+    ExtremePoints points_;
+    AllowedTurns allowed_;
+    SeededNumbers numbers_;
+    double longest_ = 0;
+    std::vector<Sample> samples_;
+};
+
+/// What a case costs: less is better, the first number first.
+using Cost = std::array<double, 2>;
+
+Cost cost(Vec3d blocks, const Design& design) {
+    const Vec3d block = design.space.block_mm;
+    const double volume = blocks.x * blocks.y * blocks.z;
+    if (design.search.case_goal == CaseGoal::volume) return {volume, 0};
+    double cm3 = 1;
+    for (int axis = 0; axis < 3; ++axis) cm3 *= std::ceil(blocks[axis] * block[axis] / 10 - 1e-9);
+    return {std::ceil(2 * cm3 / design.search.billed_divisor - 1e-9) / 2, volume};
+}
+
+struct Candidate {
+    Vec3d blocks;  ///< without walls
+    double excess;
+    Cost price;
+};
+
+/// Every case that costs less than the best so far and that some sample nearly fits, nearest first.
+std::vector<Candidate> cheaper_cases(const CaseSearch& search, const Design& design, Vec3d walls, Cost best) {
+    Vec3d least{1e9, 1e9, 1e9}, most{1, 1, 1};
+    for (const Sample& sample : search.samples()) {
+        const Vec3d blocks = search.blocks(sample.lengths);
+        for (int axis = 0; axis < 3; ++axis) {
+            least[axis] = std::min(least[axis], blocks[axis]);
+            most[axis] = std::max(most[axis], blocks[axis]);
+        }
+    }
+    // Samples lie some degrees from the narrowest rotation.
+    for (int axis = 0; axis < 3; ++axis) least[axis] = std::max(1.0, std::floor(least[axis] * 0.9) - 1);
+    // Where blocks are very small not every count is tried.
+    Vec3d step;
+    for (int axis = 0; axis < 3; ++axis)
+        step[axis] = std::max(1.0, std::floor((most[axis] - least[axis]) / 24));
+    std::vector<Candidate> cases;
+    for (double x = least.x; x <= most.x; x += step.x)
+        for (double y = least.y; y <= most.y; y += step.y)
+            for (double z = least.z; z <= most.z; z += step.z)
+                if (const Cost price = cost(Vec3d{x, y, z} + walls, design); price < best)
+                    cases.push_back({{x, y, z}, std::numeric_limits<double>::infinity(), price});
+    for (Candidate& candidate : cases) {
+        const Vec3d room = search.room(candidate.blocks);
+        for (const Sample& sample : search.samples())
+            candidate.excess = std::min(candidate.excess, CaseSearch::excess(sample.lengths, room));
+    }
+    std::stable_sort(cases.begin(), cases.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.excess < b.excess; });
+    if (cases.size() > kMostCases) cases.resize(kMostCases);
+    return cases;
+}
+
+}  // namespace
+
+Result<FittedCase> fit_case(const Mesh& mesh, const Design& design, std::uint64_t seed,
+                            const Progress& progress) {
+    CaseSearch search(mesh, design, seed);
+    const Vec3d walls = wall_blocks(design.space.wall_mm.value_or(equal_walls(50)), design.space.block_mm);
+
+    Cost least{std::numeric_limits<double>::infinity(), 0};
+    Sample best;
+    const auto offer = [&](const Sample& sample) {
+        const Cost price = cost(search.blocks(sample.lengths) + walls, design);
+        if (!(price < least)) return;
+        least = price;
+        best = sample;
+    };
+    // Samples know some vertices only: each that seems better is looked at with all of them.
+    for (const Sample& sample : search.samples())
+        if (cost(search.blocks(sample.lengths) + walls, design) < least) offer(search.measured(sample));
+    const std::vector<Candidate> cases = cheaper_cases(search, design, walls, least);
+    std::vector<Vec3d> refused;
+    long long looked_at = std::ssize(search.samples());
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        if (!go_on(progress, static_cast<double>(i) / static_cast<double>(cases.size()))) break;
+        ++looked_at;
+        const Vec3d blocks = cases[i].blocks;
+        if (!(cases[i].price < least)) continue;
+        // What did not go into a larger case does not go into this one.
+        const auto holds = [&blocks](Vec3d other) {
+            return other.x >= blocks.x && other.y >= blocks.y && other.z >= blocks.z;
+        };
+        if (std::any_of(refused.begin(), refused.end(), holds)) continue;
+        double excess = 0;
+        const Sample end = search.turned_into(search.room(blocks), excess);
+        if (excess > 0) refused.push_back(blocks);
+        offer(end);
+    }
+    const Vec3d counts = search.blocks(best.lengths) + walls;
+    if (std::max({counts.x, counts.y, counts.z}) > kMostBlocks)
+        return fail(ErrorKind::usage, "the object and its walls would need " + dimensions(counts, 0) +
+                                          " blocks, more than 4096 on an axis: choose larger blocks");
+    return FittedCase{euler_of(rotation_of(best.turn)), vec_cast<int>(counts), looked_at};
+}
+
+Result<Vec3d> fitting_rotation(const Mesh& mesh, const Design& design, const DesignSpace& space,
+                               std::uint64_t seed) {
+    CaseSearch search(mesh, design, seed);
+    const Vec3d inside =
+        vec_cast<double>(space.blocks) - wall_blocks(wanted_wall_mm(design.space), space.block_mm);
+    double excess = 0;
+    if (std::min({inside.x, inside.y, inside.z}) > 0) {
+        const Sample walled = search.turned_into(search.room(inside), excess);
+        if (excess <= 0) return euler_of(rotation_of(walled.turn));
+    }
+    const Vec3d room = search.room(vec_cast<double>(space.blocks));
+    const Sample bare = search.turned_into(room, excess);
+    if (excess <= 0) return euler_of(rotation_of(bare.turn));
+    std::string too_long;
+    for (int axis = 0; axis < 3; ++axis)
+        if (const double over = bare.lengths[axis] - room[axis]; over > 0)
+            too_long += (too_long.empty() ? "" : " and ") + number(std::max(over, 0.1), 1) + " mm along " +
+                        std::string(1, "xyz"[axis]);
+    const Vec3d blocks = search.blocks(bare.lengths);
+    return fail(ErrorKind::does_not_fit,
+                "the object fits the design space of " + dimensions(space.size()) +
+                    " mm in no orientation that was tried: lying best it is still too long by " + too_long +
+                    (design.search.upright ? " (one axis is kept upright)" : "") + "; " +
+                    dimensions(blocks, 0) + " blocks would hold it without any wall");
+}
+
+}  // namespace snug
