@@ -52,6 +52,12 @@ Vec3d ExtremePoints::lengths(const Rotation& rotation) const {
     return result;
 }
 
+std::vector<Vec3d> ExtremePoints::points() const {
+    std::vector<Vec3d> result;
+    for (std::size_t i = 0; i < x_.size(); ++i) result.push_back({x_[i], y_[i], z_[i]});
+    return result;
+}
+
 Vec3d ExtremePoints::add_furthest(const Rotation& rotation) {
     for (const Vec3d& row : rotation.row) {
         add(row);

@@ -20,6 +20,7 @@ class ExtremePoints {
     [[nodiscard]] Vec3d lengths(const Rotation& rotation) const;
     /// The object's own lengths, by a pass over all vertices, whose furthest are added.
     Vec3d add_furthest(const Rotation& rotation);
+    [[nodiscard]] std::vector<Vec3d> points() const;
 
   private:
     void add(Vec3d direction);

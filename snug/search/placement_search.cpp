@@ -11,6 +11,7 @@
 #include "snug/foam/turned_bounds.h"
 #include "snug/search/exact_cut.h"
 #include "snug/search/frames.h"
+#include "snug/search/objective.h"
 #include "snug/search/quick_cut.h"
 #include "snug/search/surface_points.h"
 #include "snug/search/turn.h"
@@ -31,6 +32,7 @@ constexpr double kDistinct = 0.99905;   ///< closeness of rotations 5 degrees ap
 struct Candidate {
     Turn turn;
     OffsetCut cut;
+    double score = 0;  ///< at most that of the exact placement, but for what points lose to rounding
 };
 
 /// The points at one density, and how finely their offsets are looked at.
@@ -49,12 +51,13 @@ struct PlacementSearch::State {
     std::uint64_t seed = 0;
     double longest = 0;
     Level coarse, fine;
+    std::optional<Steadiness> steadiness;
+    std::optional<Score> score;
     std::optional<BlockSymmetry> symmetry;
     AllowedTurns allowed{std::nullopt};
     std::vector<Turn> first;  ///< rotations that shapes suggest, looked at before all others
 
     FoundPlacement origin, best;
-    Turn best_turn;
     long long evaluations = 0;
 
     std::size_t round = 0;
@@ -69,11 +72,11 @@ struct PlacementSearch::State {
     [[nodiscard]] QuickCut kernel(const Level& level) const {
         return QuickCut(space, cut, least_wall, longest, level.fine_y_z, level.fine_x);
     }
-    [[nodiscard]] std::vector<OffsetCut> look(QuickCut& kernel, const Level& level, const Turn& turn,
-                                              std::size_t most) const {
-        const Rotation rotation = rotation_of(turn);
-        return kernel.least(level.points, rotation, turned_bounds(surface->body, rotation), most);
-    }
+    [[nodiscard]] std::vector<Candidate> look(QuickCut& kernel, const Level& level, const Turn& turn,
+                                              std::size_t most) const;
+    [[nodiscard]] std::optional<Candidate> best_offset(QuickCut& kernel, const Level& level,
+                                                       const Turn& turn) const;
+    [[nodiscard]] std::optional<PlacementMeasures> exactly(Vec3d rotation_deg, Vec3d offset_mm) const;
 
     std::vector<Turn> next_spread();
     void spread_step();
@@ -95,10 +98,53 @@ using State = PlacementSearch::State;
 namespace {
 
 bool better(const Candidate& a, const Candidate& b) {
-    return a.cut.blocks < b.cut.blocks;
+    return a.score < b.score;
 }
 
 }  // namespace
+
+/// The offsets that cut least, with scores that take gap and bearing to be as good as can be.
+std::vector<Candidate> State::look(QuickCut& kernel, const Level& level, const Turn& turn,
+                                   std::size_t most) const {
+    const Rotation rotation = rotation_of(turn);
+    const Box3d turned = turned_bounds(surface->body, rotation);
+    PlacementMeasures hoped;
+    hoped.depth_mm = turned.size().x;
+    hoped.bearing = 1;
+    hoped.steadiness = steadiness ? (*steadiness)(rotation) : 1;
+    std::vector<Candidate> result;
+    for (const OffsetCut& at : kernel.least(level.points, rotation, turned, most)) {
+        hoped.cut_blocks = static_cast<double>(at.blocks);
+        result.push_back({turn, at, (*score)(hoped)});
+    }
+    return result;
+}
+
+/// What the exact kernel measures; none where walls are not kept.
+std::optional<PlacementMeasures> State::exactly(Vec3d rotation_deg, Vec3d offset_mm) const {
+    const auto exact = exact_cut(*surface, space, cut, rotation_deg, offset_mm);
+    if (!exact || !keeps_walls(exact->wall_mm, least_wall)) return {};
+    PlacementMeasures result = measures(*exact, space);
+    result.steadiness = steadiness ? (*steadiness)(exact->placement.rotation) : 1;
+    return result;
+}
+
+/// The offset of the least score: where gap or bearing are weighed they need the exact kernel.
+std::optional<Candidate> State::best_offset(QuickCut& kernel, const Level& level, const Turn& turn) const {
+    constexpr std::size_t kMeasured = 3;
+    const bool measured = score->weighs(Objective::gap) || score->weighs(Objective::bearing);
+    const std::vector<Candidate> offsets = look(kernel, level, turn, measured ? kMeasured : 1);
+    if (!measured) return offsets.empty() ? std::optional<Candidate>() : offsets.front();
+    std::optional<Candidate> best_one;
+    const Vec3d rotation_deg = euler_of(rotation_of(turn));
+    for (Candidate offset : offsets) {
+        const auto found = exactly(rotation_deg, offset.cut.offset_mm);
+        if (!found) continue;
+        offset.score = (*score)(*found);
+        if (!best_one || better(offset, *best_one)) best_one = offset;
+    }
+    return best_one;
+}
 
 /// The sequence's next rotations, one of each set of equals.
 std::vector<Turn> State::next_spread() {
@@ -132,31 +178,31 @@ void State::keep(std::vector<Candidate>& list, const Candidate& candidate, std::
 void State::spread_step() {
     const std::vector<Turn> turns = next_spread();
     constexpr std::size_t kTask = 16;
-    std::vector<std::vector<OffsetCut>> cuts(turns.size());
+    std::vector<std::optional<Candidate>> found(turns.size());
     parallel_for((turns.size() + kTask - 1) / kTask, [&](std::size_t task) {
         QuickCut quick = kernel(coarse);
         for (std::size_t i = task * kTask; i < std::min(turns.size(), (task + 1) * kTask); ++i)
-            cuts[i] = look(quick, coarse, turns[i], 1);
+            found[i] = best_offset(quick, coarse, turns[i]);
     });
     evaluations += static_cast<long long>(turns.size());
     const std::size_t most = 12 + 6 * round;
-    for (std::size_t i = 0; i < turns.size(); ++i)
-        if (!cuts[i].empty()) keep(fresh, {turns[i], cuts[i].front()}, most);
+    for (const auto& candidate : found)
+        if (candidate) keep(fresh, *candidate, most);
 }
 
-/// Small turns, ever smaller; each that cuts no more is taken.
+/// Small turns, ever smaller; each that is no worse is taken.
 Candidate State::climb(Candidate from, const Level& level, std::uint64_t stream, std::size_t tries,
                        double widest, double least) const {
     SeededNumbers numbers(stream);
     QuickCut quick = kernel(level);
-    if (const auto here = look(quick, level, from.turn, 1); !here.empty()) from.cut = here.front();
+    if (const auto here = best_offset(quick, level, from.turn)) from = *here;
     double step = widest;
     const double shrink = std::sqrt(std::sqrt(least / widest));  // over a quarter of the tries
     const double rate = 1 - (1 - shrink) * 4 / static_cast<double>(tries);
     for (std::size_t i = 0; i < tries; ++i) {
         const Turn turn = allowed.small(numbers, step * numbers.between(0.3, 1)) * from.turn;
-        const auto cuts = look(quick, level, turn, 1);
-        if (!cuts.empty() && cuts.front().blocks <= from.cut.blocks) from = {turn, cuts.front()};
+        const auto next = best_offset(quick, level, turn);
+        if (next && next->score <= from.score) from = *next;
         step = std::max(least, step * rate);
     }
     return from;
@@ -179,18 +225,19 @@ void State::climb_step(std::vector<Candidate>& from, std::vector<Candidate>& to,
 
 /// Lets the exact kernel decide where the points do not refuse.
 void State::decide(const Candidate& candidate) {
-    if (candidate.cut.blocks >= best.cut_blocks) return;
+    if (candidate.score > best.score) return;
     QuickCut quick = kernel(fine);
     const Turn turn = symmetry->least_turned(candidate.turn);
     const Vec3d rotation_deg = euler_of(rotation_of(turn));
-    for (const OffsetCut& at : look(quick, fine, turn_of(rotation_from_euler(rotation_deg)), kDecided)) {
-        if (at.blocks >= best.cut_blocks) return;
+    for (const Candidate& at : look(quick, fine, turn_of(rotation_from_euler(rotation_deg)), kDecided)) {
+        if (at.score > best.score) return;
         ++evaluations;
-        const auto exact = exact_cut(*surface, space, cut, rotation_deg, at.offset_mm);
-        if (!exact || !keeps_walls(exact->wall_mm, least_wall) || exact->cut_blocks >= best.cut_blocks)
-            continue;
-        best = {rotation_deg, at.offset_mm, exact->cut_blocks};
-        best_turn = turn;
+        const auto found = exactly(rotation_deg, at.cut.offset_mm);
+        if (!found) continue;
+        const FoundPlacement next{rotation_deg, at.cut.offset_mm, static_cast<long long>(found->cut_blocks),
+                                  (*score)(*found), found->bearing};
+        // Equal ones go to more bearing.
+        if (next.score < best.score || (next.score == best.score && next.bearing > best.bearing)) best = next;
     }
 }
 
@@ -228,10 +275,16 @@ Result<PlacementSearch> PlacementSearch::start(const Mesh& mesh, const PreparedS
         alike = alike && (side % 2 == 0 || state->least_wall[side] == state->least_wall[side - 1]);
     }
     state->allowed = AllowedTurns(design.search.upright);
-    state->symmetry.emplace(space, alike, !state->allowed.all());
+    const Rotation stands = rotation_from_euler(at.rotation_deg);
+    if (design.search.weight[static_cast<std::size_t>(Objective::flat)] > 0) state->steadiness.emplace(mesh);
+    PlacementMeasures measured = measures(*exact, space);
+    measured.steadiness = state->steadiness ? (*state->steadiness)(stands) : 1;
+    state->score.emplace(design.search.weight, measured);
+    // What lies steadily need not do so upside down.
+    state->symmetry.emplace(space, alike, !state->allowed.all() || state->steadiness);
     state->evaluations = 1;
-    state->origin = state->best = {at.rotation_deg, at.offset_mm, exact->cut_blocks};
-    state->best_turn = turn_of(rotation_from_euler(at.rotation_deg));
+    state->origin = state->best = {at.rotation_deg, at.offset_mm, exact->cut_blocks,
+                                   (*state->score)(measured), measured.bearing};
 
     const Vec3d size = bounds(mesh).size();
     state->longest = std::sqrt(dot(size, size));
@@ -242,7 +295,7 @@ Result<PlacementSearch> PlacementSearch::start(const Mesh& mesh, const PreparedS
     state->fine.fine_y_z = 8;
     state->fine.fine_x = 16;
     state->first = suggested_turns(mesh);
-    state->first.push_back(state->best_turn);
+    state->first.push_back(turn_of(stands));
     const auto forbidden = [&state](const Turn& turn) { return !state->allowed.allows(turn); };
     state->first.erase(std::remove_if(state->first.begin(), state->first.end(), forbidden),
                        state->first.end());

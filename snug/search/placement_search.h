@@ -27,6 +27,8 @@ struct FoundPlacement {
     Vec3d rotation_deg;
     Vec3d offset_mm;
     long long cut_blocks = 0;
+    double score = 0;    ///< by the design's objectives (objective.h); less is better
+    double bearing = 0;  ///< PlacementMeasures::bearing; of equals the one with more is kept
 };
 
 /// A search without an end: each step leaves the best placement so far, which is never worse than the start.

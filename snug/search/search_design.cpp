@@ -7,6 +7,7 @@
 #include "snug/search/exact_cut.h"
 #include "snug/search/fit_case.h"
 #include "snug/search/placement_search.h"
+#include "snug/search/turn.h"
 
 namespace snug {
 namespace {
@@ -49,7 +50,8 @@ std::optional<Error> fit(const Mesh& mesh, Design& design, const SearchNews& new
 std::optional<Error> turn_and_shift(const Mesh& mesh, const PreparedSurface& surface, Design& design,
                                     const SearchTask& task, const SearchNews& news, SearchReport& report) {
     const DesignSpace space{*design.space.blocks, design.space.block_mm};
-    if (!cut_where_it_stands(surface, design)) {
+    const Turn stands = turn_of(rotation_from_euler(design.placement.rotation_deg));
+    if (!AllowedTurns(design.search.upright).allows(stands) || !cut_where_it_stands(surface, design)) {
         const auto rotation = fitting_rotation(mesh, design, space, design.search.seed);
         if (!rotation) return rotation.error();
         design.placement = {*rotation, {}};
