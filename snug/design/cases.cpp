@@ -87,7 +87,8 @@ class LineReader {
         const auto result = fast_float::from_chars(field->data(), end, number_read);
         const bool good =
             result.ec == std::errc() && result.ptr == end && number_read >= least && number_read <= most;
-        if (good) return number_read;
+        // As many digits as cases_csv() writes, so that a list is read back as it was.
+        if (good) return std::floor(number_read * 1e6 + 0.5) / 1e6;
         refuse(column, "a number from " + number(least) + " to " + number(most), *field);
         return {};
     }

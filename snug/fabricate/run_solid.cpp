@@ -3,7 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <span>
 #include <tuple>
+#include <utility>
+
+#include "snug/base/box.h"
 
 namespace snug {
 namespace {
@@ -58,12 +62,24 @@ class Builder {
                 outline[count++] = middle_vertex(corner, next, block);
         }
         // The outline turns about +axis; on the low side it must turn the other way.
-        for (std::uint32_t i = 1; i + 1 < count; ++i) {
-            if (side == 1)
-                solid_.triangles.push_back({outline[0], outline[i], outline[i + 1]});
-            else
-                solid_.triangles.push_back({outline[0], outline[i + 1], outline[i]});
+        if (side == 0) std::reverse(outline.begin(), outline.begin() + count);
+        add_fan(std::span(outline).first(count));
+    }
+
+    /// With points in the middle of its edges a face has a point in its own middle too, so that no triangle
+    /// is flat.
+    void add_fan(std::span<const std::uint32_t> outline) {
+        if (outline.size() == 4) {
+            solid_.triangles.push_back({outline[0], outline[1], outline[2]});
+            solid_.triangles.push_back({outline[0], outline[2], outline[3]});
+            return;
         }
+        Box3d bounds;
+        for (const std::uint32_t v : outline) bounds.include(vec_cast<double>(solid_.vertices[v]));
+        const auto middle = static_cast<std::uint32_t>(solid_.vertices.size());
+        solid_.vertices.push_back(vec_cast<float>(bounds.centre()));
+        for (std::size_t i = 0; i < outline.size(); ++i)
+            solid_.triangles.push_back({middle, outline[i], outline[(i + 1) % outline.size()]});
     }
 
     /// Whether across an edge of the face only the diagonal block is filled.
