@@ -87,7 +87,7 @@ struct PlacementSearch::State {
     void keep(std::vector<Candidate>& list, const Candidate& candidate, std::size_t most) const;
     void decide(const Candidate& candidate);
     /// At the best of its offsets that keeps the walls.
-    [[nodiscard]] std::optional<FoundPlacement> exactly(const Candidate& candidate) const;
+    [[nodiscard]] std::optional<FoundPlacement> decided(const Candidate& candidate) const;
     void decide_best(const std::vector<Candidate>& list) {
         for (std::size_t i = 0; i < std::min(kDecided, list.size()); ++i) decide(list[i]);
     }
@@ -241,17 +241,17 @@ void State::decide(const Candidate& candidate) {
     }
 }
 
-std::optional<FoundPlacement> State::exactly(const Candidate& candidate) const {
+std::optional<FoundPlacement> State::decided(const Candidate& candidate) const {
     QuickCut quick = kernel(fine);
     const Vec3d rotation_deg = euler_of(rotation_of(symmetry->least_turned(candidate.turn)));
-    std::optional<FoundPlacement> found;
-    for (const OffsetCut& at : look(quick, fine, turn_of(rotation_from_euler(rotation_deg)), kDecided)) {
-        const auto exact = exact_cut(*surface, space, cut, rotation_deg, at.offset_mm);
-        if (!exact || !keeps_walls(exact->wall_mm, least_wall)) continue;
-        if (!found || exact->cut_blocks < found->cut_blocks)
-            found = {rotation_deg, at.offset_mm, exact->cut_blocks};
+    std::optional<FoundPlacement> best_one;
+    for (const Candidate& at : look(quick, fine, turn_of(rotation_from_euler(rotation_deg)), kDecided)) {
+        const auto found = exactly(rotation_deg, at.cut.offset_mm);
+        if (!found || (best_one && (*score)(*found) >= best_one->score)) continue;
+        best_one = {rotation_deg, at.cut.offset_mm, static_cast<long long>(found->cut_blocks),
+                    (*score)(*found), found->bearing};
     }
-    return found;
+    return best_one;
 }
 
 Result<PlacementSearch> PlacementSearch::start(const Mesh& mesh, const PreparedSurface& surface,
@@ -353,21 +353,20 @@ std::vector<FoundPlacement> PlacementSearch::distinct(std::size_t most, double a
     const State& s = *state_;
     const double closest = turn_about({1, 0, 0}, apart).w;
     std::vector<FoundPlacement> found{s.best};
-    std::vector<Turn> turns{s.best_turn};
+    std::vector<Turn> turns{turn_of(rotation_from_euler(s.best.rotation_deg))};
     for (const Candidate& candidate : s.kept) {
         if (found.size() >= most) break;
         const auto near = [&](const Turn& turn) {
             return s.symmetry->closest(candidate.turn, turn) > closest;
         };
         if (std::any_of(turns.begin(), turns.end(), near)) continue;
-        const auto exact = s.exactly(candidate);
-        if (!exact) continue;
-        found.push_back(*exact);
+        const auto decided = s.decided(candidate);
+        if (!decided) continue;
+        found.push_back(*decided);
         turns.push_back(candidate.turn);
     }
-    std::stable_sort(found.begin() + 1, found.end(), [](const FoundPlacement& a, const FoundPlacement& b) {
-        return a.cut_blocks < b.cut_blocks;
-    });
+    std::stable_sort(found.begin() + 1, found.end(),
+                     [](const FoundPlacement& a, const FoundPlacement& b) { return a.score < b.score; });
     return found;
 }
 
@@ -378,10 +377,10 @@ std::vector<std::optional<FoundPlacement>> PlacementSearch::glance(std::span<con
     parallel_for((turns.size() + kTask - 1) / kTask, [&](std::size_t task) {
         QuickCut quick = s.kernel(s.coarse);
         for (std::size_t i = task * kTask; i < std::min(turns.size(), (task + 1) * kTask); ++i) {
-            const auto cuts = s.look(quick, s.coarse, turns[i], 1);
-            if (cuts.empty()) continue;
-            found[i] =
-                FoundPlacement{euler_of(rotation_of(turns[i])), cuts.front().offset_mm, cuts.front().blocks};
+            const auto at = s.look(quick, s.coarse, turns[i], 1);
+            if (at.empty()) continue;
+            const auto& [turn, cut, score] = at.front();
+            found[i] = FoundPlacement{euler_of(rotation_of(turn)), cut.offset_mm, cut.blocks, score, 0};
         }
     });
     return found;

@@ -41,7 +41,7 @@ std::optional<Error> fit(const Mesh& mesh, Design& design, const SearchNews& new
     });
     if (!fitted) return fitted.error();
     report.evaluations += fitted->evaluations;
-    design.space.wall_mm = design.space.wall_mm.value_or(50);
+    design.space.wall_mm = design.space.wall_mm.value_or(equal_walls(50));
     design.space.blocks = fitted->blocks;
     design.placement = {fitted->rotation_deg, {}};
     return {};
