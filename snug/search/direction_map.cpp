@@ -1,59 +1,83 @@
 #include "snug/search/direction_map.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <optional>
+#include <vector>
+
+#include "snug/base/parallel.h"
+#include "snug/foam/turned_bounds.h"
+#include "snug/search/quick_cut.h"
+#include "snug/search/turn.h"
 
 namespace snug {
 namespace {
 
-constexpr std::size_t kSpins = 12;  // half a turn about x; the other half cuts the same
-constexpr double kSpinDegrees = 180.0 / kSpins;
-constexpr double kGoldenDegrees = 137.50776405003785;
-constexpr std::size_t kAtOnce = 16;
+constexpr double kPoints = 5000;
+constexpr std::size_t kBatch = 64, kTask = 16;
 
-/// Direction i of n on the half sphere z > 0 (a Fibonacci lattice: equal areas).
-Vec3d spread_direction(std::size_t i, std::size_t n) {
-    const double z = (static_cast<double>(i) + 0.5) / static_cast<double>(n);
-    const double around = std::fmod(static_cast<double>(i) * kGoldenDegrees, 360.0);
-    const Rotation turned = rotation_of(turn_about({0, 0, 1}, around));
-    return turned(Vec3d{std::sqrt(1 - z * z), 0, z});
+/// Points of equal area on the half sphere x >= 0 (a Fibonacci lattice, Gonzalez 2010).
+Vec3d half_sphere_point(std::size_t i, std::size_t count) {
+    constexpr double kGoldenTurn = 0.61803398874989484820;
+    const double x = (static_cast<double>(i) + 0.5) / static_cast<double>(count);
+    const auto [sine, cosine] =
+        sine_cosine_degrees(360 * std::fmod(kGoldenTurn * static_cast<double>(i), 1.0));
+    const double r = std::sqrt(1 - x * x);
+    return {x, r * cosine, r * sine};
 }
 
-/// The smallest turn that takes a direction to +x.
-Turn upright(Vec3d direction) {
-    // Half of the angle between them lies along the sum of the two.
-    const double length = std::sqrt(2 * (1 + direction.x));
-    if (length < 1e-6) return {0, 0, 0, 1};
-    return {length / 2, 0, direction.z / length, -direction.y / length};
+/// Fractions that fill 0 to 1 evenly wherever they are broken off (van der Corput).
+double spread_fraction(std::size_t i) {
+    double result = 0;
+    for (double share = 0.5; i > 0; i /= 2, share /= 2) result += static_cast<double>(i % 2) * share;
+    return result;
+}
+
+/// Turns a direction onto +x, then about it.
+Turn turn_onto_x(Vec3d direction, double spin_deg) {
+    const Vec3d half{direction.x + 1, direction.y, direction.z};
+    // Half a turn about the line between the two lays one on the other.
+    return turn_about({1, 0, 0}, spin_deg) * turn_about(half, 180);
 }
 
 }  // namespace
 
-Result<std::vector<MappedDirection>> direction_map(const PlacementSearch& search, std::size_t directions,
-                                                   const Progress& progress) {
-    std::vector<MappedDirection> map;
-    for (std::size_t begin = 0; begin < directions; begin += kAtOnce) {
-        const std::size_t end = std::min(directions, begin + kAtOnce);
-        std::vector<Turn> turns;
-        for (std::size_t i = begin; i < end; ++i)
-            for (std::size_t spin = 0; spin < kSpins; ++spin)
-                turns.push_back(turn_about({1, 0, 0}, static_cast<double>(spin) * kSpinDegrees) *
-                                upright(spread_direction(i, directions)));
-        const auto found = search.glance(turns);
-        for (std::size_t i = begin; i < end; ++i) {
-            std::optional<FoundPlacement> best;
-            for (std::size_t spin = 0; spin < kSpins; ++spin) {
-                const auto& at = found[(i - begin) * kSpins + spin];
-                if (at && (!best || at->cut_blocks < best->cut_blocks)) best = at;
-            }
-            if (best) map.push_back({spread_direction(i, directions), *best});
-        }
-        if (!go_on(progress, static_cast<double>(end) / static_cast<double>(directions)))
-            return fail(ErrorKind::cancelled, "cancelled");
+DirectionMap::DirectionMap(const Mesh& mesh, const PreparedSurface& surface, const Design& design,
+                           const DesignSpace& space, std::size_t directions)
+    : surface_(surface), space_(space), cut_(design.cut) {
+    least_wall_ = wanted_wall_mm(design.space);
+    const Vec3d size = bounds(mesh).size();
+    longest_ = std::sqrt(dot(size, size));
+    const double area = surface_area(mesh);
+    const double spacing = std::max(std::sqrt(area / kPoints), longest_ / 500);
+    points_ = surface_points(mesh, spacing);
+    for (std::size_t i = 0; i < directions; ++i) {
+        DirectionCut cut;
+        cut.direction = half_sphere_point(i, directions);
+        cuts_.push_back(cut);
     }
-    return map;
+}
+
+void DirectionMap::step() {
+    const std::size_t end = std::min(cuts_.size(), next_ + kBatch);
+    const double spin = 180 * spread_fraction(passes_);  // half a turn more cuts the same
+    parallel_for((end - next_ + kTask - 1) / kTask, [&](std::size_t task) {
+        QuickCut quick(space_, cut_, least_wall_, longest_, 4, 8);
+        const std::size_t first = next_ + task * kTask;
+        for (std::size_t i = first; i < std::min(end, first + kTask); ++i) {
+            DirectionCut& cut = cuts_[i];
+            const Vec3d rotation_deg = euler_of(rotation_of(turn_onto_x(cut.direction, spin)));
+            const Rotation rotation = rotation_from_euler(rotation_deg);
+            const auto found = quick.least(points_, rotation, turned_bounds(surface_.body, rotation), 1);
+            if (found.empty() || (cut.cut_blocks >= 0 && found.front().blocks >= cut.cut_blocks)) continue;
+            cut.cut_blocks = found.front().blocks;
+            cut.rotation_deg = rotation_deg;
+            cut.offset_mm = found.front().offset_mm;
+        }
+    });
+    next_ = end;
+    if (next_ < cuts_.size()) return;
+    next_ = 0;
+    ++passes_;
 }
 
 }  // namespace snug

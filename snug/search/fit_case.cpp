@@ -18,10 +18,10 @@ namespace snug {
 namespace {
 
 constexpr std::uint64_t kSpread = 6000;  ///< rotations that are looked at all over
-constexpr std::size_t kStarts = 6;       ///< of which the best are turned further, for each case tried
-constexpr int kTries = 320;              ///< turns from each start
-constexpr std::size_t kMostCases = 600;  ///< cases that are tried
-constexpr double kHopelessShare = 0.25;  ///< of the object's length, that a start may be too long
+constexpr std::size_t kStarts = 5;       ///< of which the best are turned further, for each case tried
+constexpr int kTries = 240;              ///< turns from each start
+constexpr std::size_t kMostCases = 300;  ///< cases that are tried
+constexpr double kHopelessShare = 0.12;  ///< of the object's length, that a start may be too long
 
 struct Sample {
     Turn turn;
@@ -125,11 +125,10 @@ class CaseSearch {
                     step = std::max(1e-5, step * 0.93);
                 }
             }
-            at = exact(at.turn);
-            const Sample whole = measured(at);
-            const bool known = excess(whole.lengths, at.lengths) <= 1e-9;
-            at = whole;
-            if (known) break;
+            // The points are never longer than the object: what they refuse need not be measured.
+            if (over > 0) return at;
+            at = measured(exact(at.turn));
+            if (excess(at.lengths, room) <= 0) return at;
             step = 0.5;
         }
         return at;
@@ -227,8 +226,10 @@ Result<FittedCase> fit_case(const Mesh& mesh, const Design& design, std::uint64_
         if (std::any_of(refused.begin(), refused.end(), holds)) continue;
         double excess = 0;
         const Sample end = search.turned_into(search.room(blocks), excess);
-        if (excess > 0) refused.push_back(blocks);
-        offer(end);
+        if (excess > 0)
+            refused.push_back(blocks);
+        else
+            offer(end);
     }
     const Vec3d counts = search.blocks(best.lengths) + walls;
     if (std::max({counts.x, counts.y, counts.z}) > kMostBlocks)
@@ -248,8 +249,9 @@ Result<Vec3d> fitting_rotation(const Mesh& mesh, const Design& design, const Des
         if (excess <= 0) return euler_of(rotation_of(walled.turn));
     }
     const Vec3d room = search.room(vec_cast<double>(space.blocks));
-    const Sample bare = search.turned_into(room, excess);
+    Sample bare = search.turned_into(room, excess);
     if (excess <= 0) return euler_of(rotation_of(bare.turn));
+    bare = search.measured(bare);
     std::string too_long;
     for (int axis = 0; axis < 3; ++axis)
         if (const double over = bare.lengths[axis] - room[axis]; over > 0)

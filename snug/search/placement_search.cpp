@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 
@@ -28,6 +29,8 @@ constexpr std::size_t kFineChain = 48;  ///< and a fine one
 constexpr std::size_t kKept = 32;       ///< candidates that are kept from round to round
 constexpr std::size_t kDecided = 4;     ///< candidates, and offsets of each, that are looked at exactly
 constexpr double kDistinct = 0.99905;   ///< closeness of rotations 5 degrees apart
+constexpr double kDiverse = 0.98481;    ///< and 20 degrees apart
+constexpr std::size_t kMostDiverse = 12;
 
 struct Candidate {
     Turn turn;
@@ -67,6 +70,7 @@ struct PlacementSearch::State {
     std::vector<Candidate> waiting;  ///< coarse climbs to do
     std::vector<Candidate> climbed;  ///< fine climbs to do
     std::vector<Candidate> kept;     ///< fine, best first
+    std::vector<Candidate> diverse;  ///< the same, further from each other
     std::size_t polish = 0;
 
     [[nodiscard]] QuickCut kernel(const Level& level) const {
@@ -84,10 +88,10 @@ struct PlacementSearch::State {
                     double widest, double least) const;
     void climb_step(std::vector<Candidate>& from, std::vector<Candidate>& to, const Level& level,
                     std::size_t tries, double widest, double least);
-    void keep(std::vector<Candidate>& list, const Candidate& candidate, std::size_t most) const;
+    void keep(std::vector<Candidate>& list, const Candidate& candidate, std::size_t most,
+              double distinct = kDistinct) const;
+    [[nodiscard]] std::optional<FoundPlacement> decided(const Candidate& candidate, double most) const;
     void decide(const Candidate& candidate);
-    /// At the best of its offsets that keeps the walls.
-    [[nodiscard]] std::optional<FoundPlacement> decided(const Candidate& candidate) const;
     void decide_best(const std::vector<Candidate>& list) {
         for (std::size_t i = 0; i < std::min(kDecided, list.size()); ++i) decide(list[i]);
     }
@@ -163,9 +167,10 @@ std::vector<Turn> State::next_spread() {
 }
 
 /// Keeps the best, no two of them close to each other.
-void State::keep(std::vector<Candidate>& list, const Candidate& candidate, std::size_t most) const {
+void State::keep(std::vector<Candidate>& list, const Candidate& candidate, std::size_t most,
+                 double distinct) const {
     for (Candidate& other : list) {
-        if (symmetry->closest(candidate.turn, other.turn) < kDistinct) continue;
+        if (symmetry->closest(candidate.turn, other.turn) < distinct) continue;
         if (!better(candidate, other)) return;
         other = candidate;
         std::stable_sort(list.begin(), list.end(), better);
@@ -220,38 +225,34 @@ void State::climb_step(std::vector<Candidate>& from, std::vector<Candidate>& to,
     });
     from.erase(from.begin(), from.begin() + static_cast<std::ptrdiff_t>(count));
     evaluations += static_cast<long long>(count * (tries + 1));
-    for (const Candidate& end : ends) keep(to, end, kKept);
+    for (const Candidate& end : ends) {
+        keep(to, end, kKept);
+        if (&level == &fine) keep(diverse, end, kMostDiverse, kDiverse);
+    }
+}
+
+/// The best that the exact kernel finds among a rotation's offsets; none above `most`.
+std::optional<FoundPlacement> State::decided(const Candidate& candidate, double most) const {
+    std::optional<FoundPlacement> result;
+    QuickCut quick = kernel(fine);
+    const Vec3d rotation_deg = euler_of(rotation_of(symmetry->least_turned(candidate.turn)));
+    for (const Candidate& at : look(quick, fine, turn_of(rotation_from_euler(rotation_deg)), kDecided)) {
+        if (at.score > most) break;
+        const auto found = exactly(rotation_deg, at.cut.offset_mm);
+        if (!found) continue;
+        const FoundPlacement next{rotation_deg, at.cut.offset_mm, static_cast<long long>(found->cut_blocks),
+                                  (*score)(*found), found->bearing};
+        if (next.score <= most && (!result || next < *result)) result = next;
+    }
+    return result;
 }
 
 /// Lets the exact kernel decide where the points do not refuse.
 void State::decide(const Candidate& candidate) {
     if (candidate.score > best.score) return;
-    QuickCut quick = kernel(fine);
-    const Turn turn = symmetry->least_turned(candidate.turn);
-    const Vec3d rotation_deg = euler_of(rotation_of(turn));
-    for (const Candidate& at : look(quick, fine, turn_of(rotation_from_euler(rotation_deg)), kDecided)) {
-        if (at.score > best.score) return;
-        ++evaluations;
-        const auto found = exactly(rotation_deg, at.cut.offset_mm);
-        if (!found) continue;
-        const FoundPlacement next{rotation_deg, at.cut.offset_mm, static_cast<long long>(found->cut_blocks),
-                                  (*score)(*found), found->bearing};
-        // Equal ones go to more bearing.
-        if (next.score < best.score || (next.score == best.score && next.bearing > best.bearing)) best = next;
-    }
-}
-
-std::optional<FoundPlacement> State::decided(const Candidate& candidate) const {
-    QuickCut quick = kernel(fine);
-    const Vec3d rotation_deg = euler_of(rotation_of(symmetry->least_turned(candidate.turn)));
-    std::optional<FoundPlacement> best_one;
-    for (const Candidate& at : look(quick, fine, turn_of(rotation_from_euler(rotation_deg)), kDecided)) {
-        const auto found = exactly(rotation_deg, at.cut.offset_mm);
-        if (!found || (best_one && (*score)(*found) >= best_one->score)) continue;
-        best_one = {rotation_deg, at.cut.offset_mm, static_cast<long long>(found->cut_blocks),
-                    (*score)(*found), found->bearing};
-    }
-    return best_one;
+    ++evaluations;
+    const auto found = decided(candidate, best.score);
+    if (found && *found < best) best = *found;
 }
 
 Result<PlacementSearch> PlacementSearch::start(const Mesh& mesh, const PreparedSurface& surface,
@@ -349,41 +350,22 @@ long long PlacementSearch::evaluations() const {
     return state_->evaluations;
 }
 
-std::vector<FoundPlacement> PlacementSearch::distinct(std::size_t most, double apart) const {
-    const State& s = *state_;
-    const double closest = turn_about({1, 0, 0}, apart).w;
-    std::vector<FoundPlacement> found{s.best};
-    std::vector<Turn> turns{turn_of(rotation_from_euler(s.best.rotation_deg))};
-    for (const Candidate& candidate : s.kept) {
-        if (found.size() >= most) break;
-        const auto near = [&](const Turn& turn) {
-            return s.symmetry->closest(candidate.turn, turn) > closest;
+std::vector<FoundPlacement> PlacementSearch::distinct(std::size_t most) const {
+    std::vector<FoundPlacement> result{best()};
+    std::vector<Turn> turns{turn_of(rotation_from_euler(best().rotation_deg))};
+    for (const Candidate& candidate : state_->diverse) {
+        if (result.size() >= most) break;
+        const auto close = [&](const Turn& turn) {
+            return state_->symmetry->closest(candidate.turn, turn) >= kDiverse;
         };
-        if (std::any_of(turns.begin(), turns.end(), near)) continue;
-        const auto decided = s.decided(candidate);
-        if (!decided) continue;
-        found.push_back(*decided);
+        if (std::any_of(turns.begin(), turns.end(), close)) continue;
+        const auto found = state_->decided(candidate, std::numeric_limits<double>::infinity());
+        if (!found) continue;
+        result.push_back(*found);
         turns.push_back(candidate.turn);
     }
-    std::stable_sort(found.begin() + 1, found.end(),
-                     [](const FoundPlacement& a, const FoundPlacement& b) { return a.score < b.score; });
-    return found;
-}
-
-std::vector<std::optional<FoundPlacement>> PlacementSearch::glance(std::span<const Turn> turns) const {
-    const State& s = *state_;
-    constexpr std::size_t kTask = 16;
-    std::vector<std::optional<FoundPlacement>> found(turns.size());
-    parallel_for((turns.size() + kTask - 1) / kTask, [&](std::size_t task) {
-        QuickCut quick = s.kernel(s.coarse);
-        for (std::size_t i = task * kTask; i < std::min(turns.size(), (task + 1) * kTask); ++i) {
-            const auto at = s.look(quick, s.coarse, turns[i], 1);
-            if (at.empty()) continue;
-            const auto& [turn, cut, score] = at.front();
-            found[i] = FoundPlacement{euler_of(rotation_of(turn)), cut.offset_mm, cut.blocks, score, 0};
-        }
-    });
-    return found;
+    std::stable_sort(result.begin(), result.end());
+    return result;
 }
 
 bool run(PlacementSearch& search, long long evaluations, const SearchProgress& progress) {

@@ -1,11 +1,8 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <optional>
-#include <span>
 #include <vector>
 
 #include "snug/base/result.h"
@@ -14,7 +11,6 @@
 #include "snug/foam/design_space.h"
 #include "snug/foam/prepared_surface.h"
 #include "snug/mesh/mesh.h"
-#include "snug/search/turn.h"
 
 // Search over everything that changes the foam: all rotations, less those that the blocks' symmetry makes
 // equal, and the offset within half a block of the centre. Coarse to fine: points of the surface, for a
@@ -28,7 +24,12 @@ struct FoundPlacement {
     Vec3d offset_mm;
     long long cut_blocks = 0;
     double score = 0;    ///< by the design's objectives (objective.h); less is better
-    double bearing = 0;  ///< PlacementMeasures::bearing; of equals the one with more is kept
+    double bearing = 0;  ///< PlacementMeasures::bearing
+
+    /// Better: a smaller score, and of equal ones more bearing.
+    friend bool operator<(const FoundPlacement& a, const FoundPlacement& b) {
+        return a.score != b.score ? a.score < b.score : a.bearing > b.bearing;
+    }
 };
 
 /// A search without an end: each step leaves the best placement so far, which is never worse than the start.
@@ -50,16 +51,11 @@ class PlacementSearch {
 
     [[nodiscard]] const FoundPlacement& origin() const;  ///< where it started
     [[nodiscard]] const FoundPlacement& best() const;
+    /// The best of at most `most` placements that differ by more than 20 degrees, whatever symmetry makes
+    /// equal; best() first. What else there is than the best number, which may be a silly way to lie.
+    [[nodiscard]] std::vector<FoundPlacement> distinct(std::size_t most = 6) const;
     /// Rotations looked at, each at many offsets, and placements looked at exactly, the start included.
     [[nodiscard]] long long evaluations() const;
-
-    /// The best few that lie at least `apart` degrees from each other, whatever the blocks' symmetry makes of
-    /// them; the best of all first.
-    [[nodiscard]] std::vector<FoundPlacement> distinct(std::size_t most, double apart) const;
-
-    /// What points of the surface say about rotations, each at its best offset: a little less than it cuts,
-    /// mostly. None where no offset keeps the walls.
-    [[nodiscard]] std::vector<std::optional<FoundPlacement>> glance(std::span<const Turn> turns) const;
 
     struct State;  ///< opaque
 
