@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -72,7 +73,9 @@ TEST(SearchObjective, AThinPlateLiesAcrossTheAxisForTheLeastDepthAndLiesFlat) {
     for (const Objective objective : {Objective::depth, Objective::flat}) {
         const FoundPlacement best = found_with(plate, design, objective, 900);
         EXPECT_LT(place(plate, best.rotation_deg, {}).bounds.size().x, 9.5);
-        if (objective == Objective::depth) EXPECT_EQ(measured(plate, design, best).depth_mm, 15);
+        if (objective == Objective::depth) {
+            EXPECT_EQ(measured(plate, design, best).depth_mm, 15);
+        }
     }
 }
 
