@@ -136,7 +136,7 @@ TEST(PlacementSearch, NeverCutsMoreThanTheStartKeepsItsWallsAndIsWhatThePipeline
         EXPECT_LE(best.cut_blocks, before.cut_blocks);
         improved += best.cut_blocks < before.cut_blocks;
         for (std::size_t side = 0; side < 6; ++side) {
-            EXPECT_GE(after.wall_mm[side], std::min(*design.space.wall_mm, before.wall_mm[side]));
+            EXPECT_GE(after.wall_mm[side], std::min(design.space.wall_mm->front(), before.wall_mm[side]));
             walled += before.wall_mm[side] >= *design.space.wall_mm && *design.space.wall_mm > 0;
         }
     }
