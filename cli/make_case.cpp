@@ -30,6 +30,7 @@ Result<void> take_sizes(const std::string& text, CaseOptions& options) {
     options.name.clear();
     options.inside_mm = Vec3d{sizes->z, sizes->y, sizes->x};
     options.lid_mm.reset();
+    options.divisor = CaseOptions{}.divisor;
     if (colon == std::string::npos) return {};
     const auto lid = parse_length("--case", text.substr(colon + 1));
     if (!lid) return tl::unexpected(lid.error());

@@ -67,6 +67,13 @@ Json length_first(Vec3d size) {
     return array(Vec3d{size.z, size.y, size.x});
 }
 
+/// What a carrier bills at least, in whole kg, reckoned from the inside.
+Json volumetric_kg(const CaseOptions& options) {
+    if (!options.divisor) return nullptr;
+    const Vec3d inside = *options.inside_mm;
+    return std::ceil(inside.x * inside.y * inside.z * 1e-3 / *options.divisor);
+}
+
 Json case_json(const CaseSpace& fitted, int parting_level, const FitReport& fit) {
     const CaseOptions& options = fitted.options;
     const double foam_begin = options.play_mm + (fitted.rest_under ? fitted.rest_mm.x : 0);
@@ -83,6 +90,7 @@ Json case_json(const CaseSpace& fitted, int parting_level, const FitReport& fit)
             {"lid_off_mm", fitted.lid_level ? Json(rounded(fitted.lid_off_mm)) : Json(nullptr)},
             {"rest_mm", length_first(fitted.rest_mm)},
             {"fillers", list},
+            {"volumetric_kg", volumetric_kg(options)},
             {"shortened_blocks", fit.shortened_blocks}};
 }
 

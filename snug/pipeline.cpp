@@ -65,6 +65,17 @@ std::optional<Finding> outside(const Box3d& placed, const DesignSpace& space, do
                    placed.centre()};
 }
 
+/// A case that is divided exactly may have smaller blocks than those the clearance was checked for.
+std::optional<Error> too_squeezed(const DesignSpace& space, const CutOptions& cut) {
+    const Vec3d block = space.block_mm;
+    const double least = kLeastClearanceShare * std::min({block.x, block.y, block.z});
+    if (cut.clearance_mm >= least) return {};
+    return Error{ErrorKind::usage, "the case is divided into blocks of " + dimensions(block) +
+                                       " mm, for which the clearance must be " + number(least, 4) +
+                                       " mm or more (-0.4 of the smallest side), not " +
+                                       number(cut.clearance_mm, 4)};
+}
+
 /// As chosen, or at the line of the case's lid, or the best one.
 int parting_level(const Packing& packing, const PartingOptions& options) {
     if (options.level) return *options.level;
@@ -147,6 +158,7 @@ Result<Packing> pack(const Object& object, const Design& design) {
     if (in_case) {
         auto fitted = case_space(design.case_options, design.space.block_mm);
         if (!fitted) return tl::unexpected(fitted.error());
+        if (const auto error = too_squeezed(fitted->space, design.cut)) return tl::unexpected(*error);
         packing.space = fitted->space;
         packing.available = available_blocks(*fitted);
         packing.fitted_case = std::move(*fitted);

@@ -46,6 +46,9 @@ std::optional<Division> division_from_name(std::string_view name) {
 std::optional<std::string> problem_of(const CaseOptions& options) {
     if (!within(options.play_mm, 0, kGreatestCase))
         return "the play must be 0 mm or more, not " + mm(options.play_mm);
+    if (options.divisor && !within(*options.divisor, 1, 1e6))
+        return "the divisor of the volumetric weight must be 1 to 1000000 cm3 for one kg, not " +
+               number(*options.divisor, 4);
     if (!options.inside_mm) return {};
     const Vec3d inside = *options.inside_mm;
     const double least = std::min({inside.x, inside.y, inside.z});

@@ -30,14 +30,15 @@ struct CrossSection {
 };
 
 struct CaseOptions {
-    std::string name;                     ///< of a case in the list (cases.h), for people; may be empty
-    std::optional<Vec3d> inside_mm;       ///< height, width, length inside; none: the design space is free
-    double play_mm = 3;                   ///< air on each of the six sides, 0 or more
-    std::optional<double> lid_mm;         ///< of the inside height, what belongs to the lid; none: not known
-    double corner_radius_mm = 0;          ///< of the four upright edges
-    std::optional<CrossSection> base_mm;  ///< inside at the floor, where the walls lean; none: upright
-    std::optional<CrossSection> top_mm;   ///< inside at the roof of the lid; none: upright
-    Division division = Division::none;   ///< of the material, as its preset says
+    std::string name;                      ///< of a case in the list (cases.h), for people; may be empty
+    std::optional<Vec3d> inside_mm;        ///< height, width, length inside; none: the design space is free
+    double play_mm = 3;                    ///< air on each of the six sides, 0 or more
+    std::optional<double> lid_mm;          ///< of the inside height, what belongs to the lid; none: not known
+    double corner_radius_mm = 0;           ///< of the four upright edges
+    std::optional<CrossSection> base_mm;   ///< inside at the floor, where the walls lean; none: upright
+    std::optional<CrossSection> top_mm;    ///< inside at the roof of the lid; none: upright
+    std::optional<double> divisor = 5000;  ///< cm3 for one kg of volumetric weight; none: a flat rate
+    Division division = Division::none;    ///< of the material, as its preset says
     friend bool operator==(const CaseOptions&, const CaseOptions&) = default;
 };
 

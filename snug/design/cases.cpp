@@ -241,6 +241,8 @@ void apply(const KnownCase& known, CaseOptions& options) {
     options.name = known.name;
     options.inside_mm = known.inside_mm;
     options.lid_mm = known.lid_mm;
+    options.divisor = known.divisor;
+    if (!known.divisor && !known.has_flat_rate()) options.divisor = CaseOptions{}.divisor;
 }
 
 }  // namespace snug

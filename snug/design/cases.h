@@ -23,6 +23,8 @@ struct KnownCase {
     std::string carrier;            ///< whose class it is
     std::optional<double> divisor;  ///< cm3 for one kg of volumetric weight
     std::string source;             ///< where the sizes are from
+    /// Whether a carrier charges one price for it, whatever its volume.
+    [[nodiscard]] bool has_flat_rate() const { return kind == "parcel class" && !divisor; }
     friend bool operator==(const KnownCase&, const KnownCase&) = default;
 };
 
@@ -47,7 +49,8 @@ struct CaseList {
 /// The last case of that name, or an Error (kind usage) that shows names like it.
 [[nodiscard]] Result<KnownCase> find_case(const std::vector<KnownCase>& known, std::string_view name);
 
-/// Sets name, inside and lid; play, shape and division stay.
+/// Sets name, inside, lid and divisor (5000 where the case does not say its own and has no flat rate); play,
+/// shape and division stay.
 void apply(const KnownCase& known, CaseOptions& options);
 
 }  // namespace snug

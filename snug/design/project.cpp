@@ -40,6 +40,7 @@ Json case_json(const CaseOptions& options) {
             {"corner_radius_mm", options.corner_radius_mm},
             {"base_mm", section_or_null(options.base_mm)},
             {"top_mm", section_or_null(options.top_mm)},
+            {"divisor", value_or_null(options.divisor)},
             {"division", division_name(options.division)}};
 }
 
@@ -146,6 +147,7 @@ void read_case(JsonReader json, CaseOptions& options, JsonReader& parent) {
         .read("play_mm", options.play_mm)
         .read("lid_mm", options.lid_mm)
         .read("corner_radius_mm", options.corner_radius_mm)
+        .read("divisor", options.divisor)
         .read("division", division);
     read_section(json, "base_mm", options.base_mm);
     read_section(json, "top_mm", options.top_mm);

@@ -74,8 +74,7 @@ bool comes_before(const RankedCase& a, const RankedCase& b) {
 std::optional<double> billed_kg(const KnownCase& known, const Cargo& cargo) {
     std::optional<double> billed;
     if (cargo.mass_kg) billed = *cargo.mass_kg + known.tare_kg.value_or(0);
-    const bool has_own_price = known.kind == "parcel class" && !known.divisor;
-    if (!has_own_price) {
+    if (!known.has_flat_rate()) {
         const double cm3 = volume(known.inside_mm) * 1e-3;
         billed = std::max(billed.value_or(0), cm3 / known.divisor.value_or(cargo.divisor));
     }
