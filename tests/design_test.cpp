@@ -27,6 +27,15 @@ Design random_design_options(Random& random) {
             Vec3i{random.integer(1, 4096), random.integer(1, 4096), random.integer(1, 4096)};
     design.space.block_mm = {random.between(0.1, 10000), random.between(0.1, 10), random.between(0.1, 100)};
     if (random.chance(0.5)) design.space.wall_mm = equal_walls(random.between(0, 100));
+    if (random.chance(0.5)) {
+        design.case_options.name = "a case";
+        design.case_options.inside_mm = Vec3d{random.between(50, 100), 200, random.between(200, 300)};
+        design.case_options.lid_mm = random.between(0, 40);
+        design.case_options.base_mm = CrossSection{random.between(100, 200), 190};
+        design.case_options.corner_radius_mm = random.between(0, 40);
+        design.case_options.division = Division::across;
+        design.case_options.divisor.reset();
+    }
     if (random.chance(0.3)) design.space.wall_mm = Walls{1, 2, 3.5, random.between(0, 100), 5, 6};
     design.placement.rotation_deg = {random.between(-360, 360), 90, random.between(-1, 1) * 1e-9};
     design.placement.offset_mm = {random.between(-10, 10), 0, -0.5};
