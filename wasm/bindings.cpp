@@ -96,5 +96,8 @@ EMSCRIPTEN_BINDINGS(snug) {
         .function("distances", &bound::Session::distances)
         .function("startSearch", &bound::Session::start_search)
         .function("searchStep", &bound::Session::search_step)
+        .function("distinct", &bound::Session::distinct)
+        .function("startMap", &bound::Session::start_map)
+        .function("mapStep", &bound::Session::map_step)
         .function("outputFiles", &bound::Session::output_files);
 }

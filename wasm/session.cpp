@@ -15,6 +15,7 @@ namespace {
 constexpr std::uint64_t kSearchSeed = 1;
 /// Between two looks at what the page says.
 constexpr double kStepMs = 60;
+constexpr std::size_t kMostDistinct = 6;
 
 const Error kNoObject{ErrorKind::usage, "there is no object yet: open one first"};
 const Error kNoFoams{ErrorKind::usage, "there are no foams yet that could be measured"};
@@ -55,6 +56,7 @@ val Session::load(const val& bytes, const std::string& name, const std::string& 
     if (!object && !asks_for_unit(box, *design)) return to_val(object.error());
 
     search_.reset();
+    map_.reset();
     packing_.reset();
     surface_.reset();
     object_.reset();
@@ -72,6 +74,7 @@ std::optional<Error> Session::prepare_for(const Design& design) {
     auto object = prepare(*read_, design);
     if (!object) return object.error();
     search_.reset();
+    map_.reset();
     packing_.reset();
     surface_.reset();
     options_ = design.object;
@@ -150,6 +153,32 @@ val Session::search_step() {
         return spent < kStepMs;
     });
     return to_val(*search_, searched_);
+}
+
+val Session::distinct() const {
+    val list = val::array();
+    if (search_)
+        for (const FoundPlacement& placement : search_->distinct(kMostDistinct))
+            list.call<void>("push", to_val(placement));
+    return list;
+}
+
+val Session::start_map(const std::string& design_text) {
+    const auto design = parse_design(design_text);
+    if (!design) return to_val(design.error());
+    if (const auto error = prepare_for(*design)) return to_val(*error);
+    prepare_for_many(*object_);
+    const auto packing = snug::pack(*object_, *design);
+    if (!packing) return to_val(packing.error());
+    map_.emplace(object_->mesh, *object_->surface, *design, packing->space);
+    return to_val(*map_);
+}
+
+val Session::map_step() {
+    if (!map_) return to_val(Error{ErrorKind::cancelled, "the object changed while it was turned"});
+    Stopwatch watch;
+    for (double spent = 0; spent < kStepMs && map_->passes() < kMapPasses; spent += watch.lap()) map_->step();
+    return to_val(*map_);
 }
 
 val Session::output_files(const std::string& project_text, const val& progress) {

@@ -6,6 +6,7 @@
 #include "snug/foam/surface_distance.h"
 #include "snug/mesh/mesh.h"
 #include "snug/pipeline.h"
+#include "snug/search/direction_map.h"
 #include "snug/search/placement_search.h"
 
 #include "wasm/values.h"
@@ -37,6 +38,12 @@ class Session {
     val start_search(const std::string& design);
     /// Looks on for some milliseconds.
     val search_step();
+    /// Of the search: the best few placements that differ.
+    [[nodiscard]] val distinct() const;
+    /// Starts a map of what is cut by direction, for the design's space; another object ends it.
+    val start_map(const std::string& design);
+    /// Goes on with it for some milliseconds.
+    val map_step();
     /// Everything that `snug make` writes for the design and the object's file.
     val output_files(const std::string& project, const val& progress);
 
@@ -51,6 +58,7 @@ class Session {
     std::optional<SurfaceDistance> surface_;  ///< of object_, once it was asked for
     std::optional<PlacementSearch> search_;   ///< of object_
     DesignSpace searched_;
+    std::optional<DirectionMap> map_;  ///< of object_
 };
 
 }  // namespace snug::wasm

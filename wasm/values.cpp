@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 namespace snug::wasm {
 namespace {
@@ -217,17 +218,43 @@ val to_val(const GapReport& gap) {
     return result;
 }
 
-val to_val(const PlacementSearch& search, const DesignSpace& space) {
-    const FoundPlacement& best = search.best();
+val to_val(const FoundPlacement& placement) {
     val result = val::object();
-    result.set("rotation_deg", to_val(best.rotation_deg));
-    result.set("offset_mm", to_val(best.offset_mm));
-    result.set("cut_blocks", static_cast<double>(best.cut_blocks));
+    result.set("rotation_deg", to_val(placement.rotation_deg));
+    result.set("offset_mm", to_val(placement.offset_mm));
+    result.set("cut_blocks", static_cast<double>(placement.cut_blocks));
+    return result;
+}
+
+val to_val(const PlacementSearch& search, const DesignSpace& space) {
+    val result = to_val(search.best());
     result.set("fill_ratio",
-               1 - static_cast<double>(best.cut_blocks) / static_cast<double>(space.block_count()));
+               1 - static_cast<double>(search.best().cut_blocks) / static_cast<double>(space.block_count()));
     result.set("fraction", std::min(1.0, static_cast<double>(search.evaluations()) /
                                              static_cast<double>(kSearchEvaluations)));
     result.set("ended", search.evaluations() >= kSearchEvaluations);
+    return result;
+}
+
+val to_val(const DirectionMap& map) {
+    std::vector<float> directions, cut_blocks, rotations, offsets;
+    const auto add = [](std::vector<float>& list, Vec3d v) {
+        for (int axis = 0; axis < 3; ++axis) list.push_back(static_cast<float>(v[axis]));
+    };
+    for (const DirectionCut& cut : map.cuts()) {
+        if (cut.cut_blocks < 0) continue;
+        add(directions, cut.direction);
+        cut_blocks.push_back(static_cast<float>(cut.cut_blocks));
+        add(rotations, cut.rotation_deg);
+        add(offsets, cut.offset_mm);
+    }
+    val result = val::object();
+    result.set("directions", typed_array(directions.data(), directions.size()));
+    result.set("cut_blocks", typed_array(cut_blocks.data(), cut_blocks.size()));
+    result.set("rotations_deg", typed_array(rotations.data(), rotations.size()));
+    result.set("offsets_mm", typed_array(offsets.data(), offsets.size()));
+    result.set("fraction", std::min(1.0, static_cast<double>(map.passes()) / kMapPasses));
+    result.set("ended", map.passes() >= kMapPasses);
     return result;
 }
 

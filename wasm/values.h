@@ -15,6 +15,7 @@
 #include "snug/foam/gap.h"
 #include "snug/outputs.h"
 #include "snug/pipeline.h"
+#include "snug/search/direction_map.h"
 #include "snug/search/placement_search.h"
 
 // The library's values as the page has them (studio/src/engine/api.ts), field for field. Arrays are copies:
@@ -47,7 +48,11 @@ template <class T>
 [[nodiscard]] val to_val(const Mesh& mesh);
 [[nodiscard]] val to_val(const Packing& packing, double library_ms);
 [[nodiscard]] val to_val(const GapReport& gap);
+[[nodiscard]] val to_val(const FoundPlacement& placement);
 [[nodiscard]] val to_val(const PlacementSearch& search, const DesignSpace& space);
+/// Directions that fit alone.
+[[nodiscard]] val to_val(const DirectionMap& map);
+constexpr std::size_t kMapPasses = 12;  ///< turns about each direction in a map
 [[nodiscard]] val to_val(const OutputFile& file);
 [[nodiscard]] val to_val(const std::vector<OutputFile>& files);
 

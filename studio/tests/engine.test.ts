@@ -245,7 +245,8 @@ describe('a search', () => {
     const steps: SearchStep[] = [];
     const end = good(await core.search(design, (step) => steps.push(step)));
     expect(steps[0]!.fill_ratio).toBe(start);
-    expect(steps.at(-1)).toEqual(end);
+    expect(end).toMatchObject(steps.at(-1)!);
+    expect(end.distinct[0]).toEqual({rotation_deg: end.rotation_deg, offset_mm: end.offset_mm, cut_blocks: end.cut_blocks});
     expect(end.fill_ratio).toBeGreaterThan(start);
     for (let i = 1; i < steps.length; i++)
       expect(steps[i]!.fill_ratio).toBeGreaterThanOrEqual(steps[i - 1]!.fill_ratio);
@@ -263,7 +264,7 @@ describe('a search', () => {
     });
     const meanwhile = await pack();
     expect(meanwhile.fit!.fill_ratio).toBe(steps[0]!.fill_ratio);
-    expect(good(await searching)).toEqual(steps[2]);
+    expect(good(await searching)).toMatchObject(steps[2]!);
     expect(steps.length).toBe(3);
   });
 
@@ -273,7 +274,26 @@ describe('a search', () => {
     const steps: SearchStep[] = [];
     const searching = core.search(design, (step) => steps.push(step));
     await load(box([120, 80, 60]));
-    expect(good(await searching)).toEqual(steps.at(-1));
+    expect(good(await searching)).toMatchObject(steps.at(-1)!);
+  });
+});
+
+describe('a map of directions', () => {
+  test('has for each what its placement cuts, about', async () => {
+    await sample('camera');
+    const seen: number[] = [];
+    const map = good(await core.directions(design, ({fraction}) => seen.push(fraction)));
+    expect(map.fraction).toBe(1);
+    expect(seen).toEqual([...seen].sort((a, b) => a - b));
+    const count = map.cut_blocks.length;
+    expect(count).toBeGreaterThan(300);
+    expect(map.directions.length).toBe(3 * count);
+    for (const i of [0, Math.floor(count / 2), count - 1]) {
+      const triple = (list: Float32Array) => [...list.slice(3 * i, 3 * i + 3)] as [number, number, number];
+      design.placement = {rotation_deg: triple(map.rotations_deg), offset_mm: triple(map.offsets_mm)};
+      const cut = (await pack()).fit!.cut_blocks;
+      expect(Math.abs(map.cut_blocks[i]! - cut)).toBeLessThan(0.25 * cut);
+    }
   });
 });
 

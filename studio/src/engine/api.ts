@@ -121,6 +121,24 @@ export interface SearchStep extends FoundPlacement {
   fraction: number;
 }
 
+/** What a search ends with. */
+export interface SearchResult extends SearchStep {
+  /** The best few placements that differ, the best first. */
+  distinct: FoundPlacement[];
+}
+
+/** What is cut by direction of insertion, at its best turn and offset, as points of the surface say; finer with every
+ *  pass. Directions in which the object does not fit are left out. */
+export interface DirectionMap {
+  /** Unit vectors of the object's own, x, y, z after each other; the opposite ones cut the same. */
+  directions: Float32Array<ArrayBuffer>;
+  cut_blocks: Float32Array<ArrayBuffer>;
+  rotations_deg: Float32Array<ArrayBuffer>;
+  offsets_mm: Float32Array<ArrayBuffer>;
+  /** 0 to 1 */
+  fraction: number;
+}
+
 export interface OutputFile {
   name: string;
   bytes: Uint8Array<ArrayBuffer>;
@@ -162,8 +180,10 @@ export interface Engine {
   /** The placement that cuts the least foam away: every rotation, and offsets of up to half a block; the space and
    *  its walls stay those of the start. `onStep` hears where it stands several times a second. After cancel() the
    *  best so far is returned. */
-  search(design: Design, onStep: (step: SearchStep) => void): Promise<SearchStep | Failure>;
-  /** Ends gaps(), search() and outputFiles(), whichever runs; the first and the last then give a Failure of kind
+  search(design: Design, onStep: (step: SearchStep) => void): Promise<SearchResult | Failure>;
+  /** The map of directions for the design's space; `onStep` hears it grow. Ended by cancel(), it is what it is. */
+  directions(design: Design, onStep: (map: DirectionMap) => void): Promise<DirectionMap | Failure>;
+  /** Ends gaps(), search(), directions() and outputFiles(), whichever runs; the first and the last then give a Failure of kind
    *  `cancelled`. */
   cancel(): Promise<void>;
   /** Everything that `snug make` writes for this design, byte for byte (report.json's timing_ms aside).

@@ -1,7 +1,9 @@
 import type {Session, SnugModule} from 'snug-wasm/snug.mjs';
 import type {
+  SearchResult,
   SearchStep,
   Design,
+  DirectionMap,
   DisplayMesh,
   Failure,
   Gap,
@@ -23,7 +25,7 @@ export class EngineCore {
   readonly #snug: SnugModule;
   readonly #session: Session;
   #file: Promise<ObjectFile> = Promise.resolve({name: '', bytes: 0, sha256: ''});
-  #search = 0;
+  #stepping = 0;
 
   constructor(snug: SnugModule) {
     this.#snug = snug;
@@ -55,7 +57,7 @@ export class EngineCore {
     const design = JSON.stringify({...(await this.defaultDesign()), object});
     const info = guarded(() => this.#session.load(bytes, name, design));
     if (isFailure(info)) return info;
-    this.#search++;
+    this.#stepping++;
     this.#file = sha256(bytes).then((hash) => ({name: withoutFolders(name), bytes: bytes.length, sha256: hash}));
     return {file: await this.#file, ...info};
   }
@@ -100,26 +102,50 @@ export class EngineCore {
   }
 
   /** Step by step, so that cancel() and everything else is heard in between. */
-  async search(design: Design, onStep: (step: SearchStep) => void): Promise<SearchStep | Failure> {
-    const mine = ++this.#search;
-    const start = guarded(() => this.#session.startSearch(JSON.stringify(design)));
-    if (isFailure(start)) return start;
-    let {ended, ...step} = start;
-    onStep(step);
-    while (!ended) {
-      await afterWaitingMessages();
-      if (mine !== this.#search) break;
-      const next = guarded(() => this.#session.searchStep());
-      if (isFailure(next)) return next.kind === 'cancelled' ? step : next;
-      ({ended, ...step} = next);
-      onStep(step);
-    }
-    return step;
+  async search(design: Design, onStep: (step: SearchStep) => void): Promise<SearchResult | Failure> {
+    const text = JSON.stringify(design);
+    const end = await this.#stepwise(
+      () => this.#session.startSearch(text),
+      () => this.#session.searchStep(),
+      onStep,
+    );
+    if (isFailure(end)) return end;
+    const distinct = guarded(() => this.#session.distinct());
+    return isFailure(distinct) ? distinct : {...end, distinct};
   }
 
-  /** Ends the search after its step. */
+  async directions(design: Design, onStep: (map: DirectionMap) => void): Promise<DirectionMap | Failure> {
+    const text = JSON.stringify(design);
+    return this.#stepwise(
+      () => this.#session.startMap(text),
+      () => this.#session.mapStep(),
+      onStep,
+    );
+  }
+
+  async #stepwise<T extends object>(
+    begin: () => (T & {ended: boolean}) | Failure,
+    goOn: () => (T & {ended: boolean}) | Failure,
+    onStep: (step: T) => void,
+  ): Promise<T | Failure> {
+    const mine = ++this.#stepping;
+    let step = guarded(begin);
+    if (isFailure(step)) return step;
+    onStep(told(step));
+    while (!step.ended) {
+      await afterWaitingMessages();
+      if (mine !== this.#stepping) break;
+      const next = guarded(goOn);
+      if (isFailure(next)) return next.kind === 'cancelled' ? told(step) : next;
+      step = next;
+      onStep(told(step));
+    }
+    return told(step);
+  }
+
+  /** Ends the search or the map after its step. */
   async cancel(): Promise<void> {
-    this.#search++;
+    this.#stepping++;
   }
 
   async outputFiles(design: Design, onProgress?: OnProgress): Promise<OutputFile[] | Failure> {
@@ -138,6 +164,10 @@ function guarded<T>(call: () => T): T | Failure {
   } catch (reason) {
     return brokenModule(reason);
   }
+}
+
+function told<T extends object>({ended: _, ...step}: T & {ended: boolean}): T {
+  return step as unknown as T;
 }
 
 function throttled(onProgress?: OnProgress): ((fraction: number) => boolean) | null {

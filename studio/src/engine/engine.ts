@@ -1,7 +1,9 @@
 import {proxy, wrap} from 'comlink';
 import type {
+  SearchResult,
   SearchStep,
   Design,
+  DirectionMap,
   DisplayMesh,
   Engine,
   Failure,
@@ -151,7 +153,7 @@ class PageEngine implements Engine {
     });
   }
 
-  async search(design: Design, onStep: (step: SearchStep) => void): Promise<SearchStep | Failure> {
+  async search(design: Design, onStep: (step: SearchStep) => void): Promise<SearchResult | Failure> {
     let last: SearchStep | null = null;
     const listen = (step: SearchStep) => {
       last = step;
@@ -159,7 +161,13 @@ class PageEngine implements Engine {
     };
     const plain = copied(design);
     const answer = await this.#slowly('searches', (core) => core.search(plain, proxy(listen)));
-    return isFailure(answer) && answer.kind === 'cancelled' ? (last ?? answer) : answer;
+    const best = last as SearchStep | null;
+    return isFailure(answer) && answer.kind === 'cancelled' && best ? {...best, distinct: []} : answer;
+  }
+
+  directions(design: Design, onStep: (map: DirectionMap) => void): Promise<DirectionMap | Failure> {
+    const plain = copied(design);
+    return this.#slowly('searches', (core) => core.directions(plain, proxy(onStep)));
   }
 
   outputFiles(design: Design, onProgress?: OnProgress): Promise<OutputFile[] | Failure> {

@@ -1,7 +1,19 @@
 // The WebAssembly module that wasm/ builds. Designs and projects pass as JSON texts.
 
 declare module 'snug-wasm/snug.mjs' {
-  import type {SearchStep, DisplayMesh, Failure, Gap, ObjectFile, ObjectInfo, OutputFile, Packing, Preset} from './api';
+  import type {
+    DirectionMap,
+    DisplayMesh,
+    Failure,
+    FoundPlacement,
+    Gap,
+    ObjectFile,
+    ObjectInfo,
+    OutputFile,
+    Packing,
+    Preset,
+    SearchStep,
+  } from './api';
 
   type Progress = ((fraction: number) => boolean) | null;
   type Made = {files: OutputFile[]; report: string};
@@ -16,6 +28,9 @@ declare module 'snug-wasm/snug.mjs' {
     distances(points: Float32Array): Float32Array<ArrayBuffer> | Failure;
     startSearch(design: string): (SearchStep & {ended: boolean}) | Failure;
     searchStep(): (SearchStep & {ended: boolean}) | Failure;
+    distinct(): FoundPlacement[];
+    startMap(design: string): (DirectionMap & {ended: boolean}) | Failure;
+    mapStep(): (DirectionMap & {ended: boolean}) | Failure;
     outputFiles(project: string, progress: Progress): Made | Failure;
     delete(): void;
   }

@@ -45,6 +45,12 @@ export function sideThatIsDown(rotation: Triple): Side {
   return SIDES.reduce((a, b) => (down(a) >= down(b) - 1e-9 ? a : b));
 }
 
+/** What of the object, in its own coordinates, points up. */
+export function ownDirectionUp(rotation: Triple): Triple {
+  const {x, y, z} = AXES[0].clone().applyQuaternion(quaternion(rotation).invert());
+  return [x, y, z];
+}
+
 export function matrixFrom(elements: readonly number[]): Matrix4 {
   return new Matrix4().fromArray(elements);
 }

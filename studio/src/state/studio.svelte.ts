@@ -1,4 +1,15 @@
-import type {Design, DisplayMesh, Engine, Failure, Gap, ObjectInfo, Packing, Preset} from '../engine/api';
+import type {
+  Design,
+  DirectionMap,
+  DisplayMesh,
+  Engine,
+  Failure,
+  FoundPlacement,
+  Gap,
+  ObjectInfo,
+  Packing,
+  Preset,
+} from '../engine/api';
 import {isFailure} from '../engine/failure';
 import {makeLine} from '../engine/make_line';
 import type {Autosave, Moment, StoredObject} from './autosave';
@@ -19,7 +30,7 @@ export interface Problem {
   text: string;
 }
 
-export type Work = 'start' | 'read' | 'gaps' | 'search' | 'make';
+export type Work = 'start' | 'read' | 'gaps' | 'search' | 'map' | 'make';
 /** What takes long just now. `fraction`: 0 to 1 where it is known. */
 export interface Busy {
   work: Work;
@@ -59,6 +70,8 @@ export class Studio {
   timing: Timing | null = $state.raw(null);
   gap: Gap | null = $state.raw(null);
   problem: Problem | null = $state.raw(null);
+  /** What the last search and the last map found; see knowsPlacementsOf(). */
+  #placements: {of: string; blocks: Design['space']['blocks']; distinct: FoundPlacement[]; map: DirectionMap | null} | null = $state.raw(null);
   /** Something to know that is nobody's fault; stays until it is read. */
   notice: string | null = $state.raw(null);
   busy: Busy | null = $state.raw(null);
@@ -154,6 +167,49 @@ export class Studio {
     return this.#work;
   }
 
+  /** Of the present object and foam, wherever the object lies. */
+  get placements() {
+    return this.#placements?.of === this.#foundFor() ? this.#placements : null;
+  }
+
+  /** Puts the object where a search or a map found it. */
+  take({rotation_deg, offset_mm}: Design['placement'], control: string): void {
+    const blocks = this.#placements?.blocks ?? this.design.space.blocks;
+    this.change((design) => withSpace(withPlacement(design, {rotation_deg, offset_mm}), blocks), control);
+  }
+
+  /** Colours all directions by what they cut, better and better. */
+  map(): Promise<void> {
+    this.#work = this.#map();
+    return this.#work;
+  }
+
+  async #map(): Promise<void> {
+    const design = this.design;
+    this.#stopResting();
+    this.busy = {work: 'map', fraction: 0, cancel: () => void this.engine.cancel()};
+    const grown = (map: DirectionMap) => {
+      if (this.busy?.work === 'map') this.busy = {...this.busy, fraction: map.fraction};
+      this.#found({map});
+    };
+    const map = await this.engine.directions(design, grown);
+    this.busy = null;
+    if (isFailure(map)) this.#refuse('optimize', map);
+    else grown(map);
+  }
+
+  #found(news: {distinct?: FoundPlacement[]; map?: DirectionMap}): void {
+    const {distinct = [], map = null} = this.placements ?? {};
+    const blocks = this.packing?.blocks ?? this.design.space.blocks;
+    this.#placements = {of: this.#foundFor(), blocks, distinct, map, ...news};
+  }
+
+  /** All that placements depend on, but for the number of blocks where the space follows the object. */
+  #foundFor(): string {
+    const {object, space, cut} = this.design;
+    return JSON.stringify([this.#shown, object, space.block_mm, space.wall_mm, cut]);
+  }
+
   async #search(): Promise<void> {
     const start = this.design;
     this.#stopResting();
@@ -175,6 +231,7 @@ export class Studio {
       this.#refuse('optimize', best);
     } else {
       this.design = await this.#asFound(withPlacement(start, best), best.cut_blocks, blocks);
+      this.#found({distinct: best.distinct});
     }
     await this.#show(this.design, 'optimize');
   }
