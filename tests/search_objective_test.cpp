@@ -112,7 +112,7 @@ TEST(SearchObjective, ASearchInAFittedCaseKeepsItsWalls) {
     Design design;
     design.object.units = Unit::mm;
     design.space.blocks.reset();
-    design.space.wall_mm = 30;
+    design.space.wall_mm = equal_walls(30);
     const auto report = search_design(mesh, surface, design, {true, true, 600});
     ASSERT_TRUE(report);
     ASSERT_TRUE(design.space.blocks);

@@ -137,7 +137,8 @@ TEST(PlacementSearch, NeverCutsMoreThanTheStartKeepsItsWallsAndIsWhatThePipeline
         improved += best.cut_blocks < before.cut_blocks;
         for (std::size_t side = 0; side < 6; ++side) {
             EXPECT_GE(after.wall_mm[side], std::min(design.space.wall_mm->front(), before.wall_mm[side]));
-            walled += before.wall_mm[side] >= *design.space.wall_mm && *design.space.wall_mm > 0;
+            walled +=
+                before.wall_mm[side] >= design.space.wall_mm->front() && design.space.wall_mm->front() > 0;
         }
     }
     EXPECT_GT(improved, 10);
