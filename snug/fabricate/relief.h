@@ -4,13 +4,12 @@
 
 #include "snug/base/grid.h"
 #include "snug/base/vec.h"
+#include "snug/fabricate/half.h"
 #include "snug/fabricate/isometric.h"
 #include "snug/foam/design_space.h"
 #include "snug/foam/foam_pair.h"
 
 namespace snug {
-
-enum class Half { lower, lid };
 
 /// One foam half as it lies open in the scene (isometric.h), cavity up: a height field whose rows run from
 /// the back towards the viewer and whose columns run to the right.

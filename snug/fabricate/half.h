@@ -1,0 +1,7 @@
+#pragma once
+
+namespace snug {
+
+enum class Half { lower, lid };
+
+}  // namespace snug

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace snug {
+
+/// How wide a line of UTF-8 text is in Helvetica (its published character widths; what is beyond ASCII counts
+/// as an average letter).
+[[nodiscard]] double text_width(std::string_view text, double height_mm, bool bold = false);
+
+/// The text in lines no wider than `width_mm`, each as full as it can be: broken at spaces, a word that is
+/// wider anywhere.
+[[nodiscard]] std::vector<std::string> lines_of(std::string_view text, double width_mm, double height_mm,
+                                                bool bold = false);
+
+}  // namespace snug
