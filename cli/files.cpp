@@ -103,19 +103,22 @@ FileSet::~FileSet() {
 }
 
 Result<void> FileSet::open() {
+    return make_folder(folder_);
+}
+
+Result<void> FileSet::make_folder(const fs::path& folder) {
     std::vector<fs::path> missing;
     std::error_code error;
-    for (fs::path at = fs::absolute(folder_, error).lexically_normal(); !fs::exists(at, error);) {
+    for (fs::path at = fs::absolute(folder, error).lexically_normal(); !fs::exists(at, error);) {
         if (at.has_filename()) missing.push_back(at);
         if (at == at.parent_path()) break;
         at = at.parent_path();
     }
-    for (auto folder = missing.rbegin(); folder != missing.rend(); ++folder) {
-        if (!fs::create_directory(*folder, error))
-            return cannot_write(folder_, error ? error.value() : EEXIST);
-        made_folders_.push_back(*folder);
+    for (auto next = missing.rbegin(); next != missing.rend(); ++next) {
+        if (!fs::create_directory(*next, error)) return cannot_write(folder, error ? error.value() : EEXIST);
+        made_folders_.push_back(*next);
     }
-    if (!fs::is_directory(folder_, error)) return cannot_write(folder_, ENOTDIR);
+    if (!fs::is_directory(folder, error)) return cannot_write(folder, ENOTDIR);
     return {};
 }
 
@@ -123,7 +126,10 @@ Result<void> FileSet::write(const std::string& name, std::span<const std::byte> 
     const fs::path final = folder_ / name;
     std::error_code ignored;
     if (fs::is_directory(final, ignored)) return cannot_write(final, EISDIR);
-    const fs::path temporary = folder_ / fmt::format(".{}.{}.part", name, ::getpid());
+    if (final.parent_path() != folder_)
+        if (auto done = make_folder(final.parent_path()); !done) return done;
+    const fs::path temporary =
+        final.parent_path() / fmt::format(".{}.{}.part", final.filename().string(), ::getpid());
     Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
     if (!file.ok()) return cannot_write(final, errno);
     pending_.push_back({temporary, final});

@@ -29,10 +29,13 @@ class FileSet {
     FileSet& operator=(const FileSet&) = delete;
 
     [[nodiscard]] Result<void> open();
+    /// `name` may lie in a folder of its own within the set's ("sponge/lower-01.svg").
     [[nodiscard]] Result<void> write(const std::string& name, std::span<const std::byte> bytes);
     [[nodiscard]] Result<void> commit();
 
   private:
+    [[nodiscard]] Result<void> make_folder(const std::filesystem::path& folder);
+
     struct Pending {
         std::filesystem::path temporary;
         std::filesystem::path final;

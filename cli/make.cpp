@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -14,6 +15,7 @@
 #include "snug/mesh/read.h"
 #include "snug/outputs.h"
 #include "snug/pipeline.h"
+#include "snug/workshop.h"
 
 #include "cli/commands.h"
 #include "cli/console.h"
@@ -21,6 +23,7 @@
 #include "cli/interrupt.h"
 #include "cli/make_case.h"
 #include "cli/make_search.h"
+#include "cli/make_workshop.h"
 #include "cli/object_file.h"
 #include "cli/option_values.h"
 #include "cli/summary.h"
@@ -40,6 +43,7 @@ struct MakeArguments {
     std::optional<double> scale, longest, clearance;
     std::vector<std::string> formats;
     SearchArguments search;
+    WorkshopArguments workshop;
     bool cap = false, cut_on_touch = false, quiet = false, json = false;
     int threads = 0;
     CaseArguments case_arguments;
@@ -83,6 +87,7 @@ void add_options(CLI::App& make, MakeArguments& arguments) {
     make.add_option("--formats", a.formats, "Formats of the foams: stl, ply (both)")
         ->type_name("stl,ply")
         ->delimiter(',');
+    add_workshop_options(make, a.workshop);
     make.add_option("--threads", a.threads, "Threads to use at most; the files are the same for any number")
         ->type_name("N")
         ->check(CLI::Range(1, 1024));
@@ -96,14 +101,20 @@ void add_options(CLI::App& make, MakeArguments& arguments) {
 }
 
 /// Applies what was typed to the design, presets first so that explicit sizes win.
-Result<Design> design_from(const MakeArguments& a, Design design) {
-    if (a.preset) {
+Result<Design> design_from(const MakeArguments& a, Design design, bool from_project) {
+    const auto implied = implied_preset(a.workshop, {a.preset.has_value(), from_project});
+    if (!implied) return tl::unexpected(implied.error());
+    if (const auto& name = a.preset ? a.preset : *implied) {
         const auto presets = known_presets();
         if (!presets) return tl::unexpected(presets.error());
-        const auto preset = find_preset(*presets, *a.preset);
+        const auto preset = find_preset(*presets, *name);
         if (!preset) return tl::unexpected(preset.error());
         apply(*preset, design);
+        design.workshop.density_kg_m3 = preset->density_kg_m3;
+        // The default count of blocks belongs to the default foam.
+        if (*implied) design.space.blocks.reset();
     }
+    if (auto done = apply_workshop(a.workshop, design); !done) return tl::unexpected(done.error());
     if (a.units) {
         design.object.units = unit_from_name(*a.units);
         if (!design.object.units)
@@ -170,7 +181,7 @@ Result<Task> task_from(const MakeArguments& arguments) {
         task.project = std::move(*source->project);
         task.expected_sha256 = task.project.object.sha256;
     }
-    auto design = design_from(arguments, task.project.design);
+    auto design = design_from(arguments, task.project.design, source->project.has_value());
     if (!design) return tl::unexpected(design.error());
     task.project.design = std::move(*design);
     return task;
@@ -219,8 +230,14 @@ Result<Packed> read_and_pack(Task& task, const SearchArguments& search_arguments
 
 /// Writes everything, the report last, since it tells how long the rest took.
 Result<std::string> write_outputs(const Packed& packed, Packing& packing, const std::optional<GapReport>& gap,
-                                  const Project& project, const std::string& folder) {
-    const std::vector<OutputFile> files = output_files(packed.object, project, packing);
+                                  const Project& project, const WorkshopPack* pack,
+                                  const std::string& folder) {
+    std::vector<OutputFile> files = output_files(packed.object, project, packing);
+    if (pack) {
+        auto more = workshop_files(*pack);
+        if (!more) return tl::unexpected(more.error());
+        std::move(more->begin(), more->end(), std::back_inserter(files));
+    }
     const InterruptGuard guard;
     FileSet set(folder);
     Stopwatch watch;
@@ -228,7 +245,7 @@ Result<std::string> write_outputs(const Packed& packed, Packing& packing, const 
     for (const OutputFile& file : files)
         if (auto done = set.write(file.name, file.bytes); !done) return tl::unexpected(done.error());
     packing.timing.write = watch.lap();
-    const std::string report = report_json(packed.object, project.object, packing, gap, packed.search);
+    const std::string report = report_json(packed.object, project.object, packing, gap, packed.search, pack);
     if (auto done = set.write("report.json", std::as_bytes(std::span(report))); !done)
         return tl::unexpected(done.error());
     if (auto done = set.commit(); !done) return tl::unexpected(done.error());
@@ -259,16 +276,41 @@ int make(const MakeArguments& arguments) {
                        fmt::format("{}: {}", task->object_path.string(), packing.findings.front().message)});
     }
 
+    std::optional<WorkshopPack> pack;
+    if (task->project.design.workshop.work != Workshop::none) {
+        status->show("Drawing for the workshop");
+        auto made = workshop_pack(packed->object, packing, task->project);
+        if (!made) {
+            status.reset();
+            return report(made.error());
+        }
+        pack = std::move(*made);
+        packing.findings.insert(packing.findings.end(), pack->findings.begin(), pack->findings.end());
+        sort_by_severity(packing.findings);
+    }
+
     const auto gap = gaps(packed->object, packing, status->progress("Measuring gaps"));
     if (!gap) return report(gap.error());
+    status.reset();
+    // What it takes is said before anything is written.
+    if (pack && !arguments.quiet && !arguments.json)
+        if (auto done = print(workshop_summary(*pack, task->project.design)); !done)
+            return report(done.error());
+    const WorkshopPack* made = pack ? &*pack : nullptr;
+    const bool dry = arguments.workshop.dry_run;
+    status.emplace(arguments.quiet || dry);
     status->show("Writing");
-    const auto report_text = write_outputs(*packed, packing, *gap, task->project, arguments.folder);
+    const auto report_text =
+        dry ? Result<std::string>(report_json(packed->object, task->project.object, packing, *gap, made))
+            : write_outputs(*packed, packing, *gap, task->project, made, arguments.folder);
     status.reset();
     if (!report_text) return report(report_text.error());
     if (arguments.json) {
         if (auto done = print(*report_text); !done) return report(done.error());
     } else if (!arguments.quiet) {
-        if (auto done = print(summary(packed->object, task->project, packing, *gap, arguments.folder)); !done)
+        if (auto done = print(summary(packed->object, task->project, packing, *gap,
+                                      dry ? std::string() : arguments.folder));
+            !done)
             return report(done.error());
     }
     return kDone;

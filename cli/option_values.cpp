@@ -1,5 +1,6 @@
 #include "cli/option_values.h"
 
+#include <algorithm>
 #include <charconv>
 #include <vector>
 
@@ -85,6 +86,21 @@ Result<int> parse_integer(const std::string& option, std::string_view text) {
     if (!parse_number(text, value))
         return fail(ErrorKind::usage, fmt::format("{} takes a whole number, not {}", option, quoted(text)));
     return value;
+}
+
+Result<Price> parse_price(const std::string& option, std::string_view text) {
+    const std::size_t end = std::min(text.find_first_not_of("+-.0123456789"), text.size());
+    Price price;
+    std::string_view currency = text.substr(end);
+    while (!currency.empty() && currency.front() == ' ') currency.remove_prefix(1);
+    price.currency = std::string(currency);
+    const bool word = currency.find_first_of("0123456789.,;") == std::string_view::npos;
+    if (!word || !parse_number(text.substr(0, end), price.amount))
+        return fail(ErrorKind::usage,
+                    fmt::format("{} takes the price of a litre as a number, with the currency behind it if "
+                                "you like, such as 12.50 or 12.50EUR, not {}",
+                                option, quoted(text)));
+    return price;
 }
 
 }  // namespace snug::cli

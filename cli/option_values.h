@@ -30,4 +30,11 @@ namespace snug::cli {
 /// "7"
 [[nodiscard]] Result<int> parse_integer(const std::string& option, std::string_view text);
 
+/// "12.50", "12.50EUR", "12.50 EUR"
+struct Price {
+    double amount = 0;
+    std::string currency;  ///< may be empty
+};
+[[nodiscard]] Result<Price> parse_price(const std::string& option, std::string_view text);
+
 }  // namespace snug::cli

@@ -97,7 +97,8 @@ std::string summary(const Object& object, const Project& project, const Packing&
                                       number(wall[3], 1), number(wall[4], 1), number(wall[5], 1)));
     text += line("Gaps", gap_line(gap));
     text += findings_lines(packing.findings);
-    text += line("Files", fmt::format("in {}: look at preview.svg first", folder));
+    text += line("Files", folder.empty() ? "none are written: a dry run"
+                                         : fmt::format("in {}: look at preview.svg first", folder));
     return text;
 }
 

@@ -7,7 +7,8 @@
 
 namespace snug::cli {
 
-/// What a packer wants to know of a packing with foams, in a dozen lines.
+/// What a packer wants to know of a packing with foams, in a dozen lines. An empty folder: nothing is
+/// written.
 [[nodiscard]] std::string summary(const Object& object, const Project& project, const Packing& packing,
                                   const GapReport& gap, const std::string& folder);
 

@@ -6,6 +6,7 @@
 
 #include "snug/design/project.h"
 #include "snug/fabricate/mesh_files.h"
+#include "snug/fabricate/workshop_pack.h"
 #include "snug/pipeline.h"
 #include "snug/search/search_design.h"
 
@@ -21,10 +22,11 @@ struct OutputFile {
 [[nodiscard]] std::string depths_csv(const FoamPair& foams);
 
 /// What was made and what a person must know of it; fields as the command line's contract names them. Without
-/// foams the foam, wall and gap fields are null; without a search there is no field of it.
+/// foams the foam, wall and gap fields are null; without a search or a pack there are no fields of them.
 [[nodiscard]] std::string report_json(const Object& object, const ObjectFile& file, const Packing& packing,
                                       const std::optional<GapReport>& gap,
-                                      const std::optional<SearchReport>& search = {});
+                                      const std::optional<SearchReport>& search = {},
+                                      const WorkshopPack* pack = nullptr);
 
 /// Everything that `snug make` writes for a packing with foams, the report left out (it holds the time that
 /// writing took): foams in the design's formats, depths, preview, project. Fills packing.timing.solids.

@@ -133,6 +133,7 @@ Result<Design> checked(Design design) {
     if (!found) found = problem(design.output);
     if (!found) found = problem_of(design.case_options);
     if (!found) found = problem(design.search);
+    if (!found) found = problem_of(design.workshop);
     if (found) return fail(ErrorKind::usage, *found);
     return design;
 }

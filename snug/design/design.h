@@ -8,8 +8,9 @@
 #include "snug/base/result.h"
 #include "snug/base/vec.h"
 #include "snug/design/case_options.h"
-#include "snug/design/walls.h"
 #include "snug/design/search_options.h"
+#include "snug/design/walls.h"
+#include "snug/design/workshop_options.h"
 
 // Everything that a user chooses, one struct for each stage of the method, with its default beside each
 // field.
@@ -76,6 +77,7 @@ struct Design {
     OutputOptions output;
     CaseOptions case_options;
     SearchOptions search;
+    WorkshopOptions workshop;
     friend bool operator==(const Design&, const Design&) = default;
 };
 

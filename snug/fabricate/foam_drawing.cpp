@@ -1,8 +1,9 @@
 #include "snug/fabricate/foam_drawing.h"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
+
+#include "snug/fabricate/foam_tones.h"
 
 namespace snug {
 namespace {
@@ -10,22 +11,11 @@ namespace {
 constexpr double kLeastBlock = 5;   // px, to draw a block's edges
 constexpr double kClearBlock = 16;  // px, from which on edges are drawn at full strength
 constexpr double kEdgeShare = 0.2;  // of black in an edge's colour
-constexpr int kDepthTones = 12;
-constexpr Color kWhite{255, 255, 255}, kBlack{0, 0, 0};
-
-/// The darkest tone of a foam: its own hue, richer, never grey.
-Color deepened(Color foam) {
-    const auto part = [](int value) { return static_cast<std::uint8_t>(value * value / 255 * 2 / 3); };
-    return {part(foam.red), part(foam.green), part(foam.blue)};
-}
+constexpr Color kBlack{0, 0, 0};
 
 class FoamPainter {
   public:
-    FoamPainter(const Page& page, const Relief& relief, Color foam)
-        : page_(page),
-          relief_(relief),
-          tones_{mixed(foam, kWhite, 0.3), foam, mixed(foam, kBlack, 0.2)},
-          deep_(deepened(foam)) {
+    FoamPainter(const Page& page, const Relief& relief, Color foam) : page_(page), tones_(relief, foam) {
         const bool whole_blocks = relief.blocks_per_cell == 1;
         const auto strength = [&](double px) {
             return whole_blocks && px >= kLeastBlock
@@ -41,7 +31,7 @@ class FoamPainter {
     }
 
     void paint(const Face& face) {
-        const Color color = tone(face);
+        const Color color = tones_.of(face);
         std::vector<Vec2d> corners{page_.at(face.origin), page_.at(face.origin + face.across),
                                    page_.at(face.origin + face.across + face.along),
                                    page_.at(face.origin + face.along)};
@@ -59,16 +49,6 @@ class FoamPainter {
   private:
     double size_of(Vec3d mm) const { return length(project(mm).at) * page_.scale; }
 
-    Color tone(const Face& face) const {
-        const Color color = tones_[static_cast<int>(face.side)];
-        const bool outer = (face.side == Side::front && face.origin.y == relief_.front_faces.back()) ||
-                           (face.side == Side::right && face.origin.x == relief_.right_faces.back());
-        if (outer || relief_.bottom >= 0) return color;
-        const double depth = (face.origin.z + 0.5 * face.along.z) / relief_.bottom;
-        const double step = std::floor(std::min(std::max(depth, 0.0), 1.0) * kDepthTones + 0.5) / kDepthTones;
-        return mixed(color, deep_, 0.75 * step);
-    }
-
     /// The `count` lines where blocks begin along `way`. The last block's end belongs to the neighbour, whose
     /// polygon would cover half of it.
     void edges(Color color, double strength, Vec3d origin, Vec3d way, int count, Vec3d line) {
@@ -81,9 +61,7 @@ class FoamPainter {
     }
 
     const Page& page_;
-    const Relief& relief_;
-    Color tones_[3];  // by Side
-    Color deep_;
+    FoamTones tones_;
     double column_edge_ = 0, row_edge_ = 0, layer_edge_ = 0;
     PathWriter path_;
 };

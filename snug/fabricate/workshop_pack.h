@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,12 +42,21 @@ struct PackFigure {
     std::string value;
 };
 
+/// A pack and its material in numbers. A pack fills in what it knows better than the foams alone do.
+struct PackMaterial {
+    std::optional<long long> pieces;  ///< handled one by one: blocks plucked, sheets, printed parts
+    std::optional<double> litres;     ///< to buy or use up; none: the foams' own volume
+    std::optional<double> foam_kg;    ///< of what is left of it; from the density, see snug/workshop.h
+    std::optional<double> cost;       ///< from the price of a litre
+};
+
 struct WorkshopPack {
     std::vector<PackFile> files;
     std::vector<DrawingDocument> documents;  ///< become PDF
     std::vector<PackContainer> containers;
     std::vector<PackFigure> figures;
     std::vector<Finding> findings;
+    PackMaterial material;
 };
 
 }  // namespace snug

@@ -1,0 +1,78 @@
+#include "cli/make_workshop.h"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "cli/option_values.h"
+#include "cli/pdf.h"
+#include "cli/zip.h"
+
+namespace snug::cli {
+
+void add_workshop_options(CLI::App& make, WorkshopArguments& arguments) {
+    auto& a = arguments;
+    make.add_option("--for", a.work,
+                    "Also make what the workshop needs; takes the usual foam of that way of working unless "
+                    "--preset names one")
+        ->type_name("sponge|sheets|print");
+    make.add_option("--paper", a.paper, "Paper of what is printed (a4)")->type_name("a4|letter|a3");
+    make.add_option("--price", a.price, "Price of a litre of the material, for the cost")
+        ->type_name("12.50EUR");
+    make.add_option("--mass", a.mass, "Mass of the object, for the packing sheet")->type_name("KG");
+    make.add_flag("--dry-run", a.dry_run, "Say what would be made and what it takes; write nothing");
+}
+
+Result<std::optional<std::string>> implied_preset(const WorkshopArguments& a, const FoamChoice& choice) {
+    if (!a.work) return std::nullopt;
+    const auto work = workshop_from_name(*a.work);
+    if (!work) return fail(ErrorKind::usage, "--for: " + unknown_workshop(*a.work));
+    if (choice.preset_named || choice.from_project) return std::nullopt;
+    return std::string(usual_preset(*work));
+}
+
+Result<void> apply_workshop(const WorkshopArguments& a, Design& design) {
+    WorkshopOptions& options = design.workshop;
+    if (a.work) {
+        const auto work = workshop_from_name(*a.work);
+        if (!work) return fail(ErrorKind::usage, "--for: " + unknown_workshop(*a.work));
+        options.work = *work;
+    }
+    if (a.paper) options.paper = *a.paper;
+    if (a.mass) options.mass_kg = *a.mass;
+    if (a.price) {
+        const auto price = parse_price("--price", *a.price);
+        if (!price) return tl::unexpected(price.error());
+        options.price_per_litre = price->amount;
+        options.currency = price->currency;
+    }
+    return {};
+}
+
+std::string workshop_summary(const WorkshopPack& pack, const Design& design) {
+    std::size_t widest = 0;
+    for (const PackFigure& figure : pack.figures) widest = std::max(widest, figure.label.size());
+    std::string text = fmt::format("For the workshop ({}):\n", workshop_name(design.workshop.work));
+    for (const PackFigure& figure : pack.figures)
+        text += fmt::format("  {:<{}}  {}\n", figure.label, widest, figure.value);
+    return text;
+}
+
+Result<std::vector<OutputFile>> workshop_files(const WorkshopPack& pack) {
+    std::vector<OutputFile> files;
+    for (const PackFile& file : pack.files) files.push_back({file.name, file.bytes});
+    for (const PackContainer& container : pack.containers) {
+        auto bytes = write_zip(container);
+        if (!bytes) return tl::unexpected(bytes.error());
+        files.push_back({container.name, std::move(*bytes)});
+    }
+    for (const DrawingDocument& document : pack.documents) {
+        auto bytes = write_pdf(document);
+        if (!bytes) return tl::unexpected(bytes.error());
+        files.push_back({document.name + ".pdf", std::move(*bytes)});
+    }
+    return files;
+}
+
+}  // namespace snug::cli

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "snug/base/result.h"
+#include "snug/fabricate/workshop_pack.h"
+
+namespace snug::cli {
+
+/// The container as a zip file: its members in their order, each with the oldest time that zip knows, so
+/// that equal members make equal archives. Fails with kind `output`.
+[[nodiscard]] Result<FileBytes> write_zip(const PackContainer& container);
+
+}  // namespace snug::cli

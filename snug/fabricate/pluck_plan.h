@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "snug/base/grid.h"
+#include "snug/fabricate/half.h"
+#include "snug/fabricate/workshop_pack.h"
+
+namespace snug {
+
+/// Neighbouring layers that lose the same columns, counted from the cavity's side, the first is 1.
+struct LayerRun {
+    int first = 1;
+    int last = 1;
+    long long plucked = 0;  ///< blocks in each of them
+
+    [[nodiscard]] int layers() const { return last - first + 1; }
+};
+
+/// Which blocks of one half are pulled out of a whole block of foam. What is plucked in a layer is a part of
+/// what is plucked in the layer above it, so that the work goes from the cavity's side downward.
+///
+/// The grid lies as the half is seen, its cavity facing the reader: columns along k to the right; the rows
+/// of the lower half along j downward, those of the lid along j upward.
+struct PluckPlan {
+    Half half = Half::lower;
+    int layers = 0;               ///< of the whole block: as many as the half's highest column keeps
+    Grid<std::uint16_t> removed;  ///< blocks to remove in each column: (row, column) as seen
+    double row_mm = 0;
+    double column_mm = 0;
+    double layer_mm = 0;
+    std::vector<LayerRun> runs;  ///< all layers, from the cavity's side; the last may need no plucking
+    long long plucked = 0;
+
+    /// Counted from BACK, the same in both halves.
+    [[nodiscard]] int row_from_back(int row) const {
+        return half == Half::lower ? row : removed.ny() - 1 - row;
+    }
+    [[nodiscard]] bool plucked_at(int row, int column, int layer) const {
+        return removed(row, column) >= layer;
+    }
+    [[nodiscard]] int deepest() const;
+};
+
+[[nodiscard]] PluckPlan pluck_plan(const FoamDesign& design, Half half);
+
+/// The names of a column of blocks, the same in both halves: A, B, ... Z, AA, ... from BACK, and 1, 2, ...
+/// along k.
+[[nodiscard]] std::string row_name(int row_from_back);
+[[nodiscard]] std::string column_name(int column);
+
+/// "layer 3" or "layers 3 to 5"
+[[nodiscard]] std::string layers_text(const LayerRun& run);
+
+}  // namespace snug

@@ -1,0 +1,140 @@
+#include "snug/fabricate/sponge_plan.h"
+
+#include <iterator>
+#include <string>
+#include <utility>
+
+#include "snug/base/text.h"
+#include "snug/fabricate/page_builder.h"
+#include "snug/fabricate/pluck_map.h"
+
+namespace snug {
+namespace {
+
+constexpr double kNumberIndent = 8;  // mm
+
+std::string many(long long count, std::string_view one, std::string_view more) {
+    return counted(static_cast<unsigned long long>(count), one, more);
+}
+
+std::string stock_text(const PluckPlan& plan) {
+    if (plan.layers == 0) return "no foam on this side";
+    return many(plan.layers, "layer", "layers") + " of " + number(plan.column_mm * plan.removed.nz(), 1) +
+           " x " + number(plan.row_mm * plan.removed.ny(), 1) + " mm, each " + number(plan.layer_mm, 2) +
+           " mm thick";
+}
+
+void tell_half(PageFlow& flow, const PluckPlan& plan) {
+    const TextLook name{kHeadingText, half_ink(plan.half), true};
+    flow.space(2);
+    flow.item(half_title(plan.half),
+              stock_text(plan) + "; " + many(plan.plucked, "block", "blocks") + " to pluck", name, 22);
+    const std::vector<double> shares{0.12, 0.42, 0.66};
+    flow.row({"from the cavity", "pluck in each", "together"}, shares, {kSmallText, kSoftInk, true});
+    for (const LayerRun& run : plan.runs) {
+        if (run.plucked == 0) {
+            flow.row({layers_text(run), "nothing: leave whole"}, shares, {kBodyText, kSoftInk});
+            continue;
+        }
+        const long long all = run.plucked * run.layers();
+        flow.row({layers_text(run), many(run.plucked, "block", "blocks"),
+                  grouped(static_cast<unsigned long long>(all))},
+                 shares, {});
+    }
+}
+
+std::vector<std::string> order_of_work(const SpongeWork& work) {
+    std::vector<std::string> steps;
+    if (work.test)
+        steps.push_back(
+            "Fit test first: print the map \"fit test\", make that ring from one layer, and pass the "
+            "object's "
+            "outline through it by hand. If it does not fit, go back to the design, before a whole block is "
+            "spent.");
+    steps.push_back(
+        "Print the maps at 100 %, check the square on the first page with a ruler, and join the tiles.");
+    steps.push_back(
+        "Cut the layers to size. Write LOWER or LID and its number on each, and BACK on its back edge. Layer "
+        "1 "
+        "is the one at the cavity.");
+    steps.push_back(
+        "Lay the map of a layer on it, cavity side up, BACK on BACK, the black corner on column A1. Pluck "
+        "the "
+        "shaded blocks. Keep them: they mend a mistake.");
+    steps.push_back(
+        "Stack each half from its last layer up to layer 1, the BACK edges in one line, and check the depths "
+        "against the overview. Then glue the layers, with an adhesive that the object's keeper allows.");
+    steps.push_back(
+        "Close the empty halves once, lid over lower foam, BACK over BACK: the black corners meet and the "
+        "rims "
+        "touch all round.");
+    return steps;
+}
+
+Drawing titled(Drawing page, const std::string& title) {
+    page.title = title;
+    return page;
+}
+
+/// "12-15: 3   16: 2": which columns lose how many blocks. Entries are not broken across lines.
+std::string runs_of_row(const PluckPlan& plan, int row) {
+    std::string text;
+    for (int begin = 0; begin < plan.removed.nz();) {
+        int end = begin + 1;
+        while (end < plan.removed.nz() && plan.removed(row, end) == plan.removed(row, begin)) ++end;
+        if (plan.removed(row, begin) > 0)
+            text += (text.empty() ? "" : "   ") + column_name(begin) +
+                    (end - begin > 1 ? "-" + column_name(end - 1) : "") + ":\u00a0" +
+                    std::to_string(plan.removed(row, begin));
+        begin = end;
+    }
+    return text;
+}
+
+void add_table(const FoamDesign& design, const PluckPlan& plan, Vec2d page_mm, std::vector<Drawing>& pages) {
+    PageFlow flow(page_mm, std::string(half_title(plan.half)) + ": depths",
+                  design.object_name +
+                      " · row, then columns: blocks to remove from the cavity's side; "
+                      "columns that are not named stay whole",
+                  half_ink(plan.half));
+    for (int from_back = 0; from_back < plan.removed.ny(); ++from_back) {
+        const int row = plan.row_from_back(from_back);
+        const std::string text = runs_of_row(plan, row);
+        if (!text.empty()) flow.item(row_name(from_back), text, {kBodyText, half_ink(plan.half), true}, 11);
+    }
+    std::vector<Drawing> done = flow.finish();
+    pages.insert(pages.end(), std::make_move_iterator(done.begin()), std::make_move_iterator(done.end()));
+}
+
+}  // namespace
+
+std::vector<Drawing> sponge_plan(const FoamDesign& design, const SpongeWork& work, Vec2d page_mm) {
+    PageFlow flow(page_mm, design.object_name,
+                  "Slit sponge · " + dimensions(design.space.size()) + " mm closed (x, y, z) · blocks of " +
+                      dimensions(design.space.block_mm, 2) + " mm · " +
+                      many(work.lower.plucked + work.lid.plucked, "block", "blocks") + " to pluck",
+                  kInk);
+    tell_half(flow, work.lower);
+    tell_half(flow, work.lid);
+    flow.space(2);
+    flow.heading("Order of work");
+    int step = 0;
+    for (const std::string& text : order_of_work(work))
+        flow.item(std::to_string(++step), text, {kBodyText, kSoftInk, true}, kNumberIndent);
+    if (work.test && (work.test->islands > 0 || work.test->pieces > 1))
+        flow.paragraph("The fit test leaves out " + many(work.test->islands, "island", "islands") +
+                           " of foam and its ring is in " + many(work.test->pieces, "piece", "pieces") + ".",
+                       {kSmallText, kSoftInk});
+
+    std::vector<Drawing> pages;
+    for (Drawing& page : flow.finish())
+        pages.push_back(titled(std::move(page), design.object_name + ": plan"));
+    for (const PluckPlan* plan : {&work.lower, &work.lid})
+        if (plan->plucked > 0) pages.push_back(pluck_overview(*plan, page_mm, design.object_name));
+    for (const PluckPlan* plan : {&work.lower, &work.lid})
+        if (plan->plucked > 0 && !overview_has_numbers(*plan, page_mm))
+            add_table(design, *plan, page_mm, pages);
+    return pages;
+}
+
+}  // namespace snug

@@ -1,0 +1,89 @@
+#include "snug/workshop.h"
+
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "snug/base/text.h"
+#include "snug/design/presets.h"
+#include "snug/fabricate/packing_sheet.h"
+#include "snug/fabricate/sponge.h"
+#include "snug/fabricate/svg.h"
+
+namespace snug {
+namespace {
+
+constexpr std::size_t kLongestTitle = 60;  // characters
+
+/// "vase.stl" is the vase to those who pack it.
+std::string title_of(const std::string& file_name) {
+    const std::size_t dot = file_name.rfind('.');
+    const std::string name = dot == std::string::npos || dot == 0 ? file_name : file_name.substr(0, dot);
+    return wrapped(name, kLongestTitle, 1).front();
+}
+
+std::optional<double> density(const Design& design) {
+    if (design.workshop.density_kg_m3) return design.workshop.density_kg_m3;
+    const auto preset = find_preset(built_in_presets(), design.space.preset);
+    return preset ? preset->density_kg_m3 : std::nullopt;
+}
+
+Result<WorkshopPack> pack_of(const FoamDesign& foams, const Design& design) {
+    switch (design.workshop.work) {
+        case Workshop::sponge:
+            return sponge_pack(foams, design.workshop);
+        case Workshop::sheets:
+        case Workshop::print:
+            return fail(ErrorKind::usage, unknown_workshop(workshop_name(design.workshop.work)));
+        case Workshop::none:
+            break;
+    }
+    return fail(ErrorKind::usage, "no pack was asked for: choose one with --for sponge|sheets|print");
+}
+
+void fill_material(const Packing& packing, const Design& design, WorkshopPack& pack) {
+    const double foam_litres = packing.fit.foam_mm3 * 1e-6;
+    PackMaterial& material = pack.material;
+    if (!material.litres) material.litres = foam_litres;
+    if (const auto kg_m3 = density(design)) material.foam_kg = foam_litres * 1e-3 * *kg_m3;
+    if (design.workshop.price_per_litre) material.cost = *material.litres * *design.workshop.price_per_litre;
+}
+
+std::string with_currency(double price, const std::string& currency) {
+    return number(price, 2) + (currency.empty() ? "" : " " + currency);
+}
+
+void tell_material(const Design& design, WorkshopPack& pack) {
+    const PackMaterial& material = pack.material;
+    const WorkshopOptions& options = design.workshop;
+    pack.figures.push_back({"Material", number(*material.litres, 2) + " litres"});
+    pack.figures.push_back({"Weight of the foams", material.foam_kg
+                                                       ? number(*material.foam_kg, 3) + " kg"
+                                                       : "not known: the preset names no density"});
+    pack.figures.push_back(
+        {"Cost", material.cost ? with_currency(*material.cost, options.currency) + " at " +
+                                     with_currency(*options.price_per_litre, options.currency) + " a litre"
+                               : "not known: name the price of a litre, as in --price 0.8EUR"});
+}
+
+}  // namespace
+
+Result<WorkshopPack> workshop_pack(const Object& object, const Packing& packing, const Project& project) {
+    if (!packing.foams)
+        return fail(ErrorKind::does_not_fit, "the object leaves the design space, so there are no foams");
+    const FoamDesign foams{packing.space, packing.blocks, *packing.foams, title_of(project.object.name)};
+    auto pack = pack_of(foams, project.design);
+    if (!pack) return pack;
+    fill_material(packing, project.design, *pack);
+    tell_material(project.design, *pack);
+
+    std::vector<Finding> findings = packing.findings;
+    findings.insert(findings.end(), pack->findings.begin(), pack->findings.end());
+    sort_by_severity(findings);
+    pack->documents.push_back(
+        packing_sheet({foams, packing.fit, findings, object.mesh, packing.placement,
+                       object.measure.bounds.size(), pack->material, project.design.workshop}));
+    return pack;
+}
+
+}  // namespace snug
