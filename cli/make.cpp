@@ -301,7 +301,8 @@ int make(const MakeArguments& arguments) {
     status.emplace(arguments.quiet || dry);
     status->show("Writing");
     const auto report_text =
-        dry ? Result<std::string>(report_json(packed->object, task->project.object, packing, *gap, made))
+        dry ? Result<std::string>(
+                  report_json(packed->object, task->project.object, packing, *gap, packed->search, made))
             : write_outputs(*packed, packing, *gap, task->project, made, arguments.folder);
     status.reset();
     if (!report_text) return report(report_text.error());

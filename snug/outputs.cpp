@@ -190,65 +190,23 @@ std::string report_json(const Object& object, const ObjectFile& file, const Pack
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-                        const std::optional<GapReport>& gap, const WorkshopPack* pack) {
-                            const MeshMeasure& measure = object.measure;
-                            Json json;
-                            json["object"] = {{"file", file.name},
-                                              {"vertices", object.read_vertices},
-                                              {"triangles", object.read_triangles},
-                                              {"size_mm", array(measure.bounds.size())},
-                                              {"watertight", measure.watertight},
-                                              {"volume_mm3", volume(measure.volume)}};
-                            json["placement"] = {{"rotation_deg", array(packing.rotation_deg)},
-                                                 {"offset_mm", array(packing.offset_mm)}};
-                            json["design_space"] = {{"blocks", array(packing.space.blocks)},
-                                                    {"block_mm", array(packing.space.block_mm)}};
-                            json["foam"] =
-                                packing.foams ? foam_json(packing.fit, *packing.foams) : Json(nullptr);
-                            json["gap"] = gap ? gap_json(*gap) : Json(nullptr);
-                            json["wall_mm"] = nullptr;
-                            if (packing.foams) {
-                                json["wall_mm"] = Json::array();
-                                for (const double wall : packing.fit.wall_mm)
-                                    json["wall_mm"].push_back(rounded(wall));
-                            }
-                            if (packing.fitted_case) {
-                                const int level = packing.foams ? packing.foams->parting_level : 0;
-                                json["case"] = case_json(*packing.fitted_case, level, packing.fit);
-                            }
-                            if (search) json["search"] = search_json(*search);
-                            json["findings"] = findings_json(packing.findings);
-                            if (pack) json["workshop"] = workshop_json(*pack);
-                            const Timing& timing = packing.timing;
-                            json["timing_ms"] = {{"read", rounded(timing.read, 1e3)},
-                                                 {"depth_map", rounded(timing.depth_map, 1e3)},
-                                                 {"block_map", rounded(timing.block_map, 1e3)},
-                                                 {"foam_pair", rounded(timing.foam_pair, 1e3)},
-                                                 {"solids", rounded(timing.solids, 1e3)},
-                                                 {"write", rounded(timing.write, 1e3)}};
-                            return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-                        }
+std::vector<OutputFile> output_files(const Object& object, const Project& project, Packing& packing) {
+    const FoamPair& foams = *packing.foams;
+    Stopwatch watch;
+    const Solid lower = lower_solid(foams, packing.space);
+    const Solid upper = upper_solid(foams, packing.space);
+    packing.timing.solids = watch.lap();
 
-                        std::vector<OutputFile> output_files(const Object& object, const Project& project,
-                                                             Packing& packing) {
-                            const FoamPair& foams = *packing.foams;
-                            Stopwatch watch;
-                            const Solid lower = lower_solid(foams, packing.space);
-                            const Solid upper = upper_solid(foams, packing.space);
-                            packing.timing.solids = watch.lap();
+    std::vector<OutputFile> files;
+    for (const std::string& format : project.design.output.formats) {
+        files.push_back({"lower." + format, foam_file(lower, format, true)});
+        files.push_back({"upper." + format, foam_file(upper, format, false)});
+    }
+    files.push_back({"depths.csv", bytes_of(depths_csv(foams))});
+    files.push_back({"preview.svg", bytes_of(preview_svg(foams, packing.space, object.mesh, packing.placement,
+                                                         caption(packing, project.object.name)))});
+    files.push_back({"project.snug.json", bytes_of(project_json(project))});
+    return files;
+}
 
-                            std::vector<OutputFile> files;
-                            for (const std::string& format : project.design.output.formats) {
-                                files.push_back({"lower." + format, foam_file(lower, format, true)});
-                                files.push_back({"upper." + format, foam_file(upper, format, false)});
-                            }
-                            files.push_back({"depths.csv", bytes_of(depths_csv(foams))});
-                            files.push_back(
-                                {"preview.svg",
-                                 bytes_of(preview_svg(foams, packing.space, object.mesh, packing.placement,
-                                                      caption(packing, project.object.name)))});
-                            files.push_back({"project.snug.json", bytes_of(project_json(project))});
-                            return files;
-                        }
-
-                        }  // namespace snug
+}  // namespace snug

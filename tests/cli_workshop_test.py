@@ -1,0 +1,375 @@
+"""What `snug make --for` hands to a maker, read back by nothing of the program's own.
+
+Usage: cli_workshop_test.py SNUG [unittest arguments]
+"""
+
+import csv
+import json
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+SNUG = Path(sys.argv.pop(1)).resolve()
+SAMPLES = ["torus", "vase", "figurine", "camera"]
+NUMBER = re.compile(r"[MLHVZmlhvz]|-?[0-9.]+(?:e-?[0-9]+)?")
+PAPER = {"a4": (210, 297), "letter": (215.9, 279.4), "a3": (297, 420)}
+POINTS = 72 / 25.4  # a mm
+
+
+def snug(*arguments):
+    return subprocess.run([SNUG, *map(str, arguments)], capture_output=True, text=True, timeout=240)
+
+
+def prism(outline, x0, x1):
+    """An OFF file: a polygon in (y, z), from x0 to x1. The caps are fans, so the outline must be star-shaped
+    about its first corner."""
+    n = len(outline)
+    vertices = [(x, y, z) for x in (x0, x1) for y, z in outline]
+    faces = [(i, (i + 1) % n, n + (i + 1) % n, n + i) for i in range(n)]
+    faces += [(0, i + 1, i) for i in range(1, n - 1)] + [(n, n + i, n + i + 1) for i in range(1, n - 1)]
+    lines = ["OFF", f"{len(vertices)} {len(faces)} 0"] + ["%g %g %g" % v for v in vertices]
+    return "\n".join(lines + [" ".join(map(str, (len(f), *f))) for f in faces]) + "\n"
+
+
+# An L, its foot towards +z and +y; star-shaped about its inner corner.
+LETTER_L = [(10, -10), (10, 40), (40, 40), (40, -40), (-40, -40), (-40, -10)]
+
+
+def loops_of(path_data):
+    """The points of every loop of an SVG path that has straight lines only."""
+    loops, at, command, tokens = [], (0.0, 0.0), "", NUMBER.findall(path_data)
+    i = 0
+    while i < len(tokens):
+        if tokens[i].isalpha():
+            command = tokens[i]
+            i += 1
+            if command in "zZ":
+                at = loops[-1][0]
+                continue
+        relative = command.islower()
+        x, y = at if relative else (0.0, 0.0)
+        if command in "hH":
+            at = (x + float(tokens[i]), at[1])
+            i += 1
+        elif command in "vV":
+            at = (at[0], y + float(tokens[i]))
+            i += 1
+        else:
+            at = (x + float(tokens[i]), y + float(tokens[i + 1]))
+            i += 2
+        if command in "mM":
+            loops.append([at])
+            command = "l" if relative else "L"
+        else:
+            loops[-1].append(at)
+    return loops
+
+
+class Map:
+    """A map at true size: what its layers show, in mm."""
+
+    def __init__(self, path, layer):
+        root = ElementTree.parse(path).getroot()
+        self.width, self.height = (float(root.get(side).removesuffix("mm")) for side in ("width", "height"))
+        self.view = [float(v) for v in root.get("viewBox").split()]
+        self.texts = {}
+        self.rectangles, edges = [], []
+
+        def walk(node, layer_name):
+            name = node.get("{http://www.inkscape.org/namespaces/inkscape}label") or layer_name
+            tag = node.tag.split("}")[1]
+            if tag == "text":
+                self.texts.setdefault("".join(node.itertext()), (float(node.get("x") or 0), float(node.get("y") or 0)))
+            if tag == "path" and name == layer and node.get("fill", "none") != "none":
+                self.rectangles += loops_of(node.get("d"))
+            if tag == "path" and name == "edge":
+                edges.append((node, loops_of(node.get("d"))))
+            for child in node:
+                walk(child, name)
+
+        walk(root, "")
+        outline = edges[0][1][0]
+        self.left, self.top = min(p[0] for p in outline), min(p[1] for p in outline)
+        self.right, self.bottom = max(p[0] for p in outline), max(p[1] for p in outline)
+        filled = [loops[0] for node, loops in edges if node.get("fill", "none") != "none"]
+        self.odd_corner = filled[0]
+
+    def cells(self, row_mm, column_mm):
+        found = set()
+        for loop in self.rectangles:
+            x0, x1 = min(p[0] for p in loop), max(p[0] for p in loop)
+            y0, y1 = min(p[1] for p in loop), max(p[1] for p in loop)
+            for row in range(round((y0 - self.top) / row_mm), round((y1 - self.top) / row_mm)):
+                for column in range(round((x0 - self.left) / column_mm), round((x1 - self.left) / column_mm)):
+                    found.add((row, column))
+        return found
+
+
+def layers_named(path):
+    """lower-03.svg: 3 to 3; lid-04-06.svg: 4 to 6."""
+    numbers = [int(part) for part in path.stem.split("-")[1:]]
+    return numbers[0], numbers[-1]
+
+
+class WorkshopTest(unittest.TestCase):
+    def setUp(self):
+        self.work = Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.work)
+        self.out = self.work / "out"
+
+    def sample(self, name):
+        path = self.work / f"{name}.stl"
+        self.assertEqual(snug("sample", name, "-o", path).returncode, 0)
+        return path
+
+    def letter(self, x0=-30, x1=30):
+        path = self.work / "letter.off"
+        path.write_text(prism(LETTER_L, x0, x1))
+        return path
+
+    def make(self, path, *arguments):
+        done = snug("make", path, *arguments, "-o", self.out)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads((self.out / "report.json").read_text())
+
+    def assertMapsMakeTheFoams(self, report):
+        """Who plucks what the maps show has the blocks that depths.csv says are kept."""
+        nx, ny, nz = report["design_space"]["blocks"]
+        _, row_mm, column_mm = report["design_space"]["block_mm"]
+        kept = {}
+        with open(self.out / "depths.csv") as file:
+            for row in csv.DictReader(file):
+                kept[int(row["j"]), int(row["k"])] = {"lower": int(row["lower_blocks"]), "lid": int(row["upper_blocks"])}
+        plucked = 0
+        for half in ("lower", "lid"):
+            whole = max(each[half] for each in kept.values())
+            left = {column: whole for column in kept}
+            for path in sorted((self.out / "sponge").glob(f"{half}-*.svg")):
+                first, last = layers_named(path)
+                drawn = Map(path, "pluck")
+                self.assertAlmostEqual(drawn.right - drawn.left, nz * column_mm, 2)
+                self.assertAlmostEqual(drawn.bottom - drawn.top, ny * row_mm, 2)
+                self.assertEqual(drawn.view, [0, 0, drawn.width, drawn.height], "one unit is one mm")
+                for row, column in drawn.cells(row_mm, column_mm):
+                    j = row if half == "lower" else ny - 1 - row
+                    left[j, column] -= last - first + 1
+                    plucked += last - first + 1
+            self.assertEqual(left, {column: each[half] for column, each in kept.items()}, half)
+        self.assertEqual(report["workshop"]["pieces"], plucked)
+
+    # ---- the sponge's maps
+
+    def test_maps_of_every_sample_make_its_foams(self):
+        for name in SAMPLES:
+            with self.subTest(name):
+                report = self.make(self.sample(name), "--for", "sponge", "--rotate", "10,20,30")
+                self.assertMapsMakeTheFoams(report)
+                shutil.rmtree(self.out)
+
+    def test_maps_of_long_blocks_and_parting_anywhere(self):
+        for options in (["--parting", "0"], ["--parting", "30"], ["--parting", "12", "--cut-on-touch"]):
+            with self.subTest(options):
+                self.assertMapsMakeTheFoams(
+                    self.make(self.letter(), "--for", "sponge", "--preset", "paper", "--blocks", "30x18x18", *options))
+                shutil.rmtree(self.out)
+
+    def test_an_l_is_not_mirrored_and_folds_onto_its_lid(self):
+        report = self.make(self.letter(-30, 30), "--for", "sponge", "--blocks", "8x8x8", "--block-size", "15x15x15")
+        self.assertMapsMakeTheFoams(report)
+        lower = Map(next((self.out / "sponge").glob("lower-01*.svg")), "pluck")
+        lid = Map(next((self.out / "sponge").glob("lid-01*.svg")), "pluck")
+        # From BACK: the leg at k = 1 and 2 (z from -40 to -10), the foot at j = 5 and 6 (y from 10 to 40).
+        below = {(row, column) for row, column in lower.cells(15, 15)}
+        self.assertIn((1, 1), below)
+        self.assertIn((6, 6), below)
+        self.assertNotIn((1, 6), below, "a mirrored L has its leg on the right")
+        # Folded along BACK, which is the upper edge of the lower map and the lower edge of the lid's.
+        folded = {(7 - row, column) for row, column in lid.cells(15, 15)}
+        self.assertEqual(folded, below)
+        self.assertLess(lower.texts["BACK"][1], lower.top)
+        self.assertGreater(lid.texts["BACK"][1], lid.bottom)
+        self.assertEqual(min(lower.odd_corner), (lower.left, lower.top))
+        self.assertIn((lid.left, lid.bottom), lid.odd_corner)
+        self.assertIn("LOWER", lower.texts)
+        self.assertIn("LID", lid.texts)
+
+    def test_an_object_that_is_taller_above_the_parting_is_deeper_in_the_lid(self):
+        report = self.make(self.letter(-30, 30), "--for", "sponge", "--blocks", "12x8x8", "--block-size", "15x15x15",
+                           "--move", "15,0,0", "--parting", "6")
+        self.assertMapsMakeTheFoams(report)
+        deepest = {half: max(layers_named(path)[1] for path in (self.out / "sponge").glob(f"{half}-*.svg"))
+                   for half in ("lower", "lid")}
+        self.assertEqual(deepest, {"lower": 1, "lid": 3})
+
+    def test_the_fit_test_is_a_ring_around_the_first_layer(self):
+        self.make(self.letter(), "--for", "sponge", "--blocks", "8x8x8", "--block-size", "15x15x15")
+        ring = Map(self.out / "sponge" / "fit-test.svg", "ring").cells(15, 15)
+        hole = Map(next((self.out / "sponge").glob("lower-01*.svg")), "pluck").cells(15, 15)
+        around = {(row + dr, column + dc) for row, column in hole for dr in (-1, 0, 1) for dc in (-1, 0, 1)}
+        self.assertEqual(ring, around - hole)
+
+    # ---- what is printed
+
+    def words_of(self, pdf):
+        """For each page its size in mm and its words with the middles of their boxes in mm."""
+        text = subprocess.run(["pdftotext", "-bbox", pdf, "-"], capture_output=True, check=True).stdout
+        root = ElementTree.fromstring(re.sub(rb"&(?!amp;|lt;|gt;|quot;|#)", b"&amp;", text))
+        pages = []
+        for page in root.iter("{http://www.w3.org/1999/xhtml}page"):
+            words = [(word.text, *((float(word.get(a + "Min")) + float(word.get(a + "Max"))) / 2 / POINTS for a in "xy"))
+                     for word in page]
+            pages.append(((float(page.get("width")) / POINTS, float(page.get("height")) / POINTS), words))
+        return pages
+
+    def test_the_overview_on_paper_says_how_many_blocks_to_remove(self):
+        report = self.make(self.sample("vase"), "--for", "sponge", "--rotate", "10,20,30")
+        _, ny, nz = report["design_space"]["blocks"]
+        with open(self.out / "depths.csv") as file:
+            kept = {(int(row["j"]), int(row["k"])): (int(row["lower_blocks"]), int(row["upper_blocks"]))
+                    for row in csv.DictReader(file)}
+        found = set()
+        for _, words in self.words_of(self.out / "sponge-plan.pdf"):
+            texts = [word[0] for word in words]
+            if "Cavity" not in texts or not {"LOWER", "LID"} & set(texts[:2]):
+                continue
+            half = 0 if "LOWER" in texts else 1
+            # Rows by their letters at the left, columns by the numbers above the grid.
+            rows = {w[0]: w[2] for w in words if re.fullmatch("[A-Z]", w[0]) and w[1] < 100}
+            self.assertEqual(len(rows), ny)
+            top = min(rows.values())
+            above = max(w[2] for w in words if w[0] == "1" and w[2] < top)
+            columns = {int(w[0]): w[1] for w in words if w[0].isdigit() and abs(w[2] - above) < 1}
+            self.assertEqual(len(columns), nz)
+            bottom = max(rows.values())
+            read = dict.fromkeys(kept, 0)
+            for text, x, y in words:
+                if text.isdigit() and top - 1.5 < y < bottom + 1.5:
+                    row = min(rows, key=lambda name: abs(rows[name] - y))
+                    column = min(columns, key=lambda number: abs(columns[number] - x))
+                    read[ord(row) - ord("A"), column - 1] = int(text)
+            whole = max(each[half] for each in kept.values())
+            self.assertEqual(read, {column: whole - each[half] for column, each in kept.items()})
+            self.assertEqual(rows["A"] < rows["B"], half == 0, "A lies at BACK")
+            found.add(half)
+        self.assertEqual(found, {0, 1})
+
+    def test_paper_sizes_and_true_size(self):
+        vase = self.sample("vase")
+        for paper, size in PAPER.items():
+            with self.subTest(paper):
+                self.make(vase, "--for", "sponge", "--paper", paper)
+                for name in ("sponge-maps", "sponge-plan", "packing-sheet"):
+                    for (width, height), _ in self.words_of(self.out / f"{name}.pdf"):
+                        self.assertAlmostEqual(min(width, height), min(size), 1)
+                        self.assertAlmostEqual(max(width, height), max(size), 1)
+                self.assertIn(b"/PrintScaling /None", (self.out / "sponge-maps.pdf").read_bytes())
+                shutil.rmtree(self.out)
+
+    def test_the_square_to_measure_is_100_mm(self):
+        self.make(self.sample("vase"), "--for", "sponge")
+        picture = subprocess.run(["pdftoppm", "-r", "254", "-gray", "-l", "1", self.out / "sponge-maps.pdf"],
+                                 capture_output=True, check=True).stdout
+        _, size, _, pixels = picture.split(b"\n", 3)
+        width, height = map(int, size.split())
+        rows = [y for y in range(height) if sum(v < 160 for v in pixels[y * width:(y + 1) * width]) > 900]
+        lines = [y for y in rows if sum(v < 160 for v in pixels[y * width:(y + 1) * width]) < 1100]
+        self.assertAlmostEqual(lines[-1] - lines[0], 1000, delta=4)
+        middle = pixels[(lines[0] + lines[-1]) // 2 * width + 0:][:width]
+        sides = [x for x in range(width) if middle[x] < 160]
+        self.assertAlmostEqual(sides[-1] - sides[0], 1000, delta=4)
+
+    def test_tiles_on_paper_show_every_cell_to_pluck_once(self):
+        self.make(self.sample("vase"), "--for", "sponge")
+        cells = {}
+        for _, words in self.words_of(self.out / "sponge-maps.pdf")[1:]:
+            texts = [word[0] for word in words]
+            if "FIT" in texts:
+                continue
+            half = "lower" if any(text.startswith("LOWER") for text in texts) else "lid"
+            layer = int(texts[texts.index("layer") + 1])
+            cells.setdefault((half, layer), []).extend(t for t in texts if re.fullmatch("[A-Z][0-9]+", t))
+        for path in (self.out / "sponge").glob("l*.svg"):
+            first, _ = layers_named(path)
+            half = path.stem.split("-")[0]
+            rows = 18
+            names = [f"{chr(ord('A') + (row if half == 'lower' else rows - 1 - row))}{column + 1}"
+                     for row, column in Map(path, "pluck").cells(15, 15)]
+            self.assertEqual(sorted(cells[half, first]), sorted(names), path)
+
+    # ---- figures, before anything is written
+
+    def test_a_dry_run_tells_all_and_writes_nothing(self):
+        done = snug("make", self.sample("vase"), "--for", "sponge", "--price", "0.5 EUR", "--dry-run", "-o", self.out)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertFalse(self.out.exists())
+        for words in ["Blocks to pluck, lower", "litres", "kg", "EUR at 0.5 EUR a litre"]:
+            self.assertIn(words, done.stdout)
+        self.assertLess(done.stdout.index("For the workshop"), done.stdout.index("Object"))
+
+    def test_litres_kilograms_and_cost_agree(self):
+        report = self.make(self.sample("vase"), "--for", "sponge", "--price", "0.5EUR")
+        workshop, foam = report["workshop"], report["foam"]
+        nx, ny, nz = report["design_space"]["blocks"]
+        self.assertAlmostEqual(workshop["foam_kg"], foam["volume_mm3"] * 1e-9 * 25, 5)
+        self.assertGreaterEqual(workshop["litres"], nx * ny * nz * 15 ** 3 * 1e-6 - 1e-6)
+        self.assertAlmostEqual(workshop["cost"], workshop["litres"] * 0.5, 3)
+        for name in workshop["files"]:
+            self.assertTrue((self.out / name).is_file(), name)
+
+    def test_for_takes_its_usual_foam_unless_one_is_named(self):
+        report = self.make(self.sample("vase"), "--for", "sponge")
+        self.assertEqual(report["design_space"]["block_mm"], [15, 15, 15])
+        self.assertTrue(all(wall >= 50 for wall in report["wall_mm"]))
+        project = self.work / "again.snug.json"
+        project.write_bytes((self.out / "project.snug.json").read_bytes())
+        report = self.make(self.work / "vase.stl", "--for", "sponge", "--preset", "slit-10", "--blocks", "30x40x40")
+        self.assertEqual(report["design_space"], {"blocks": [30, 40, 40], "block_mm": [20, 10, 10]})
+        report = self.make(project)
+        self.assertEqual(report["design_space"]["block_mm"], [15, 15, 15])
+        self.assertIn("workshop", report)
+
+    def test_the_same_files_from_any_number_of_threads(self):
+        vase = self.sample("vase")
+        self.make(vase, "--for", "sponge", "--threads", 1)
+        again = self.work / "again"
+        self.assertEqual(snug("make", vase, "--for", "sponge", "--threads", 2, "-o", again).returncode, 0)
+        maps = sorted(path.relative_to(self.out) for path in self.out.glob("sponge/*.svg"))
+        self.assertGreater(len(maps), 4)
+        for name in maps:
+            self.assertEqual((self.out / name).read_bytes(), (again / name).read_bytes(), name)
+
+    # ---- bad input
+
+    def test_what_has_no_meaning_is_refused_with_what_has(self):
+        vase = self.sample("vase")
+        for options, words in [(["--for", "unicorn"], ["unicorn", "sponge", "sheets", "print"]),
+                               (["--for", "bricks"], ["bricks", "yet", "sponge"]),
+                               (["--price", "cheap"], ["--price", "12.50EUR"]),
+                               (["--price", "nan"], ["price"]),
+                               (["--price", "-3"], ["price"]),
+                               (["--price", "1,5"], ["--price", "12.50"]),
+                               (["--paper", "b0"], ["a4", "letter", "a3"]),
+                               (["--mass", "-1"], ["mass", "above 0"])]:
+            with self.subTest(options):
+                done = snug("make", vase, "--for", "sponge", *options, "-o", self.out) if options[0] != "--for" \
+                    else snug("make", vase, *options, "-o", self.out)
+                self.assertEqual(done.returncode, 1, done.stderr)
+                for word in words:
+                    self.assertIn(word, done.stderr)
+                self.assertFalse(self.out.exists())
+
+    def test_a_folder_of_the_pack_that_cannot_be_made_leaves_nothing(self):
+        self.out.mkdir()
+        (self.out / "sponge").write_text("in the way")
+        done = snug("make", self.sample("vase"), "--for", "sponge", "-o", self.out)
+        self.assertEqual(done.returncode, 4, done.stderr)
+        self.assertEqual([path.name for path in self.out.iterdir()], ["sponge"])
+
+
+if __name__ == "__main__":
+    unittest.main()

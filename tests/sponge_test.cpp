@@ -1,0 +1,369 @@
+#include "snug/fabricate/sponge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <map>
+#include <regex>
+
+#include <gtest/gtest.h>
+
+#include "snug/base/stopwatch.h"
+#include "snug/fabricate/finger_room.h"
+#include "snug/fabricate/fit_test.h"
+#include "snug/fabricate/pluck_map.h"
+#include "snug/fabricate/pluck_plan.h"
+#include "snug/fabricate/sponge_plan.h"
+#include "snug/foam/depth_map.h"
+
+#include "tests/support/drawing_cells.h"
+#include "tests/support/random.h"
+#include "tests/support/shapes.h"
+
+namespace snug {
+namespace {
+
+using test::Random;
+using test::read_map;
+using test::ReadMap;
+
+/// A packing without an object: runs of blocks that someone cut.
+struct Foams {
+    DesignSpace space;
+    BlockMap blocks;
+    FoamPair foams;
+
+    [[nodiscard]] FoamDesign design() const { return {space, blocks, foams, "thing"}; }
+    [[nodiscard]] long long cut() const {
+        long long count = 0;
+        for (const CutRun& run : blocks) count += run.blocks();
+        return count;
+    }
+};
+
+Foams foams_of(const DesignSpace& space, BlockMap blocks, int parting) {
+    FoamPair pair = split(blocks, space, parting);
+    return {space, std::move(blocks), std::move(pair)};
+}
+
+Foams random_foams(Random& random) {
+    const DesignSpace space{{random.integer(1, 12), random.integer(1, 30), random.integer(1, 30)},
+                            {random.between(1, 30), random.between(1, 30), random.between(1, 30)}};
+    BlockMap blocks(space.blocks.y, space.blocks.z);
+    for (CutRun& run : blocks) {
+        if (random.chance(0.4)) continue;
+        run.first = static_cast<std::int16_t>(random.integer(0, space.blocks.x));
+        run.end = static_cast<std::int16_t>(random.integer(0, space.blocks.x));
+    }
+    return foams_of(space, std::move(blocks), random.integer(0, space.blocks.x));
+}
+
+/// Blocks kept in each column (j, k) of a half, as someone finds them who plucks what the maps show.
+Grid<int> worked(const Foams& foams, Half half) {
+    const PluckPlan plan = pluck_plan(foams.design(), half);
+    const int ny = foams.space.blocks.y, nz = foams.space.blocks.z;
+    Grid<int> kept(ny, nz, plan.layers);
+    long long plucked = 0;
+    for (const LayerRun& run : plan.runs) {
+        const ReadMap map = read_map(pluck_map(plan, run, "thing"), "pluck", ny, nz);
+        EXPECT_EQ(static_cast<long long>(map.cells.size()), run.plucked);
+        for (const auto& [row, column] : map.cells)
+            kept(half == Half::lower ? row : ny - 1 - row, column) -= run.layers();
+        plucked += run.plucked * run.layers();
+    }
+    EXPECT_EQ(plucked, plan.plucked);
+    return kept;
+}
+
+TEST(SpongeTest, WhoPlucksWhatTheMapsShowHasTheFoams) {
+    for (int seed = 0; seed < 60; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random(static_cast<std::uint64_t>(seed));
+        const Foams foams = random_foams(random);
+        const Grid<int> lower = worked(foams, Half::lower), lid = worked(foams, Half::lid);
+        for (std::size_t column = 0; column < lower.size(); ++column) {
+            EXPECT_EQ(lower[column], foams.foams.lower[column]);
+            EXPECT_EQ(lid[column], foams.foams.upper[column]);
+        }
+    }
+}
+
+TEST(SpongeTest, PluckedBlocksAreTheCutOnesAndWhatBothHalvesHaveTooMuch) {
+    for (int seed = 0; seed < 200; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random(static_cast<std::uint64_t>(seed));
+        const Foams foams = random_foams(random);
+        const PluckPlan lower = pluck_plan(foams.design(), Half::lower),
+                        lid = pluck_plan(foams.design(), Half::lid);
+        const long long columns = 1LL * foams.space.blocks.y * foams.space.blocks.z;
+        const long long overlap = (lower.layers + lid.layers - foams.space.blocks.x) * columns;
+        EXPECT_EQ(lower.plucked + lid.plucked, foams.cut() + overlap);
+    }
+}
+
+TEST(SpongeTest, LayersNestSoThatWorkGoesDownward) {
+    Random random(7);
+    const Foams foams = random_foams(random);
+    const PluckPlan plan = pluck_plan(foams.design(), Half::lower);
+    ASSERT_FALSE(plan.runs.empty());
+    EXPECT_EQ(plan.runs.front().first, 1);
+    EXPECT_EQ(plan.runs.back().last, plan.layers);
+    for (std::size_t i = 1; i < plan.runs.size(); ++i) {
+        EXPECT_EQ(plan.runs[i].first, plan.runs[i - 1].last + 1);
+        EXPECT_LT(plan.runs[i].plucked, plan.runs[i - 1].plucked);
+    }
+}
+
+/// An L in the y-z plane, cut four blocks deep into either half:
+///   BACK  X . . .
+///         X . . .
+///         X X X .
+Foams letter_l() {
+    const DesignSpace space{{8, 3, 4}, {15, 15, 22}};
+    BlockMap blocks(3, 4);
+    for (const auto& [j, k] : {std::pair(0, 0), {1, 0}, {2, 0}, {2, 1}, {2, 2}}) blocks(j, k) = {2, 6};
+    return foams_of(space, std::move(blocks), 4);
+}
+
+TEST(SpongeTest, MapsFoldedAlongBackMeet) {
+    const Foams foams = letter_l();
+    const PluckPlan lower = pluck_plan(foams.design(), Half::lower),
+                    lid = pluck_plan(foams.design(), Half::lid);
+    const ReadMap below = read_map(pluck_map(lower, lower.runs[0], "L"), "pluck", 3, 4);
+    const ReadMap above = read_map(pluck_map(lid, lid.runs[0], "L"), "pluck", 3, 4);
+    // Seen from +x with BACK on top, k to the right.
+    EXPECT_EQ(below.cells, (std::set<std::pair<int, int>>{{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}}));
+    // The lid's map lies with its BACK against the lower one's, above it. Folded over, row by row from BACK,
+    // each hole lies on its own.
+    std::set<std::pair<int, int>> folded;
+    for (const auto& [row, column] : above.cells) folded.insert({3 - 1 - row, column});
+    EXPECT_EQ(folded, below.cells);
+    EXPECT_NE(above.cells, below.cells) << "an unfolded copy would be a mirrored lid";
+    EXPECT_DOUBLE_EQ(below.size.x, 4 * 22);
+    EXPECT_DOUBLE_EQ(below.size.y, 3 * 15);
+}
+
+/// Where on the sheet a word stands, from the foam's corner.
+Vec2d place_of(const Drawing& drawing, const std::string& word) {
+    const ReadMap map = read_map(drawing, "pluck", 1, 1);
+    for (const char* layer : {"notes", "edge"})
+        for (const TextItem& text : test::items_on<TextItem>(drawing, layer))
+            if (text.text == word) return text.at - map.corner;
+    ADD_FAILURE() << "no " << word;
+    return {};
+}
+
+TEST(SpongeTest, EverySheetSaysWhichWayRound) {
+    const Foams foams = letter_l();
+    for (const Half half : {Half::lower, Half::lid}) {
+        const PluckPlan plan = pluck_plan(foams.design(), half);
+        const bool lower = half == Half::lower;
+        for (const Drawing& sheet :
+             {pluck_map(plan, plan.runs[0], "L"), pluck_overview(plan, {210, 297}, "L")}) {
+            std::string all;
+            for (const TextItem& text : test::items_on<TextItem>(sheet, "notes")) all += text.text + "\n";
+            EXPECT_NE(all.find(lower ? "LOWER" : "LID"), std::string::npos);
+            EXPECT_TRUE(std::regex_search(all, std::regex("[Cc]avity facing you"))) << all;
+            const ReadMap map = read_map(sheet, "pluck", 3, 4);
+            const double back = place_of(sheet, "BACK").y;
+            EXPECT_TRUE(lower ? back < 0 : back > map.size.y) << "BACK stands at its edge";
+            // Row A lies at BACK and column 1 to the left, in both halves; so does the odd corner.
+            EXPECT_EQ(place_of(sheet, "A").y < place_of(sheet, "C").y, lower);
+            EXPECT_LT(place_of(sheet, "1").x, place_of(sheet, "4").x);
+            const auto edges = test::items_on<PathItem>(sheet, "edge");
+            const auto odd = std::find_if(edges.begin(), edges.end(),
+                                          [](const PathItem& e) { return e.fill.has_value(); });
+            ASSERT_NE(odd, edges.end());
+            const Vec2d corner = odd->lines[0][0] - map.corner;
+            EXPECT_NEAR(corner.x, 0, 1e-9);
+            EXPECT_NEAR(corner.y, lower ? 0 : map.size.y, 1e-9);
+        }
+    }
+}
+
+TEST(SpongeTest, TheOverviewCountsTheBlocksToRemove) {
+    for (int seed = 0; seed < 20; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random(static_cast<std::uint64_t>(100 + seed));
+        const Foams foams = random_foams(random);
+        const PluckPlan plan = pluck_plan(foams.design(), random.chance(0.5) ? Half::lower : Half::lid);
+        const Drawing sheet = pluck_overview(plan, {210, 297}, "thing");
+        if (!overview_has_numbers(plan, {210, 297})) continue;
+        const int rows = plan.removed.ny(), columns = plan.removed.nz();
+        const ReadMap map = read_map(sheet, "pluck", rows, columns);
+        Grid<int> read(rows, columns, 0);
+        for (const TextItem& text : test::items_on<TextItem>(sheet, "pluck")) {
+            const Vec2d at = text.at - map.corner;
+            read(static_cast<int>(at.y / map.size.y * rows), static_cast<int>(at.x / map.size.x * columns)) =
+                std::stoi(text.text);
+        }
+        for (std::size_t i = 0; i < read.size(); ++i) EXPECT_EQ(read[i], plan.removed[i]);
+        EXPECT_GE(map.corner.x, 0);
+        EXPECT_LE(map.corner.x + map.size.x, sheet.size_mm.x);
+        EXPECT_LE(map.corner.y + map.size.y, sheet.size_mm.y);
+    }
+}
+
+/// A bowl in a grid far too fine for numbers.
+Foams large_bowl() {
+    const DesignSpace space{{300, 180, 180}, {1, 1, 1}};
+    BlockMap blocks(180, 180);
+    for (int j = 0; j < 180; ++j)
+        for (int k = 0; k < 180; ++k) {
+            const double r2 = (j - 89.5) * (j - 89.5) + (k - 80) * (k - 80);
+            if (r2 >= 70 * 70) continue;
+            const int deep = static_cast<int>(std::sqrt(70 * 70 - r2));
+            blocks(j, k) = {static_cast<std::int16_t>(150 - deep), static_cast<std::int16_t>(150 + deep)};
+        }
+    return foams_of(space, std::move(blocks), 150);
+}
+
+TEST(SpongeTest, FineGridsGetATableThatSaysTheSame) {
+    const Foams foams = large_bowl();
+    const SpongeWork work{pluck_plan(foams.design(), Half::lower), pluck_plan(foams.design(), Half::lid),
+                          fit_test(foams.design())};
+    ASSERT_FALSE(overview_has_numbers(work.lower, {210, 297}));
+    const std::vector<Drawing> pages = sponge_plan(foams.design(), work, {210, 297});
+    std::map<std::string, Grid<int>> read;
+    for (const char* half : {"LOWER: depths", "LID: depths"}) read.emplace(half, Grid<int>(180, 180, 0));
+    const std::regex entry("([0-9]+)(-([0-9]+))?:\u00a0([0-9]+)");
+    for (const Drawing& page : pages) {
+        Grid<int>* grid = nullptr;
+        int row = -1;
+        for (const TextItem& text : test::items_on<TextItem>(page, "notes")) {
+            if (const auto found = read.find(text.text); found != read.end()) grid = &found->second;
+            for (int j = 0; j < 180 && text.bold; ++j)
+                if (row_name(j) == text.text) row = j;
+            if (!grid || row < 0 || text.bold) continue;
+            const std::string words = text.text;
+            for (std::sregex_iterator at(words.begin(), words.end(), entry), end; at != end; ++at) {
+                const int first = std::stoi((*at)[1]), last = (*at)[3].matched ? std::stoi((*at)[3]) : first;
+                for (int k = first; k <= last; ++k) (*grid)(row, k - 1) = std::stoi((*at)[4]);
+            }
+        }
+    }
+    for (int j = 0; j < 180; ++j)
+        for (int k = 0; k < 180; ++k) {
+            EXPECT_EQ(read.at("LOWER: depths")(j, k), work.lower.removed(j, k)) << row_name(j) << k + 1;
+            EXPECT_EQ(read.at("LID: depths")(j, k), work.lid.removed(179 - j, k));
+        }
+}
+
+TEST(SpongeTest, RowNamesAreThoseOfASpreadsheet) {
+    EXPECT_EQ(row_name(0), "A");
+    EXPECT_EQ(row_name(25), "Z");
+    EXPECT_EQ(row_name(26), "AA");
+    EXPECT_EQ(row_name(26 + 26 * 26), "AAA");
+    std::set<std::string> all;
+    for (int i = 0; i < 4096; ++i) all.insert(row_name(i));
+    EXPECT_EQ(all.size(), 4096u);
+}
+
+TEST(FitTestTest, TheRingIsTheFoamAroundTheOpening) {
+    for (int seed = 0; seed < 200; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random(static_cast<std::uint64_t>(seed));
+        const Foams foams = random_foams(random);
+        const double wide = random.between(1, 60);
+        const auto test = fit_test(foams.design(), wide);
+        const int level = foams.foams.parting_level;
+        const auto cut = [&](int j, int k, int layer) {
+            const CutRun run = foams.blocks(j, k);
+            return run.first <= layer && layer < run.end;
+        };
+        long long below = 0, above = 0;
+        for (int j = 0; j < foams.space.blocks.y; ++j)
+            for (int k = 0; k < foams.space.blocks.z; ++k) {
+                below += cut(j, k, level - 1);
+                above += cut(j, k, level);
+            }
+        ASSERT_EQ(test.has_value(), below + above > 0);
+        if (!test) continue;
+        EXPECT_EQ(test->level, above > below ? level : level - 1);
+        const int reach_y = std::max(1, static_cast<int>(std::ceil(wide / foams.space.block_mm.y)));
+        const int reach_z = std::max(1, static_cast<int>(std::ceil(wide / foams.space.block_mm.z)));
+        for (int j = 0; j < foams.space.blocks.y; ++j)
+            for (int k = 0; k < foams.space.blocks.z; ++k) {
+                EXPECT_TRUE(test->opening(j, k) || !cut(j, k, test->level));
+                bool near = false;
+                for (int j2 = j - reach_y; j2 <= j + reach_y; ++j2)
+                    for (int k2 = k - reach_z; k2 <= k + reach_z; ++k2)
+                        near |= test->opening.contains(j2, k2) && test->opening(j2, k2);
+                EXPECT_EQ(test->ring(j, k) != 0, near && !test->opening(j, k));
+            }
+    }
+}
+
+TEST(FitTestTest, IslandsAreLeftOut) {
+    const DesignSpace space{{4, 7, 7}, {10, 10, 10}};
+    BlockMap blocks(7, 7);
+    for (int j = 2; j <= 4; ++j)
+        for (int k = 2; k <= 4; ++k)
+            if (j != 3 || k != 3) blocks(j, k) = {1, 3};
+    const Foams foams = foams_of(space, std::move(blocks), 2);
+    const auto test = fit_test(foams.design(), 10);
+    ASSERT_TRUE(test);
+    EXPECT_EQ(test->islands, 1);
+    EXPECT_EQ(test->pieces, 1);
+    EXPECT_TRUE(test->opening(3, 3));
+    EXPECT_EQ(std::count(test->ring.begin(), test->ring.end(), 1), 25 - 9);
+}
+
+/// A box of 40 x 40 x 40 mm that lies nearer to the front and the left of a larger cavity.
+TEST(FingerRoomTest, IsTheWayFromTheFoamToTheObject) {
+    const Mesh mesh = test::box_mesh({-20, -20, -20}, {20, 20, 20});
+    const DesignSpace space{{12, 12, 12}, {10, 10, 10}};
+    BlockMap blocks(12, 12);
+    for (int j = 1; j < 9; ++j)
+        for (int k = 3; k < 11; ++k) blocks(j, k) = {2, 10};
+    const Foams foams = foams_of(space, std::move(blocks), 6);
+    const auto room = finger_room(mesh, place(mesh, {}, {}), space, foams.blocks, foams.foams);
+    // The cavity reaches from y = -50 to 30 and from z = -30 to 50.
+    const double expected[] = {30, 10, 10, 30};  // back, front, left, right
+    for (int side = 0; side < 4; ++side) {
+        EXPECT_LE(room[side].mm, expected[side] + 1e-9) << side;
+        EXPECT_GE(room[side].mm, expected[side] - 2 - 1e-9) << "a cell of the measuring grid less at most";
+    }
+    EXPECT_NEAR(room[0].where.y, -35, 2);
+    EXPECT_NEAR(room[3].where.z, 35, 2);
+}
+
+TEST(FingerRoomTest, AShallowLedgeIsNoRoom) {
+    const Mesh mesh = test::box_mesh({-20, -20, -20}, {20, 20, 20});
+    const DesignSpace space{{12, 12, 12}, {10, 10, 10}};
+    BlockMap blocks(12, 12);
+    for (int j = 0; j < 12; ++j)
+        for (int k = 0; k < 12; ++k) blocks(j, k) = {5, 7};  // one block below the parting
+    for (int j = 4; j < 8; ++j)
+        for (int k = 4; k < 8; ++k) blocks(j, k) = {4, 8};
+    const Foams foams = foams_of(space, std::move(blocks), 6);
+    for (const FingerRoom& room : finger_room(mesh, place(mesh, {}, {}), space, foams.blocks, foams.foams))
+        EXPECT_EQ(room.mm, 0);
+}
+
+TEST(SpongePackTest, EveryLayerThatIsPluckedHasItsFile) {
+    Random random(3);
+    const Foams foams = letter_l();
+    const auto pack = sponge_pack(foams.design(), {});
+    ASSERT_TRUE(pack);
+    std::set<std::string> names;
+    for (const PackFile& file : pack->files) names.insert(file.name);
+    EXPECT_EQ(names, (std::set<std::string>{"sponge/fit-test.svg", "sponge/lower-01-02.svg",
+                                            "sponge/lid-01-02.svg"}));
+    EXPECT_EQ(pack->material.pieces, 20);
+    EXPECT_NEAR(*pack->material.litres, 8 * 3 * 4 * 15 * 15 * 22 * 1e-6, 1e-9);
+}
+
+TEST(SpongePackTest, FoamsThatNothingTouchesNeedNoPlucking) {
+    const Foams foams = foams_of({{4, 3, 3}, {10, 10, 10}}, BlockMap(3, 3), 2);
+    const auto pack = sponge_pack(foams.design(), {});
+    ASSERT_TRUE(pack);
+    EXPECT_TRUE(pack->files.empty());
+    EXPECT_EQ(pack->material.pieces, 0);
+    const auto all_lid = sponge_pack(foams_of({{4, 3, 3}, {10, 10, 10}}, BlockMap(3, 3), 0).design(), {});
+    ASSERT_TRUE(all_lid);
+    EXPECT_EQ(all_lid->material.pieces, 0);
+}
+
+}  // namespace
+}  // namespace snug
