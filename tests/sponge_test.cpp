@@ -229,16 +229,19 @@ TEST(SpongeTest, FineGridsGetATableThatSaysTheSame) {
     const std::regex entry("([0-9]+)(-([0-9]+))?:\u00a0([0-9]+)");
     for (const Drawing& page : pages) {
         Grid<int>* grid = nullptr;
-        int row = -1;
+        int row = -1, last_row = -1;
         for (const TextItem& text : test::items_on<TextItem>(page, "notes")) {
             if (const auto found = read.find(text.text); found != read.end()) grid = &found->second;
-            for (int j = 0; j < 180 && text.bold; ++j)
-                if (row_name(j) == text.text) row = j;
+            for (int j = 0; j < 180 && text.bold; ++j) {
+                if (row_name(j) == text.text.substr(0, text.text.find('-'))) row = j;
+                if (row_name(j) == text.text.substr(text.text.find('-') + 1)) last_row = j;
+            }
             if (!grid || row < 0 || text.bold) continue;
             const std::string words = text.text;
             for (std::sregex_iterator at(words.begin(), words.end(), entry), end; at != end; ++at) {
                 const int first = std::stoi((*at)[1]), last = (*at)[3].matched ? std::stoi((*at)[3]) : first;
-                for (int k = first; k <= last; ++k) (*grid)(row, k - 1) = std::stoi((*at)[4]);
+                for (int j = row; j <= last_row; ++j)
+                    for (int k = first; k <= last; ++k) (*grid)(j, k - 1) = std::stoi((*at)[4]);
             }
         }
     }

@@ -12,9 +12,10 @@ namespace {
 constexpr double kLeastName = 1.9;     // mm, the smallest letters that are read on paper
 constexpr double kGreatestName = 3.6;  // mm
 constexpr double kNameDistance = 1.6;  // mm from the foam's edge
+constexpr double kLeastCutCorner = 3;  // mm
 constexpr double kCutCorner = 6;       // mm, where the blocks are no smaller
 constexpr double kGridLine = 0.12;     // mm
-constexpr double kFinestGrid = 0.8;    // mm, cells smaller than this get no lines between them
+constexpr double kFinestGrid = 1.4;    // mm, cells smaller than this get no lines between them
 
 /// Every how many cells one is named: 1, 2, 5, 10, 20, 50, ...
 int name_step(double cell_mm, double needed_mm) {
@@ -39,8 +40,9 @@ void for_each_run(int count, Inside inside, Draw draw) {
 }
 
 double cut_corner(const BlockGrid& grid) {
+    const double of_a_block = 0.8 * std::max(grid.cell.x, grid.cell.y);
     return std::min(
-        {kCutCorner, 0.8 * std::max(grid.cell.x, grid.cell.y), 0.2 * grid.size().x, 0.2 * grid.size().y});
+        {std::clamp(of_a_block, kLeastCutCorner, kCutCorner), 0.2 * grid.size().x, 0.2 * grid.size().y});
 }
 
 }  // namespace
@@ -117,7 +119,8 @@ void draw_names(PageBuilder& page, const BlockGrid& grid) {
         page.text({grid.corner.x + grid.size().x + kNameDistance, baseline}, row_name(from_back),
                   look(grid.cell.y * row_step, TextAnchor::start));
     }
-    for (int column = 0; column < grid.columns; column += column_step) {
+    for (int column = 0; column < grid.columns; ++column) {
+        if (column > 0 && (column + 1) % column_step != 0) continue;
         TextLook above = look(grid.cell.x * column_step, TextAnchor::middle);
         while (above.height_mm > kLeastName &&
                text_width(longest, above.height_mm) > 0.85 * grid.cell.x * column_step)

@@ -12,6 +12,7 @@ namespace snug {
 namespace {
 
 constexpr double kNumberIndent = 8;  // mm
+constexpr double kRowIndent = 20;
 
 std::string many(long long count, std::string_view one, std::string_view more) {
     return counted(static_cast<unsigned long long>(count), one, more);
@@ -41,6 +42,26 @@ void tell_half(PageFlow& flow, const PluckPlan& plan) {
                   grouped(static_cast<unsigned long long>(all))},
                  shares, {});
     }
+}
+
+/// The uppermost layers may be little more than what stands above the parting: less work to build than to
+/// pluck.
+std::string advice_on_high_columns(const PluckPlan& plan) {
+    const long long columns = static_cast<long long>(plan.removed.size());
+    long long kept = 0;
+    int last = 0;
+    for (const LayerRun& run : plan.runs)
+        if (2 * run.plucked > columns) {
+            kept += (columns - run.plucked) * run.layers();
+            last = run.last;
+        }
+    if (last == 0) return "";
+    const bool one = last == 1;
+    return std::string(half_title(plan.half)) + ": " + layers_text({1, last, 0}) +
+           (one ? " keeps" : " keep") + " less than half of " + (one ? "its" : "their") + " blocks, " +
+           many(kept, "block", "blocks") + (one ? "" : " together") + ". Instead of plucking " +
+           (one ? "it" : "them") + ", glue as many spare blocks on layer " + std::to_string(last + 1) +
+           " where the map is white: that saves work and " + many(last, "layer", "layers") + " of foam.";
 }
 
 std::vector<std::string> order_of_work(const SpongeWork& work) {
@@ -94,13 +115,17 @@ std::string runs_of_row(const PluckPlan& plan, int row) {
 void add_table(const FoamDesign& design, const PluckPlan& plan, Vec2d page_mm, std::vector<Drawing>& pages) {
     PageFlow flow(page_mm, std::string(half_title(plan.half)) + ": depths",
                   design.object_name +
-                      " · row, then columns: blocks to remove from the cavity's side; "
+                      " · rows, then columns: blocks to remove from the cavity's side; "
                       "columns that are not named stay whole",
                   half_ink(plan.half));
-    for (int from_back = 0; from_back < plan.removed.ny(); ++from_back) {
-        const int row = plan.row_from_back(from_back);
-        const std::string text = runs_of_row(plan, row);
-        if (!text.empty()) flow.item(row_name(from_back), text, {kBodyText, half_ink(plan.half), true}, 11);
+    const auto text_of = [&](int from_back) { return runs_of_row(plan, plan.row_from_back(from_back)); };
+    for (int begin = 0; begin < plan.removed.ny();) {
+        const std::string text = text_of(begin);
+        int end = begin + 1;
+        while (end < plan.removed.ny() && text_of(end) == text) ++end;
+        const std::string rows = row_name(begin) + (end - begin > 1 ? "-" + row_name(end - 1) : "");
+        if (!text.empty()) flow.item(rows, text, {kBodyText, half_ink(plan.half), true}, kRowIndent);
+        begin = end;
     }
     std::vector<Drawing> done = flow.finish();
     pages.insert(pages.end(), std::make_move_iterator(done.begin()), std::make_move_iterator(done.end()));
@@ -121,6 +146,9 @@ std::vector<Drawing> sponge_plan(const FoamDesign& design, const SpongeWork& wor
     int step = 0;
     for (const std::string& text : order_of_work(work))
         flow.item(std::to_string(++step), text, {kBodyText, kSoftInk, true}, kNumberIndent);
+    for (const PluckPlan* plan : {&work.lower, &work.lid})
+        if (const std::string advice = advice_on_high_columns(*plan); !advice.empty())
+            flow.item("+", advice, {kBodyText, half_ink(plan->half), true}, kNumberIndent);
     if (work.test && (work.test->islands > 0 || work.test->pieces > 1))
         flow.paragraph("The fit test leaves out " + many(work.test->islands, "island", "islands") +
                            " of foam and its ring is in " + many(work.test->pieces, "piece", "pieces") + ".",
