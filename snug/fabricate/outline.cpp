@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <cstdlib>
 #include <utility>
 
 namespace snug {
@@ -11,52 +11,18 @@ namespace {
 constexpr int kSmoothings = 2;
 constexpr std::size_t kFewestToSmooth = 12;  // smaller loops would shrink away
 
-/// Walks along the cracks between inside and outside cells, the inside on its right-hand side.
-class Tracer {
-  public:
-    explicit Tracer(const Mask& mask)
-        : mask_(mask),
-          begun_(static_cast<std::size_t>(mask.width) * static_cast<std::size_t>(mask.height), 0) {}
-
-    std::vector<Loop> trace() {
-        std::vector<Loop> loops;
-        // Every loop, around cells or around a hole, passes above some cell from left to right.
-        for (int row = 0; row < mask_.height; ++row)
-            for (int column = 0; column < mask_.width; ++column)
-                if (mask_.inside(column, row) && !mask_.inside(column, row - 1) && !begun(column, row))
-                    loops.push_back(follow(column, row));
-        return loops;
+/// A loop as the middles of its cracks.
+Loop crack_middles(const CellLoop& corners) {
+    Loop loop;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const CellPoint from = corners[i], to = corners[i + 1 == corners.size() ? 0 : i + 1];
+        const int steps = std::abs(to.x - from.x) + std::abs(to.y - from.y);
+        const int dx = (to.x - from.x) / steps, dy = (to.y - from.y) / steps;
+        for (int step = 0; step < steps; ++step)
+            loop.push_back({from.x + (step + 0.5) * dx, from.y + (step + 0.5) * dy});
     }
-
-  private:
-    char& begun(int column, int row) {
-        return begun_[static_cast<std::size_t>(row) * static_cast<std::size_t>(mask_.width) +
-                      static_cast<std::size_t>(column)];
-    }
-
-    /// The loop that begins at a cell's upper left corner, as the middles of its cracks.
-    Loop follow(int first_column, int first_row) {
-        Loop loop;
-        int x = first_column, y = first_row, dx = 1, dy = 0;
-        do {
-            if (dx == 1) begun(x, y) = 1;
-            loop.push_back({x + 0.5 * dx, y + 0.5 * dy});
-            x += dx;
-            y += dy;
-            // The cells ahead lie around the corner (x, y): to the left (dy, -dx), to the right (-dy, dx).
-            const bool left = mask_.inside(x + (dx + dy - 1) / 2, y + (dy - dx - 1) / 2);
-            const bool right = mask_.inside(x + (dx - dy - 1) / 2, y + (dy + dx - 1) / 2);
-            if (left)
-                std::tie(dx, dy) = std::pair(dy, -dx);
-            else if (!right)
-                std::tie(dx, dy) = std::pair(-dy, dx);
-        } while (x != first_column || y != first_row || dx != 1 || dy != 0);
-        return loop;
-    }
-
-    const Mask& mask_;
-    std::vector<char> begun_;
-};
+    return loop;
+}
 
 Loop smoothed(const Loop& loop) {
     Loop result(loop.size());
@@ -98,7 +64,8 @@ double signed_area(const Loop& loop) {
 }
 
 std::vector<Loop> outlines(const Mask& mask, double least_cells) {
-    std::vector<Loop> loops = Tracer(mask).trace();
+    std::vector<Loop> loops;
+    for (const CellLoop& corners : cell_loops(mask)) loops.push_back(crack_middles(corners));
     const auto area = [](const Loop& loop) { return std::fabs(signed_area(loop)); };
     double largest = 0;
     for (const Loop& loop : loops) largest = std::max(largest, area(loop));
