@@ -144,6 +144,7 @@ class Picture {
             outline(piece);
             islands += piece.island;
         }
+        odd_corner();
         for (const SheetPiece& piece : pieces)
             if (piece.island) name_island(piece);
         if (sheet < half_.dowels.sheets)
@@ -158,24 +159,22 @@ class Picture {
   private:
     [[nodiscard]] Vec2d at(Vec2d mm) const { return corner_ + mm * scale_; }
 
-    /// The half's rectangle with its odd corner cut off, BACK thick.
+    /// The half's rectangle, BACK thick.
     void frame() {
         const Vec2d size = stack_.size_mm();
-        const double odd = 0.1 * std::min(size.x, size.y);
+        draw(page_, {{at({0, 0}), at({size.x, 0}), at(size), at({0, size.y})}}, true, Color{244, 245, 247},
+             Pen{kSoft, 0.15, {0.8, 0.6}});
         const bool lower = stack_.half == Half::lower;
-        std::vector<Vec2d> edge{at({0, lower ? odd : 0}), at({lower ? odd : 0, 0}), at({size.x, 0}),
-                                at(size)};
-        if (lower) {
-            edge.push_back(at({0, size.y}));
-        } else {
-            edge.push_back(at({odd, size.y}));
-            edge.push_back(at({0, size.y - odd}));
-        }
-        draw(page_, {edge}, true, Color{244, 245, 247}, Pen{kSoft, 0.15, {0.8, 0.6}});
         const double y = lower ? 0 : size.y;
-        draw(page_, {{at({odd, y}), at({size.x, y})}}, false, {}, Pen{kInk, 0.6, {}});
+        draw(page_, {{at({0, y}), at({size.x, y})}}, false, {}, Pen{kInk, 0.6, {}});
         write(page_, at({size.x, y}) + Vec2d{0, lower ? -1.0 : 3.2}, "BACK", 2.4, kInk, true,
               TextAnchor::end);
+    }
+
+    void odd_corner() {
+        const double side = 2.5, down = stack_.half == Half::lower ? side : -side;
+        const Vec2d corner = at({0, stack_.half == Half::lower ? 0 : stack_.size_mm().y});
+        draw(page_, {{corner, corner + Vec2d{side, 0}, corner + Vec2d{0, down}}}, true, kInk, {});
     }
 
     void outline(const SheetPiece& piece) {
