@@ -289,7 +289,8 @@ def rebuild(path):
     check(len(stocks) == max(part.stock for part in parts), "a stock sheet without pieces, or none for some")
     for number, file in enumerate(stocks, 1):
         size, shapes, names = read_svg(file)
-        check([n for n in names if n.startswith("cut")] == ["cut-inner", "cut-outer"], f"{file}: layers {names}")
+        cuts = [layer for layer in names if layer.startswith("cut")]
+        check(cuts in (["cut-inner", "cut-outer"], ["cut-outer"]), f"{file}: layers {names}")
         check(same_shapes(shapes, read_dxf(file.with_suffix(".dxf"), size[1])), f"{file}: not what the DXF says")
         here = [part for part in parts if part.stock == number]
         assign(here, [shape for shape in shapes if shape[0].startswith("cut")])
