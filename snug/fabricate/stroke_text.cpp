@@ -9,7 +9,7 @@ constexpr double kCapital = 0.7;        // of the height
 constexpr double kSmallCapital = 0.75;  // of a capital
 constexpr double kWide = 4, kHigh = 6;  // a letter's raster
 constexpr double kBetween = 1.6;        // steps of the raster between letters
-constexpr double kSpace = 2.4;
+constexpr double kSpace = 3.4;
 
 struct Letter {
     char character;
