@@ -317,6 +317,11 @@ TEST(Sheets, SayWhichThicknessesWork) {
     }
 }
 
+TEST(Sheets, OfNoFoamAreRefused) {
+    const Foam nothing = foam_of({2, 2, 2}, {10, 10, 10}, BlockMap(2, 2, {0, 2}), 1);
+    EXPECT_NE(refusal(nothing, {}).find("no foam"), std::string::npos);
+}
+
 TEST(Sheets, SayWhichStockWouldDo) {
     SheetOptions options;
     options.stock_mm = {200, 150};

@@ -24,8 +24,8 @@ int highest(const Grid<std::uint16_t>& kept) {
     return most;
 }
 
-/// The levels that the lower of the two halves has, an empty half left out.
-int usable_levels(const FoamDesign& design) {
+/// The levels of the higher half.
+int most_levels_of(const FoamDesign& design) {
     return std::max(highest(design.foams.lower), highest(design.foams.upper));
 }
 
@@ -132,7 +132,10 @@ void name_pieces(std::vector<SheetPiece>& of_a_sheet, int sheet, const std::stri
 
 Result<SheetMeasure> sheet_measure(const FoamDesign& design, double thickness_mm) {
     const double depth = design.space.block_mm.x;
-    const int most = usable_levels(design);
+    const int most = most_levels_of(design);
+    if (most == 0)
+        return fail(ErrorKind::usage,
+                    "The design leaves no foam to cut into sheets; make the space larger than the object.");
     const double share = thickness_mm >= depth ? thickness_mm / depth : depth / thickness_mm;
     const double whole = std::floor(share + 0.5);
     const bool fits = std::fabs(share - whole) <= kSameLength * share;
