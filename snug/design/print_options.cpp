@@ -1,0 +1,33 @@
+#include "snug/design/print_options.h"
+
+#include "snug/base/text.h"
+
+namespace snug {
+namespace {
+
+/// False for what is no number as well.
+bool within(double value, double least, double most) {
+    return value >= least && value <= most;
+}
+
+std::string out_of_range(const std::string& what, double value, double least, double most) {
+    return what + " is " + number(value) + " mm, but must be from " + number(least) + " to " + number(most) +
+           " mm";
+}
+
+}  // namespace
+
+std::optional<std::string> problem_of(const PrintOptions& o) {
+    const char* const sides[] = {"the bed's width", "the bed's depth", "the height above the bed"};
+    for (int axis = 0; axis < 3; ++axis)
+        if (!within(o.bed_mm[axis], 10, 2000)) return out_of_range(sides[axis], o.bed_mm[axis], 10, 2000);
+    if (!within(o.dowel_diameter_mm, 1, 100))
+        return out_of_range("the dowel's diameter", o.dowel_diameter_mm, 1, 100);
+    if (!within(o.dowel_length_mm, o.dowel_diameter_mm, 1000))
+        return out_of_range("the dowel's length", o.dowel_length_mm, o.dowel_diameter_mm, 1000);
+    if (!within(o.joint_clearance_mm, 0, 5))
+        return out_of_range("the clearance around a dowel", o.joint_clearance_mm, 0, 5);
+    return {};
+}
+
+}  // namespace snug

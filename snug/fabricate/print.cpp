@@ -1,0 +1,191 @@
+#include "snug/fabricate/print.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "snug/base/box.h"
+#include "snug/base/text.h"
+#include "snug/fabricate/fit_test.h"
+#include "snug/fabricate/print_bed.h"
+#include "snug/fabricate/print_joints.h"
+#include "snug/fabricate/print_parts.h"
+#include "snug/fabricate/print_solid.h"
+#include "snug/fabricate/threemf.h"
+
+namespace snug {
+namespace {
+
+constexpr std::size_t kMostParts = 1000;  // more are printed by nobody
+constexpr double kFitTestHeight = 3;      // mm
+constexpr Color kDowelGrey{150, 150, 150};
+
+/// Something to print, so many times.
+struct PrintThing {
+    std::string name;
+    Color color;
+    Solid solid;
+    int count = 1;
+};
+
+struct PrintedHalf {
+    std::vector<PrintThing> parts;
+    std::vector<Bore> bores;
+    int without_joint = 0;
+    long long blocks = 0;
+};
+
+std::string two_digits(std::size_t value) {
+    return (value < 10 ? "0" : "") + std::to_string(value);
+}
+
+Vec3d size_of(const Solid& solid) {
+    Box3d box;
+    for (const Vec3f v : solid.vertices) box.include(vec_cast<double>(v));
+    return box.max;
+}
+
+int greatest(const Grid<std::uint16_t>& heights) {
+    return heights.size() == 0 ? 0 : *std::max_element(heights.begin(), heights.end());
+}
+
+Error too_many_parts(Vec3d bed) {
+    return {ErrorKind::usage, "on a bed of " + dimensions(bed) + " mm the foams would come in more than " +
+                                  grouped(kMostParts) +
+                                  " parts; take a larger bed, or blocks that make a smoother foam"};
+}
+
+/// Cut apart and meshed; `name` stands before the numbers of its parts.
+Result<PrintedHalf> printed_half(const Grid<std::uint16_t>& heights, Vec3d block_mm,
+                                 const PrintOptions& options, bool lid, const std::string& name) {
+    const PrintCuts cuts =
+        print_cuts({greatest(heights), heights.ny(), heights.nz()}, block_mm, options.bed_mm);
+    if (1LL * cuts.pieces(0) * cuts.pieces(1) * cuts.pieces(2) > static_cast<long long>(kMostParts))
+        return tl::unexpected(too_many_parts(options.bed_mm));
+    const PrintLayout layout = print_layout(heights, cuts);
+    if (layout.parts.size() > kMostParts) return tl::unexpected(too_many_parts(options.bed_mm));
+
+    PrintedHalf half;
+    if (options.joint == PrintJoint::dowels) {
+        Joints joints = place_joints(layout, block_mm, options);
+        half.bores = std::move(joints.bores);
+        half.without_joint = joints.without;
+    }
+    for (std::size_t i = 0; i < layout.parts.size(); ++i) {
+        half.parts.push_back({name + "-" + two_digits(i + 1), lid ? kUpperOrange : kLowerBlue,
+                              part_solid(layout, static_cast<int>(i), half.bores, block_mm, options,
+                                         {lid, layout.cuts.turned})});
+        half.blocks += layout.parts[i].blocks();
+    }
+    return half;
+}
+
+/// One 3MF for each bed, "print/bed-01.3mf"; returns how many.
+std::size_t add_beds(const std::vector<PrintThing>& things, const PrintOptions& options,
+                     const std::string& title, const std::string& name, WorkshopPack& pack) {
+    std::vector<const PrintThing*> each;
+    std::vector<Vec3d> sizes;
+    for (const PrintThing& thing : things) {
+        each.insert(each.end(), static_cast<std::size_t>(thing.count), &thing);
+        sizes.insert(sizes.end(), static_cast<std::size_t>(thing.count), size_of(thing.solid));
+    }
+    const std::vector<BedPlace> places = places_on_beds(sizes, options.bed_mm);
+    std::vector<std::vector<ThreeMfItem>> beds;
+    for (std::size_t i = 0; i < each.size(); ++i) {
+        const auto bed = static_cast<std::size_t>(places[i].bed);
+        if (beds.size() <= bed) beds.resize(bed + 1);
+        beds[bed].push_back({each[i]->name, each[i]->color, &each[i]->solid, {places[i].x, places[i].y, 0}});
+    }
+    for (std::size_t bed = 0; bed < beds.size(); ++bed)
+        pack.containers.push_back(
+            three_mf("print/" + name + "-" + two_digits(bed + 1) + ".3mf", title, beds[bed]));
+    return beds.size();
+}
+
+void add_stls(const std::vector<PrintThing>& things, WorkshopPack& pack) {
+    for (const PrintThing& thing : things)
+        pack.files.push_back({"print/" + thing.name + ".stl",
+                              write_stl(thing.solid.vertices, thing.solid.triangles, thing.name)});
+}
+
+/// The ring of the fit test, a flat piece seen as the lower foam is.
+Result<void> add_fit_test(const FoamDesign& design, const PrintOptions& options, WorkshopPack& pack) {
+    const auto test = fit_test(design);
+    if (!test) return {};
+    Grid<std::uint16_t> heights(test->ring.ny(), test->ring.nz());
+    std::transform(test->ring.begin(), test->ring.end(), heights.begin(),
+                   [](char foam) { return static_cast<std::uint16_t>(foam ? 1 : 0); });
+    PrintOptions flat = options;
+    flat.joint = PrintJoint::none;
+    const Vec3d block{std::min(kFitTestHeight, options.bed_mm.z), design.space.block_mm.y,
+                      design.space.block_mm.z};
+    const auto ring = printed_half(heights, block, flat, false, "fit-test");
+    if (!ring) return tl::unexpected(ring.error());
+    if (ring->parts.empty()) return {};
+    add_beds(ring->parts, options, design.object_name + ": fit test", "fit-test", pack);
+    add_stls(ring->parts, pack);
+    pack.figures.push_back({"Fit test", counted(ring->parts.size(), "flat part", "flat parts") + ", layer " +
+                                            std::to_string(test->level + 1) + " from below"});
+    return {};
+}
+
+void tell_findings(const PrintedHalf& lower, const PrintedHalf& lid, const PrintOptions& options,
+                   WorkshopPack& pack) {
+    if (options.rigid)
+        pack.findings.push_back({Severity::note,
+                                 "rigid",
+                                 "printed plastic holds the object but is no cushion: put foam between it "
+                                 "and the outer box",
+                                 {}});
+    const int without = lower.without_joint + lid.without_joint;
+    if (without == 0) return;
+    pack.findings.push_back(
+        {Severity::note,
+         "no_dowel",
+         "dowels of " + number(options.dowel_diameter_mm) + " x " + number(options.dowel_length_mm) +
+             " mm find too little foam around them where " +
+             counted(static_cast<unsigned long long>(without), "pair", "pairs") +
+             " of parts meet: glue them face to face, or take smaller dowels or a larger bed",
+         {}});
+}
+
+}  // namespace
+
+Result<WorkshopPack> print_pack(const FoamDesign& design, const PrintOptions& options) {
+    if (const auto problem = problem_of(options)) return fail(ErrorKind::usage, *problem);
+    const Vec3d block = design.space.block_mm;
+    if (!holds_block(options.bed_mm, block))
+        return fail(ErrorKind::usage, "a bed of " + dimensions(options.bed_mm) +
+                                          " mm is smaller than a block of foam, which lies " +
+                                          dimensions({block.z, block.y, block.x}) +
+                                          " mm on it; take a bed of at least that, or smaller blocks");
+    const auto lower = printed_half(design.foams.lower, block, options, false, "lower");
+    if (!lower) return tl::unexpected(lower.error());
+    const auto lid = printed_half(design.foams.upper, block, options, true, "lid");
+    if (!lid) return tl::unexpected(lid.error());
+
+    WorkshopPack pack;
+    std::vector<PrintThing> things = lower->parts;
+    things.insert(things.end(), lid->parts.begin(), lid->parts.end());
+    const std::size_t bores = lower->bores.size() + lid->bores.size();
+    if (bores > 0) things.push_back({"dowel", kDowelGrey, dowel_solid(options), static_cast<int>(bores)});
+    const std::size_t beds = add_beds(things, options, design.object_name + ": foams", "bed", pack);
+    add_stls(things, pack);
+
+    const double litres = (static_cast<double>(lower->blocks + lid->blocks) * design.space.block_volume() -
+                           2 * static_cast<double>(bores) * bore_volume_mm3(options)) *
+                          1e-6;
+    pack.figures.push_back({"Parts, lower", std::to_string(lower->parts.size())});
+    pack.figures.push_back({"Parts, lid", std::to_string(lid->parts.size())});
+    if (bores > 0)
+        pack.figures.push_back({"Dowels", std::to_string(bores) + " of " + number(options.dowel_diameter_mm) +
+                                              " x " + number(options.dowel_length_mm) + " mm"});
+    pack.figures.push_back({"Beds to print", std::to_string(beds)});
+    pack.figures.push_back({"Plastic, printed solid", number(litres) + " litres"});
+    if (auto done = add_fit_test(design, options, pack); !done) return tl::unexpected(done.error());
+    tell_findings(*lower, *lid, options, pack);
+    return pack;
+}
+
+}  // namespace snug
