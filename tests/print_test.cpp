@@ -1,9 +1,12 @@
 #include "snug/fabricate/print.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <set>
+#include <sstream>
 
 #include <gtest/gtest.h>
 
@@ -301,6 +304,85 @@ TEST(PrintPack, AnyFoamOnAnyBedIsClosedOnTheBedAndWhole) {
             EXPECT_EQ(again->containers[i].members[2].bytes, pack->containers[i].members[2].bytes);
     }
     EXPECT_GT(packs, 30);
+}
+
+/// A line of print/parts.csv.
+struct ListedPart {
+    std::string name;
+    std::array<int, 7> numbers{};  ///< first and last level, row, column; blocks
+};
+
+std::vector<ListedPart> listed_parts(const WorkshopPack& pack) {
+    std::vector<ListedPart> parts;
+    for (const PackFile& file : pack.files) {
+        if (file.name != "print/parts.csv") continue;
+        std::istringstream text(test::text_of(file.bytes));
+        std::string line;
+        std::getline(text, line);
+        while (std::getline(text, line)) {
+            std::istringstream cells(line);
+            ListedPart part;
+            std::getline(cells, part.name, ',');
+            char comma = 0;
+            for (int& value : part.numbers) cells >> value >> comma;
+            parts.push_back(part);
+        }
+    }
+    return parts;
+}
+
+/// Asks the part for each block that it may have, and counts the block in the half that it belongs to.
+void add_blocks(const test::PrintedItem& item, const ListedPart& part, bool turned, Vec3d s,
+                Grid<int>& levels) {
+    const bool lid = item.name.rfind("lid", 0) == 0;
+    const auto& n = part.numbers;
+    const Box3d box = test::bounds_of(item);
+    const double back = (n[3] - n[2] + 1) * s.y;
+    for (int row = n[2]; row <= n[3]; ++row)
+        for (int column = n[4]; column <= n[5]; ++column)
+            for (int level = n[0]; level <= n[1]; ++level) {
+                const Vec3d in_part{(level - n[0] + 0.487) * s.x, (row - n[2] + 0.513) * s.y,
+                                    (column - n[4] + 0.479) * s.z};
+                Vec3d p = seen_from_the_cavity(in_part, lid) + Vec3d{0, lid ? 0 : back, 0};
+                if (turned) p = {back - p.y, p.x, p.z};
+                const int turns = test::winding(item, p + box.min);
+                ASSERT_TRUE(turns == 0 || turns == 1);
+                // Levels of a column come in order, so a gap would show as a wrong one.
+                if (turns == 1) {
+                    ASSERT_EQ(levels(row - 1, column - 1), level - 1);
+                    ++levels(row - 1, column - 1);
+                }
+            }
+}
+
+TEST(PrintPack, ThePartsPutTogetherAgainAreTheFoam) {
+    int parts = 0;
+    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+        SCOPED_TRACE(seed);
+        test::Random random(seed);
+        const Design design = random_design(random);
+        PrintOptions options = random_options(random);
+        options.joint = PrintJoint::none;
+        const auto pack = print_pack(design.view(), options);
+        if (!pack) continue;
+        std::map<std::string, test::PrintedItem> items;
+        for (const PackContainer& container : pack->containers)
+            for (test::PrintedItem& item : test::read_printed(container)) items[item.name] = item;
+        Grid<int> lower(design.foams.lower.ny(), design.foams.lower.nz()), upper = lower;
+        for (const ListedPart& part : listed_parts(*pack)) {
+            const bool lid = part.name.rfind("lid", 0) == 0;
+            const Heights& heights = lid ? design.foams.upper : design.foams.lower;
+            const int levels = *std::max_element(heights.begin(), heights.end());
+            const bool turned =
+                print_cuts({levels, heights.ny(), heights.nz()}, design.space.block_mm, options.bed_mm)
+                    .turned;
+            add_blocks(items.at(part.name), part, turned, design.space.block_mm, lid ? upper : lower);
+            ++parts;
+        }
+        EXPECT_TRUE(std::equal(lower.begin(), lower.end(), design.foams.lower.begin()));
+        EXPECT_TRUE(std::equal(upper.begin(), upper.end(), design.foams.upper.begin()));
+    }
+    EXPECT_GT(parts, 200);
 }
 
 TEST(PrintPack, TheFitTestIsAFlatClosedRing) {

@@ -34,6 +34,7 @@ struct PrintedHalf {
     std::vector<Bore> bores;
     int without_joint = 0;
     long long blocks = 0;
+    std::string places;  ///< lines of print/parts.csv
 };
 
 std::string two_digits(std::size_t value) {
@@ -48,6 +49,24 @@ Vec3d size_of(const Solid& solid) {
 
 int greatest(const Grid<std::uint16_t>& heights) {
     return heights.size() == 0 ? 0 : *std::max_element(heights.begin(), heights.end());
+}
+
+std::string csv_range(int first, int count) {
+    return "," + std::to_string(first + 1) + "," + std::to_string(first + count);
+}
+
+std::string csv_line(const std::string& name, const PrintPart& part) {
+    return name + csv_range(part.first.x, part.levels()) + csv_range(part.first.y, part.heights.ny()) +
+           csv_range(part.first.z, part.heights.nz()) + "," + std::to_string(part.blocks()) + "\n";
+}
+
+/// Where each part belongs, numbered from 1: levels from the half's floor, rows from BACK, columns from the
+/// left with the cavity facing the reader.
+PackFile parts_list(const std::string& lines) {
+    const std::string text =
+        "part,first_level,last_level,first_row,last_row,first_column,last_column,blocks\n" + lines;
+    const auto* data = reinterpret_cast<const std::byte*>(text.data());
+    return {"print/parts.csv", {data, data + text.size()}};
 }
 
 Error too_many_parts(Vec3d bed) {
@@ -77,6 +96,7 @@ Result<PrintedHalf> printed_half(const Grid<std::uint16_t>& heights, Vec3d block
                               part_solid(layout, static_cast<int>(i), half.bores, block_mm, options,
                                          {lid, layout.cuts.turned})});
         half.blocks += layout.parts[i].blocks();
+        half.places += csv_line(half.parts.back().name, layout.parts[i]);
     }
     return half;
 }
@@ -172,6 +192,7 @@ Result<WorkshopPack> print_pack(const FoamDesign& design, const PrintOptions& op
     if (bores > 0) things.push_back({"dowel", kDowelGrey, dowel_solid(options), static_cast<int>(bores)});
     const std::size_t beds = add_beds(things, options, design.object_name + ": foams", "bed", pack);
     add_stls(things, pack);
+    pack.files.push_back(parts_list(lower->places + lid->places));
 
     const double litres = (static_cast<double>(lower->blocks + lid->blocks) * design.space.block_volume() -
                            2 * static_cast<double>(bores) * bore_volume_mm3(options)) *
