@@ -5,82 +5,23 @@
 #include <cmath>
 #include <map>
 #include <numeric>
-#include <set>
 #include <sstream>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
-#include "snug/base/rotation.h"
-#include "snug/fabricate/print_bed.h"
 #include "snug/fabricate/print_joints.h"
 #include "snug/fabricate/print_parts.h"
-#include "snug/fabricate/print_solid.h"
 
 #include "tests/support/closedness.h"
+#include "tests/support/print_design.h"
 #include "tests/support/printed_files.h"
-#include "tests/support/random.h"
 
 namespace snug {
 namespace {
 
-using Heights = Grid<std::uint16_t>;
-
-Heights filled(int ny, int nz, int height) {
-    return {ny, nz, static_cast<std::uint16_t>(height)};
-}
-
-/// Steps of terraces with some columns torn out, as cavities are.
-Heights random_heights(test::Random& random, Vec3i blocks) {
-    Heights heights = filled(blocks.y, blocks.z, random.integer(1, blocks.x));
-    for (int i = random.integer(0, 6); i > 0; --i) {
-        const int j0 = random.integer(0, blocks.y - 1), j1 = random.integer(j0, blocks.y - 1);
-        const int k0 = random.integer(0, blocks.z - 1), k1 = random.integer(k0, blocks.z - 1);
-        const auto height = static_cast<std::uint16_t>(random.integer(0, blocks.x));
-        for (int j = j0; j <= j1; ++j)
-            for (int k = k0; k <= k1; ++k) heights(j, k) = height;
-    }
-    for (auto& height : heights)
-        if (random.chance(0.03)) height = static_cast<std::uint16_t>(random.integer(0, blocks.x));
-    return heights;
-}
-
-BlockMap blocks_between(const Heights& lower, const Heights& upper, int levels) {
-    BlockMap blocks(lower.ny(), lower.nz());
-    for (std::size_t i = 0; i < blocks.size(); ++i)
-        blocks[i] = {static_cast<std::int16_t>(lower[i]), static_cast<std::int16_t>(levels - upper[i])};
-    return blocks;
-}
-
-/// Both halves, upper ones cut off where they would meet the lower ones.
-struct Design {
-    DesignSpace space;
-    FoamPair foams;
-    BlockMap blocks;
-
-    Design(DesignSpace in_space, Heights lower, Heights upper) : space(in_space) {
-        for (std::size_t i = 0; i < lower.size(); ++i)
-            upper[i] = std::min(upper[i], static_cast<std::uint16_t>(space.blocks.x - lower[i]));
-        blocks = blocks_between(lower, upper, space.blocks.x);
-        foams = {std::move(lower), std::move(upper), space.blocks.x / 2};
-    }
-    [[nodiscard]] FoamDesign view() const { return {space, blocks, foams, "L & co"}; }
-};
-
-Design random_design(test::Random& random) {
-    const DesignSpace space{{random.integer(2, 9), random.integer(1, 14), random.integer(1, 14)},
-                            {random.between(2, 12), random.between(2, 12), random.between(2, 12)}};
-    Heights lower = random_heights(random, space.blocks), upper = random_heights(random, space.blocks);
-    return {space, std::move(lower), std::move(upper)};
-}
-
-PrintOptions random_options(test::Random& random) {
-    PrintOptions options;
-    options.bed_mm = {random.between(12, 90), random.between(12, 90), random.between(12, 90)};
-    options.dowel_diameter_mm = random.between(1, 4);
-    options.dowel_length_mm = random.between(options.dowel_diameter_mm, 11);
-    options.joint_clearance_mm = random.between(0, 0.4);
-    return options;
-}
+using test::Heights;
 
 const PackContainer* find(const WorkshopPack& pack, const std::string& name) {
     for (const PackContainer& container : pack.containers)
@@ -111,117 +52,6 @@ void expect_on_bed(const std::vector<test::PrintedItem>& items, Vec3d bed) {
     }
 }
 
-TEST(PrintParts, PiecesAreTheFewestAndAsEqualAsCanBe) {
-    const PrintCuts cuts = print_cuts({15, 18, 18}, {15, 15, 22}, {250, 210, 210});
-    EXPECT_EQ(cuts.lines[0], (std::vector{0, 7, 15}));
-    EXPECT_EQ(cuts.pieces(1) * cuts.pieces(2), 4);
-    // 10 x 30 blocks of 10 mm on a bed 350 wide and 120 deep need no cut, nor does the quarter turn.
-    EXPECT_EQ(print_cuts({1, 10, 30}, {10, 10, 10}, {350, 120, 50}).pieces(2), 1);
-    const PrintCuts turned = print_cuts({1, 30, 10}, {10, 10, 10}, {350, 120, 50});
-    EXPECT_TRUE(turned.turned);
-    EXPECT_EQ(turned.pieces(1) * turned.pieces(2), 1);
-}
-
-TEST(PrintParts, EveryBlockIsInOnePartAndPartsAreJoinedBySides) {
-    for (std::uint64_t seed = 0; seed < 200; ++seed) {
-        SCOPED_TRACE(seed);
-        test::Random random(seed);
-        const Vec3i blocks{random.integer(1, 8), random.integer(1, 12), random.integer(1, 12)};
-        const Heights heights = random_heights(random, blocks);
-        const PrintLayout layout = print_layout(
-            heights,
-            print_cuts({*std::max_element(heights.begin(), heights.end()), blocks.y, blocks.z}, {1, 1, 1},
-                       {random.between(1, 9), random.between(1, 9), random.between(1, 9)}));
-        std::set<std::array<int, 3>> seen;
-        for (const PrintPart& part : layout.parts)
-            for (int j = 0; j < part.heights.ny(); ++j)
-                for (int k = 0; k < part.heights.nz(); ++k)
-                    for (int i = 0; i < part.heights(j, k); ++i) {
-                        EXPECT_TRUE(
-                            seen.insert({part.first.x + i, part.first.y + j, part.first.z + k}).second);
-                        EXPECT_LT(part.first.x + i, heights(part.first.y + j, part.first.z + k));
-                    }
-        EXPECT_EQ(seen.size(), static_cast<std::size_t>(std::accumulate(heights.begin(), heights.end(), 0)));
-    }
-}
-
-/// The circle of a bore's clearance lies within its prism, and the prism within the foam of both parts.
-TEST(PrintJoints, DowelsFitTheirBoresAndBoresStayInsideTheFoam) {
-    int bores = 0;
-    for (std::uint64_t seed = 0; seed < 150; ++seed) {
-        SCOPED_TRACE(seed);
-        test::Random random(seed);
-        const Design design = random_design(random);
-        const PrintOptions options = random_options(random);
-        if (!holds_block(options.bed_mm, design.space.block_mm)) continue;
-        const Heights& heights = design.foams.lower;
-        const int levels = *std::max_element(heights.begin(), heights.end());
-        const PrintLayout layout = print_layout(
-            heights, print_cuts({levels, heights.ny(), heights.nz()}, design.space.block_mm, options.bed_mm));
-        const Joints joints = place_joints(layout, design.space.block_mm, options);
-        bores += static_cast<int>(joints.bores.size());
-        for (const Bore& bore : joints.bores) {
-            for (int sample = 0; sample < 40; ++sample) {
-                const SineCosine turn = sine_cosine_degrees(random.between(0, 360));
-                const double radius = bore_corner_radius_mm(options) + 1.9;
-                const double along = random.between(-1, 1) * (bore_depth_mm(options) + 1.9);
-                Vec3d p = bore.centre_mm;
-                p[bore.axis] += along;
-                p[(bore.axis + 1) % 3] += radius * turn.cosine;
-                p[(bore.axis + 2) % 3] += radius * turn.sine;
-                Vec3i at;
-                for (int a = 0; a < 3; ++a)
-                    at[a] = static_cast<int>(std::floor(p[a] / design.space.block_mm[a]));
-                const PrintPart& part =
-                    layout.parts[static_cast<std::size_t>(along < 0 ? bore.before : bore.after)];
-                at = at - part.first;
-                ASSERT_TRUE(part.heights.contains(at.y, at.z));
-                ASSERT_TRUE(at.x >= 0 && at.x < part.heights(at.y, at.z));
-            }
-        }
-    }
-    EXPECT_GT(bores, 100);
-}
-
-TEST(PrintSolid, PartsAreClosedAndHaveTheVolumeOfTheirBlocksLessTheirBores) {
-    for (std::uint64_t seed = 0; seed < 150; ++seed) {
-        SCOPED_TRACE(seed);
-        test::Random random(seed);
-        const Design design = random_design(random);
-        const PrintOptions options = random_options(random);
-        if (!holds_block(options.bed_mm, design.space.block_mm)) continue;
-        const Heights& heights = design.foams.lower;
-        const int levels = *std::max_element(heights.begin(), heights.end());
-        const PrintLayout layout = print_layout(
-            heights, print_cuts({levels, heights.ny(), heights.nz()}, design.space.block_mm, options.bed_mm));
-        const Joints joints = place_joints(layout, design.space.block_mm, options);
-        for (int i = 0; i < static_cast<int>(layout.parts.size()); ++i) {
-            const bool lid = random.chance(0.5);
-            const Solid solid = part_solid(layout, i, joints.bores, design.space.block_mm, options,
-                                           {lid, layout.cuts.turned});
-            ASSERT_TRUE(test::every_edge_has_two_triangles(solid.triangles));
-            ASSERT_TRUE(test::closed_when_welded(solid.vertices, solid.triangles));
-            const auto own = std::count_if(joints.bores.begin(), joints.bores.end(),
-                                           [&](const Bore& b) { return b.before == i || b.after == i; });
-            const double foam = static_cast<double>(layout.parts[static_cast<std::size_t>(i)].blocks()) *
-                                design.space.block_volume();
-            ASSERT_NEAR(test::signed_volume(solid.vertices, solid.triangles),
-                        foam - static_cast<double>(own) * bore_volume_mm3(options), foam * 1e-5);
-        }
-    }
-}
-
-TEST(PrintSolid, ADowelIsWithinItsCircleAndFacesOutward) {
-    const PrintOptions options;
-    const Solid dowel = dowel_solid(options);
-    EXPECT_TRUE(test::every_edge_has_two_triangles(dowel.triangles));
-    const double circle = 3.141592653589793 * 9 * options.dowel_length_mm;
-    const double volume = test::signed_volume(dowel.vertices, dowel.triangles);
-    EXPECT_LT(volume, circle);
-    EXPECT_GT(volume, 0.97 * circle);
-    EXPECT_GT(bore_volume_mm3(options) * 2, circle);
-}
-
 /// Where a lattice point of a half (levels from its floor, j and k, in mm) lies on the bed by design.md.
 Vec3d seen_from_the_cavity(Vec3d p, bool lid) {
     return {p.z, lid ? p.y : -p.y, p.x};
@@ -246,10 +76,10 @@ void expect_blocks(const test::PrintedItem& item, const Heights& heights, const 
 /// An L in a full frame, so that each mirror image differs.
 TEST(PrintPack, AnLIsNotMirroredInEitherHalf) {
     const DesignSpace space{{6, 7, 8}, {5, 6, 7}};
-    Heights lower = filled(7, 8, 3), upper = filled(7, 8, 3);
+    Heights lower = test::filled(7, 8, 3), upper = test::filled(7, 8, 3);
     for (int j = 1; j < 6; ++j) lower(j, 1) = upper(j, 1) = 1;
     for (int k = 1; k < 5; ++k) lower(5, k) = upper(5, k) = 2;
-    const Design design(space, lower, upper);
+    const test::PrintDesign design(space, lower, upper);
     const auto pack = print_pack(design.view(), {});
     ASSERT_TRUE(pack.has_value());
     const PackContainer* bed = find(*pack, "print/bed-01.3mf");
@@ -276,8 +106,8 @@ TEST(PrintPack, AnyFoamOnAnyBedIsClosedOnTheBedAndWhole) {
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
         SCOPED_TRACE(seed);
         test::Random random(seed);
-        const Design design = random_design(random);
-        const PrintOptions options = random_options(random);
+        const test::PrintDesign design = test::random_print_design(random);
+        const PrintOptions options = test::random_print_options(random);
         const auto pack = print_pack(design.view(), options);
         if (!pack) {
             EXPECT_FALSE(pack.error().message.empty());
@@ -360,8 +190,8 @@ TEST(PrintPack, ThePartsPutTogetherAgainAreTheFoam) {
     for (std::uint64_t seed = 0; seed < 40; ++seed) {
         SCOPED_TRACE(seed);
         test::Random random(seed);
-        const Design design = random_design(random);
-        PrintOptions options = random_options(random);
+        const test::PrintDesign design = test::random_print_design(random);
+        PrintOptions options = test::random_print_options(random);
         options.joint = PrintJoint::none;
         const auto pack = print_pack(design.view(), options);
         if (!pack) continue;
@@ -387,10 +217,10 @@ TEST(PrintPack, ThePartsPutTogetherAgainAreTheFoam) {
 
 TEST(PrintPack, TheFitTestIsAFlatClosedRing) {
     const DesignSpace space{{6, 12, 12}, {10, 10, 10}};
-    Heights half = filled(12, 12, 3);
+    Heights half = test::filled(12, 12, 3);
     for (int j = 4; j < 8; ++j)
         for (int k = 4; k < 7; ++k) half(j, k) = 1;
-    const Design design(space, half, half);
+    const test::PrintDesign design(space, half, half);
     const auto pack = print_pack(design.view(), {});
     ASSERT_TRUE(pack.has_value());
     const PackContainer* test = find(*pack, "print/fit-test-01.3mf");
@@ -404,7 +234,7 @@ TEST(PrintPack, TheFitTestIsAFlatClosedRing) {
 }
 
 TEST(PrintPack, ABedSmallerThanABlockSaysWhichOneWouldDo) {
-    const Design design({{2, 2, 2}, {15, 15, 22}}, filled(2, 2, 1), filled(2, 2, 1));
+    const test::PrintDesign design({{2, 2, 2}, {15, 15, 22}}, test::filled(2, 2, 1), test::filled(2, 2, 1));
     PrintOptions options;
     options.bed_mm = {20, 20, 20};
     const auto pack = print_pack(design.view(), options);
@@ -414,12 +244,6 @@ TEST(PrintPack, ABedSmallerThanABlockSaysWhichOneWouldDo) {
               "take a bed of at least that, or smaller blocks");
     options.bed_mm.y = std::nan("");
     EXPECT_FALSE(print_pack(design.view(), options).has_value());
-}
-
-TEST(PrintBed, ThingsLieApartAndOnFewBeds) {
-    const std::vector<Vec3d> sizes{{100, 50, 1}, {100, 80, 1}, {60, 10, 1}, {200, 100, 1}};
-    const auto places = places_on_beds(sizes, {210, 200, 10});
-    for (const BedPlace& place : places) EXPECT_EQ(place.bed, places[0].bed);
 }
 
 }  // namespace

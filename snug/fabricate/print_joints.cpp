@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kLeastWall = 2;       // mm of foam around a bore
 constexpr int kMostSamples = 48;       // of places along each side of a cut
-constexpr std::size_t kMostBores = 6;  // for two parts
+constexpr std::size_t kMostBores = 4;  // for two parts
 
 using Pair = std::pair<int, int>;
 
