@@ -151,7 +151,7 @@ TEST(PlacementSearch, IsTheSameOnAnyNumberOfThreadsAndForRepeatedSeeds) {
     design.object.units = Unit::mm;
     const auto with_threads = [&](std::size_t threads, std::uint64_t seed) {
         const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-        return found(mesh, design, seed, 1200);
+        return found(mesh, design, seed, 700);
     };
     const FoundPlacement one = with_threads(1, 4);
     for (const std::size_t threads : {1u, 2u, 5u}) {
@@ -168,7 +168,7 @@ TEST(PlacementSearch, CancelledAtAnyStepItHoldsAPlacementThatIsNoWorse) {
     Design design;
     design.object.units = Unit::mm;
     const PreparedSurface surface = prepare_surface(mesh);
-    for (int after = 1; after < 40; after += 9) {
+    for (int after = 1; after < 40; after += 13) {
         SCOPED_TRACE(after);
         auto search = PlacementSearch::start(mesh, surface, design, DesignSpace{}, 1);
         ASSERT_TRUE(search);

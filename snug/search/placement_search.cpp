@@ -320,11 +320,12 @@ void PlacementSearch::step() {
     } else if (!s.climbed.empty()) {
         s.climb_step(s.climbed, s.kept, s.fine, kFineChain, 1.5, 0.1);
         s.decide_best(s.kept);
-    } else if (s.polish < 4) {
-        // The best of all rounds once more, from where they stand.
-        std::vector<Candidate> again(s.kept.begin(),
-                                     s.kept.begin() + std::min<std::ptrdiff_t>(4, std::ssize(s.kept)));
-        const double widest = s.polish % 2 == 0 ? 1 : 0.3;
+    } else if (s.polish < 4 * (s.round + 1)) {
+        // The best of all rounds once more, from where they stand; by turns those that lie far apart.
+        const std::vector<Candidate>& list = s.polish % 4 == 2 ? s.diverse : s.kept;
+        std::vector<Candidate> again(list.begin(),
+                                     list.begin() + std::min<std::ptrdiff_t>(4, std::ssize(list)));
+        const double widest = s.polish % 2 == 0 ? 2 : 0.3;
         if (!again.empty()) s.climb_step(again, s.kept, s.fine, kFineChain, widest, 0.03);
         s.decide_best(s.kept);
         ++s.polish;
