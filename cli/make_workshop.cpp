@@ -21,6 +21,12 @@ void add_workshop_options(CLI::App& make, WorkshopArguments& arguments) {
     make.add_option("--price", a.price, "Price of a litre of the material, for the cost")
         ->type_name("12.50EUR");
     make.add_option("--mass", a.mass, "Mass of the object, for the packing sheet")->type_name("KG");
+    make.add_option("--sheet", a.sheet, "Sheets: their thickness (a block's depth)")->type_name("MM");
+    make.add_option("--stock", a.stock, "Sheets: a sheet as it is sold (1000x600)")->type_name("LxW");
+    make.add_option("--kerf", a.kerf, "Sheets: width that a cut takes away (0)")->type_name("MM");
+    make.add_option("--bed", a.bed, "Print: the printer's bed and height (250x210x210)")->type_name("XxYxZ");
+    make.add_option("--dowel", a.dowel, "Sheets, print: diameter of the dowels; 0: none (6)")
+        ->type_name("MM");
     make.add_flag("--dry-run", a.dry_run, "Say what would be made and what it takes; write nothing");
 }
 
@@ -31,6 +37,32 @@ Result<std::optional<std::string>> implied_preset(const WorkshopArguments& a, co
     if (choice.preset_named || choice.from_project) return std::nullopt;
     return std::string(usual_preset(*work));
 }
+
+namespace {
+
+/// What belongs to one way of working.
+Result<void> apply_tools(const WorkshopArguments& a, WorkshopOptions& options) {
+    if (a.sheet) options.sheets.thickness_mm = *a.sheet;
+    if (a.kerf) options.sheets.kerf_mm = *a.kerf;
+    if (a.stock) {
+        const auto stock = parse_rectangle("--stock", *a.stock);
+        if (!stock) return tl::unexpected(stock.error());
+        options.sheets.stock_mm = *stock;
+    }
+    if (a.bed) {
+        const auto bed = parse_sizes("--bed", *a.bed);
+        if (!bed) return tl::unexpected(bed.error());
+        options.print.bed_mm = *bed;
+    }
+    if (a.dowel) {
+        options.print.joint = *a.dowel > 0 ? PrintJoint::dowels : PrintJoint::none;
+        if (*a.dowel == 0) options.sheets.dowels = 0;
+        if (*a.dowel != 0) options.sheets.dowel_mm = options.print.dowel_diameter_mm = *a.dowel;
+    }
+    return {};
+}
+
+}  // namespace
 
 Result<void> apply_workshop(const WorkshopArguments& a, Design& design) {
     WorkshopOptions& options = design.workshop;
@@ -47,7 +79,7 @@ Result<void> apply_workshop(const WorkshopArguments& a, Design& design) {
         options.price_per_litre = price->amount;
         options.currency = price->currency;
     }
-    return {};
+    return apply_tools(a, options);
 }
 
 std::string workshop_summary(const WorkshopPack& pack, const Design& design) {

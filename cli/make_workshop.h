@@ -17,8 +17,8 @@ namespace snug::cli {
 
 /// As they were typed; none where they were not.
 struct WorkshopArguments {
-    std::optional<std::string> work, paper, price;
-    std::optional<double> mass;
+    std::optional<std::string> work, paper, price, stock, bed;
+    std::optional<double> mass, sheet, kerf, dowel;
     bool dry_run = false;
 };
 

@@ -49,6 +49,16 @@ Result<Vec3d> parse_sizes(const std::string& option, std::string_view text) {
     return parse_three<double>(option, text, 'x', "15x15x22");
 }
 
+Result<Vec2d> parse_rectangle(const std::string& option, std::string_view text) {
+    Vec2d sides;
+    const std::size_t cross = text.find('x');
+    if (cross == std::string_view::npos || !parse_number(text.substr(0, cross), sides.x) ||
+        !parse_number(text.substr(cross + 1), sides.y))
+        return fail(ErrorKind::usage,
+                    fmt::format("{} takes two lengths such as 1000x600, not {}", option, quoted(text)));
+    return sides;
+}
+
 Result<Vec3d> parse_vector(const std::string& option, std::string_view text) {
     return parse_three<double>(option, text, ',', "0,90,0");
 }

@@ -6,6 +6,7 @@
 
 #include "snug/base/result.h"
 #include "snug/base/vec.h"
+#include "snug/base/vec2.h"
 #include "snug/design/walls.h"
 
 namespace snug::cli {
@@ -17,6 +18,9 @@ namespace snug::cli {
 
 /// "15x15x22", mm
 [[nodiscard]] Result<Vec3d> parse_sizes(const std::string& option, std::string_view text);
+
+/// "1000x600", mm
+[[nodiscard]] Result<Vec2d> parse_rectangle(const std::string& option, std::string_view text);
 
 /// "0,90,0"
 [[nodiscard]] Result<Vec3d> parse_vector(const std::string& option, std::string_view text);

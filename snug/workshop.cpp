@@ -7,6 +7,8 @@
 #include "snug/base/text.h"
 #include "snug/design/presets.h"
 #include "snug/fabricate/packing_sheet.h"
+#include "snug/fabricate/print.h"
+#include "snug/fabricate/sheets_pack.h"
 #include "snug/fabricate/sponge.h"
 #include "snug/fabricate/svg.h"
 
@@ -28,13 +30,22 @@ std::optional<double> density(const Design& design) {
     return preset ? preset->density_kg_m3 : std::nullopt;
 }
 
+/// What is printed is rigid unless the preset is of something else.
+PrintOptions print_options(const Design& design) {
+    PrintOptions options = design.workshop.print;
+    if (const auto preset = find_preset(built_in_presets(), design.space.preset))
+        options.rigid = preset->rigid;
+    return options;
+}
+
 Result<WorkshopPack> pack_of(const FoamDesign& foams, const Design& design) {
     switch (design.workshop.work) {
         case Workshop::sponge:
             return sponge_pack(foams, design.workshop);
         case Workshop::sheets:
+            return sheets_pack(foams, design.workshop.sheets);
         case Workshop::print:
-            return fail(ErrorKind::usage, unknown_workshop(workshop_name(design.workshop.work)));
+            return print_pack(foams, print_options(design));
         case Workshop::none:
             break;
     }

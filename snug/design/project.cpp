@@ -5,6 +5,7 @@
 
 #include "snug/base/text.h"
 #include "snug/design/json_reader.h"
+#include "snug/design/workshop_json.h"
 
 namespace snug {
 namespace {
@@ -55,16 +56,6 @@ Json search_json(const SearchOptions& search) {
             {"seed", static_cast<int>(search.seed)}};
 }
 
-Json to_json(const WorkshopOptions& workshop) {
-    const std::string work(workshop_name(workshop.work));
-    return {{"for", work.empty() ? Json(nullptr) : Json(work)},
-            {"paper", workshop.paper},
-            {"price_per_litre", value_or_null(workshop.price_per_litre)},
-            {"currency", workshop.currency},
-            {"mass_kg", value_or_null(workshop.mass_kg)},
-            {"density_kg_m3", value_or_null(workshop.density_kg_m3)}};
-}
-
 Json to_json(const Design& design) {
     const ObjectOptions& object = design.object;
     const SpaceOptions& space = design.space;
@@ -84,7 +75,7 @@ Json to_json(const Design& design) {
     json["output"] = {{"formats", design.output.formats}};
     json["case"] = case_json(design.case_options);
     json["search"] = search_json(design.search);
-    json["workshop"] = to_json(design.workshop);
+    json["workshop"] = workshop_json(design.workshop);
     return json;
 }
 
@@ -189,19 +180,6 @@ void read_search(JsonReader json, SearchOptions& search, JsonReader& parent) {
         json.refuse("case", "volume or billed-weight");
     if (seed < 0) json.refuse("seed", "0 to 2147483647");
     search.seed = static_cast<std::uint32_t>(seed);
-    parent.adopt(json);
-}
-
-void read_workshop(JsonReader json, WorkshopOptions& workshop, JsonReader& parent) {
-    std::optional<std::string> work;
-    json.read("for", work)
-        .read("paper", workshop.paper)
-        .read("price_per_litre", workshop.price_per_litre)
-        .read("currency", workshop.currency)
-        .read("mass_kg", workshop.mass_kg)
-        .read("density_kg_m3", workshop.density_kg_m3);
-    if (work && !workshop_from_name(*work)) json.refuse("for", "sponge, sheets, print or null");
-    workshop.work = work ? workshop_from_name(*work).value_or(Workshop::none) : Workshop::none;
     parent.adopt(json);
 }
 

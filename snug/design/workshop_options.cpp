@@ -79,7 +79,8 @@ std::optional<std::string> problem_of(const WorkshopOptions& options) {
         return "the object's mass must be a number of kilograms above 0, not " + number(*options.mass_kg, 4);
     if (!positive(options.density_kg_m3))
         return "the density must be a number of kg/m3 above 0, not " + number(*options.density_kg_m3, 4);
-    return {};
+    if (auto found = problem_of(options.sheets)) return found;
+    return problem_of(options.print);
 }
 
 }  // namespace snug

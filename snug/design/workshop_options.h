@@ -5,6 +5,8 @@
 #include <string_view>
 
 #include "snug/base/vec2.h"
+#include "snug/design/print_options.h"
+#include "snug/design/sheet_options.h"
 
 namespace snug {
 
@@ -26,6 +28,8 @@ struct WorkshopOptions {
     std::string currency;                   ///< as it stands behind the price: "EUR"; may be empty
     std::optional<double> mass_kg;          ///< of the object, above 0; none: not known
     std::optional<double> density_kg_m3;    ///< of the material, above 0; none: the preset's
+    SheetOptions sheets;
+    PrintOptions print;
     friend bool operator==(const WorkshopOptions&, const WorkshopOptions&) = default;
 };
 

@@ -203,7 +203,8 @@ Result<WorkshopPack> print_pack(const FoamDesign& design, const PrintOptions& op
         pack.figures.push_back({"Dowels", std::to_string(bores) + " of " + number(options.dowel_diameter_mm) +
                                               " x " + number(options.dowel_length_mm) + " mm"});
     pack.figures.push_back({"Beds to print", std::to_string(beds)});
-    pack.figures.push_back({"Plastic, printed solid", number(litres) + " litres"});
+    pack.material.pieces = static_cast<long long>(lower->parts.size() + lid->parts.size()) + bores;
+    pack.material.litres = litres;  // printed solid
     if (auto done = add_fit_test(design, options, pack); !done) return tl::unexpected(done.error());
     tell_findings(*lower, *lid, options, pack);
     return pack;

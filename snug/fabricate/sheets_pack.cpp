@@ -124,11 +124,12 @@ void add_figures(WorkshopPack& pack, const Stacks& stacks, const AllPieces& all,
         {"Stock", counted(static_cast<unsigned long long>(nesting.stocks), "sheet", "sheets") + " of " +
                       number(nesting.stock_mm.x) + " x " + number(nesting.stock_mm.y) + " x " +
                       number(thick, 3) + " mm"},
-        {"Stock volume", number(stock * thick / 1e6, 2) + " litres"},
         {"Foam in the pieces", number(foam * thick / 1e6, 2) + " litres, " +
                                    number(100 * foam / std::max(stock, 1e-9), 0) + " % of the stock"},
         {"Cutting", number(cut / 1000, 2) + " m"},
     };
+    pack.material.pieces = static_cast<long long>(all.pieces.size());
+    pack.material.litres = stock * thick / 1e6;
 }
 
 void add_stock_files(WorkshopPack& pack, const AllPieces& all, const Nesting& nesting,

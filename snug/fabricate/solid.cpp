@@ -1,5 +1,6 @@
 #include "snug/fabricate/solid.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "snug/fabricate/corners.h"
