@@ -123,12 +123,26 @@ TEST(WorkshopTest, WaysOfWorkingThatAreNotThereAreRefused) {
 TEST(WorkshopTest, OptionsSurviveTheProjectFile) {
     Project project;
     project.object.name = "vase.stl";
-    project.design.workshop = {Workshop::print, "letter", 12.5, "EUR", 3.25, 40.0};
+    WorkshopOptions& workshop = project.design.workshop;
+    workshop.work = Workshop::print;
+    workshop.paper = "letter";
+    workshop.price_per_litre = 12.5;
+    workshop.currency = "EUR";
+    workshop.mass_kg = 3.25;
+    workshop.density_kg_m3 = 40.0;
+    workshop.sheets.thickness_mm = 7.5;
+    workshop.sheets.stock_mm = {600, 300};
+    workshop.sheets.kerf_mm = 0.15;
+    workshop.sheets.dowels = 2;
+    workshop.sheets.dxf = false;
+    workshop.print.bed_mm = {180, 170, 160};
+    workshop.print.joint = PrintJoint::none;
+    workshop.print.dowel_length_mm = 30;
     const auto read = parse_project(project_json(project));
     ASSERT_TRUE(read) << read.error().message;
     EXPECT_EQ(*read, project);
     std::string wrong = project_json(project);
-    wrong.replace(wrong.find("\"print\""), 7, "\"knit\"");
+    wrong.replace(wrong.find(": \"print\""), 9, ": \"knit\"");
     ASSERT_FALSE(parse_project(wrong));
     EXPECT_NE(parse_project(wrong).error().message.find("workshop.for"), std::string::npos)
         << parse_project(wrong).error().message;

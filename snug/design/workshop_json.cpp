@@ -35,7 +35,7 @@ Json print_json(const PrintOptions& print) {
 }
 
 void read_sheets(JsonReader json, SheetOptions& sheets, JsonReader& parent) {
-    std::optional<std::array<double, 2>> stock{{sheets.stock_mm.x, sheets.stock_mm.y}};
+    std::optional<std::array<double, 2>> stock;
     json.read("thickness_mm", sheets.thickness_mm)
         .read_list("stock_mm", stock, "two numbers in brackets (length, width)")
         .read("margin_mm", sheets.margin_mm)
@@ -48,7 +48,7 @@ void read_sheets(JsonReader json, SheetOptions& sheets, JsonReader& parent) {
         .read("dxf", sheets.dxf);
     if (stock)
         sheets.stock_mm = {(*stock)[0], (*stock)[1]};
-    else
+    else if (json.has("stock_mm"))
         json.refuse("stock_mm", "two numbers in brackets (length, width)");
     parent.adopt(json);
 }
