@@ -137,8 +137,8 @@ val Session::start_search(const std::string& design_text) {
     prepare_for_many(*object_);
     const auto packing = snug::pack(*object_, *design);
     if (!packing) return to_val(packing.error());
-    auto search =
-        PlacementSearch::start(object_->mesh, *object_->surface, *design, packing->space, kSearchSeed);
+    auto search = PlacementSearch::start(object_->mesh, *object_->surface, *design, packing->space,
+                                         kSearchSeed, packing->available);
     if (!search) return to_val(search.error());
     search_ = std::move(*search);
     searched_ = packing->space;

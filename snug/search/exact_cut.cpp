@@ -10,7 +10,8 @@
 namespace snug {
 
 std::optional<ExactCut> exact_cut(const PreparedSurface& surface, const DesignSpace& space,
-                                  const CutOptions& cut, Vec3d rotation_deg, Vec3d offset_mm) {
+                                  const CutOptions& cut, Vec3d rotation_deg, Vec3d offset_mm,
+                                  const Available& available) {
     ExactCut result;
     result.placement = place(surface, rotation_deg, offset_mm);
     const Vec3d least = fitted_blocks(result.placement.bounds, space.block_mm, cut.clearance_mm);
@@ -20,7 +21,9 @@ std::optional<ExactCut> exact_cut(const PreparedSurface& surface, const DesignSp
     result.depths = depth_map(surface, result.placement, space, grown);
     result.blocks = block_map(result.depths, space, grown);
     // Where the halves meet changes neither the walls nor what is cut.
-    const FitReport fit = fit_report(split(result.blocks, space, 0), result.blocks, space);
+    const FitReport fit =
+        fit_report(split(result.blocks, space, 0, available), result.blocks, space, available);
+    if (fit.outside_blocks > 0) return {};
     result.cut_blocks = fit.cut_blocks;
     result.wall_mm = fit.wall_mm;
     return result;

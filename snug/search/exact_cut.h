@@ -7,6 +7,7 @@
 #include "snug/foam/block_map.h"
 #include "snug/foam/depth_map.h"
 #include "snug/foam/design_space.h"
+#include "snug/foam/foam_pair.h"
 #include "snug/foam/placement.h"
 #include "snug/foam/prepared_surface.h"
 
@@ -21,9 +22,10 @@ struct ExactCut {
     std::array<double, 6> wall_mm{};  ///< as FitReport::wall_mm
 };
 
-/// None where the object, grown by its clearance, leaves the space.
+/// None where the object, grown by its clearance, leaves the space or the blocks that exist in it.
 [[nodiscard]] std::optional<ExactCut> exact_cut(const PreparedSurface& surface, const DesignSpace& space,
-                                                const CutOptions& cut, Vec3d rotation_deg, Vec3d offset_mm);
+                                                const CutOptions& cut, Vec3d rotation_deg, Vec3d offset_mm,
+                                                const Available& available = {});
 
 [[nodiscard]] bool keeps_walls(const std::array<double, 6>& wall_mm, const std::array<double, 6>& least_wall);
 

@@ -50,6 +50,7 @@ struct PlacementSearch::State {
     const PreparedSurface* surface = nullptr;
     DesignSpace space;
     CutOptions cut;
+    Available available;
     std::array<double, 6> least_wall{};
     std::uint64_t seed = 0;
     double longest = 0;
@@ -126,7 +127,7 @@ std::vector<Candidate> State::look(QuickCut& kernel, const Level& level, const T
 
 /// What the exact kernel measures; none where walls are not kept.
 std::optional<PlacementMeasures> State::exactly(Vec3d rotation_deg, Vec3d offset_mm) const {
-    const auto exact = exact_cut(*surface, space, cut, rotation_deg, offset_mm);
+    const auto exact = exact_cut(*surface, space, cut, rotation_deg, offset_mm, available);
     if (!exact || !keeps_walls(exact->wall_mm, least_wall)) return {};
     PlacementMeasures result = measures(*exact, space);
     result.steadiness = steadiness ? (*steadiness)(exact->placement.rotation) : 1;
@@ -257,24 +258,25 @@ void State::decide(const Candidate& candidate) {
 
 Result<PlacementSearch> PlacementSearch::start(const Mesh& mesh, const PreparedSurface& surface,
                                                const Design& design, const DesignSpace& space,
-                                               std::uint64_t seed) {
+                                               std::uint64_t seed, Available available) {
     auto state = std::make_unique<State>();
     state->surface = &surface;
     state->space = space;
     state->cut = design.cut;
     state->seed = seed;
     const PlacementOptions& at = design.placement;
-    const auto exact = exact_cut(surface, space, design.cut, at.rotation_deg, at.offset_mm);
+    const auto exact = exact_cut(surface, space, design.cut, at.rotation_deg, at.offset_mm, available);
     if (!exact)
         return fail(ErrorKind::does_not_fit,
                     "the object leaves the design space of " + dimensions(space.size()) +
                         " mm as it stands: make the space larger or turn the object before optimizing");
     const Walls wanted = wanted_wall_mm(design.space);
-    bool alike = true;
+    bool alike = available.size() == 0;
     for (std::size_t side = 0; side < 6; ++side) {
         state->least_wall[side] = std::min(wanted[side], exact->wall_mm[side]);
         alike = alike && (side % 2 == 0 || state->least_wall[side] == state->least_wall[side - 1]);
     }
+    state->available = std::move(available);
     state->allowed = AllowedTurns(design.search.upright);
     const Rotation stands = rotation_from_euler(at.rotation_deg);
     if (design.search.weight[static_cast<std::size_t>(Objective::flat)] > 0) state->steadiness.emplace(mesh);

@@ -9,6 +9,7 @@
 #include "snug/base/vec.h"
 #include "snug/design/design.h"
 #include "snug/foam/design_space.h"
+#include "snug/foam/foam_pair.h"
 #include "snug/foam/prepared_surface.h"
 #include "snug/mesh/mesh.h"
 
@@ -38,10 +39,10 @@ class PlacementSearch {
   public:
     /// Stands at the design's placement. `space` is that of the packing there; `surface` is prepared from
     /// `mesh`, and must outlive the search. Fails (kind does_not_fit) where the object, grown by its
-    /// clearance, leaves the space already.
+    /// clearance, leaves the space already, or the blocks that exist in it.
     [[nodiscard]] static Result<PlacementSearch> start(const Mesh& mesh, const PreparedSurface& surface,
                                                        const Design& design, const DesignSpace& space,
-                                                       std::uint64_t seed);
+                                                       std::uint64_t seed, Available available = {});
     PlacementSearch(PlacementSearch&&) noexcept;
     PlacementSearch& operator=(PlacementSearch&&) noexcept;
     ~PlacementSearch();
