@@ -10,6 +10,8 @@ import re
 import sys
 from pathlib import Path
 
+import search_table
+
 FOLDER, OUT = Path(sys.argv[1]), Path(sys.argv[2])
 
 
@@ -98,8 +100,14 @@ def reader_table(readers):
                   "assimp's memory, meshes"], rows)
 
 
+def packs_table(packs):
+    return table(["pack", "blocks", "ms", "files", "pages"],
+                 [[run["pack"], cube(run["blocks"]), spread(run["time"]), run["files"], run["pages"]] for run in packs])
+
+
 def main():
     method, wasm, readers = load("method.json"), load("wasm.json"), load("readers.json")
+    search, packs = load("search.json"), load("packs.json")
     largest = method["objects"][-1]
     equal = min(run["paper_columns_equal"] for thing in method["objects"] for run in thing["runs"])
     parts = [
@@ -122,6 +130,15 @@ def main():
     if readers:
         parts += ["## Readers", "A million triangles from memory, medians of five by turns with assimp; memory at its peak, "
                   "in meshes of 12 bytes a vertex and 12 a triangle.", reader_table(readers)]
+    if search:
+        parts += ["## Searching the placement",
+                  "Blocks cut at 30 × 18 × 18, objects of a 240 mm diagonal and about 100,000 triangles at most, one thread: the "
+                  "start, the paper's greedy climb, Snug after so much of the processor's time (medians of "
+                  "the seeds, and how far above the least), and the least that any search ever found "
+                  "(`bench/least_placements.json`).", search_table.table(search)]
+    if packs:
+        parts += ["## Packs for the workshop", "The camera, in the library: drawings, solids and their files, without PDF "
+                  "and zip.", packs_table(packs)]
     studio = FOLDER / "studio.txt"
     if studio.exists():
         parts += ["## The studio, from a slider's input to the picture", "In Chromium's software renderer.",
