@@ -22,6 +22,7 @@
 #include "cli/files.h"
 #include "cli/interrupt.h"
 #include "cli/make_case.h"
+#include "cli/make_fit.h"
 #include "cli/make_search.h"
 #include "cli/make_workshop.h"
 #include "cli/object_file.h"
@@ -40,11 +41,12 @@ struct MakeArguments {
     std::string folder;
     std::optional<std::string> units, preset, blocks, block_size, rotate, move, parting, wall,
         replacement_object;
-    std::optional<double> scale, longest, clearance;
+    std::optional<double> scale, longest;
     std::vector<std::string> formats;
     SearchArguments search;
     WorkshopArguments workshop;
-    bool cap = false, cut_on_touch = false, quiet = false, json = false;
+    FitArguments fit;
+    bool cap = false, quiet = false, json = false;
     int threads = 0;
     CaseArguments case_arguments;
 };
@@ -67,9 +69,6 @@ void add_options(CLI::App& make, MakeArguments& arguments) {
     make.add_option("--rotate", a.rotate, "Degrees about the fixed axes x, then y, then z (0,0,0)")
         ->type_name("PSI,THETA,PHI");
     make.add_option("--move", a.move, "Shift from the centre of the space, mm (0,0,0)")->type_name("X,Y,Z");
-    make.add_option("--clearance", a.clearance,
-                    "Grow the object by this on every side; negative squeezes it (0)")
-        ->type_name("MM");
     make.add_option(
             "--wall", a.wall,
             "Least foam between object and case: all sides, or X,Y,Z, or floor,roof,back,front,left,right "
@@ -79,7 +78,7 @@ void add_options(CLI::App& make, MakeArguments& arguments) {
     make.add_option("--parting", a.parting, "Blocks of the lower foam where the object does not touch (auto)")
         ->type_name("auto|LEVEL");
     make.add_flag("--cap", a.cap, "Close the holes of an open object before cutting");
-    make.add_flag("--cut-on-touch", a.cut_on_touch, "Also cut blocks that the object merely touches");
+    add_fit_options(make, a.fit);
     add_search_options(make, a.search);
     make.add_option("--object", a.replacement_object,
                     "The object's file, for a project that does not lie beside it")
@@ -144,7 +143,7 @@ Result<Design> design_from(const MakeArguments& a, Design design, bool from_proj
         return tl::unexpected(*error);
     if (auto error = take("--move", a.move, parse_vector, design.placement.offset_mm))
         return tl::unexpected(*error);
-    if (a.clearance) design.cut.clearance_mm = *a.clearance;
+    if (auto done = take_fit(a.fit, design); !done) return tl::unexpected(done.error());
     if (a.wall) {
         const auto walls = parse_walls("--wall", *a.wall);
         if (!walls) return tl::unexpected(walls.error());
@@ -152,7 +151,6 @@ Result<Design> design_from(const MakeArguments& a, Design design, bool from_proj
     }
     if (auto done = take_case(a.case_arguments, a.blocks.has_value(), design); !done)
         return tl::unexpected(done.error());
-    if (a.cut_on_touch) design.cut.cut_on_touch = true;
     if (a.parting && *a.parting == "auto") {
         design.parting.level.reset();
     } else if (a.parting) {
@@ -229,12 +227,11 @@ Result<Packed> read_and_pack(Task& task, const SearchArguments& search_arguments
 }
 
 /// Writes everything, the report last, since it tells how long the rest took.
-Result<std::string> write_outputs(const Packed& packed, Packing& packing, const std::optional<GapReport>& gap,
-                                  const Project& project, const WorkshopPack* pack,
-                                  const std::string& folder) {
+Result<std::string> write_outputs(const Packed& packed, Packing& packing, const Project& project,
+                                  const Measured& measured, const std::string& folder) {
     std::vector<OutputFile> files = output_files(packed.object, project, packing);
-    if (pack) {
-        auto more = workshop_files(*pack);
+    if (measured.pack) {
+        auto more = workshop_files(*measured.pack);
         if (!more) return tl::unexpected(more.error());
         std::move(more->begin(), more->end(), std::back_inserter(files));
     }
@@ -245,7 +242,7 @@ Result<std::string> write_outputs(const Packed& packed, Packing& packing, const 
     for (const OutputFile& file : files)
         if (auto done = set.write(file.name, file.bytes); !done) return tl::unexpected(done.error());
     packing.timing.write = watch.lap();
-    const std::string report = report_json(packed.object, project.object, packing, gap, packed.search, pack);
+    const std::string report = report_json(packed.object, project, packing, measured);
     if (auto done = set.write("report.json", std::as_bytes(std::span(report))); !done)
         return tl::unexpected(done.error());
     if (auto done = set.commit(); !done) return tl::unexpected(done.error());
@@ -270,7 +267,7 @@ int make(const MakeArguments& arguments) {
     if (!packing.foams) {
         status.reset();
         if (arguments.json)
-            if (auto done = print(report_json(packed->object, task->project.object, packing, {})); !done)
+            if (auto done = print(report_json(packed->object, task->project, packing, {})); !done)
                 return report(done.error());
         return report({ErrorKind::does_not_fit,
                        fmt::format("{}: {}", task->object_path.string(), packing.findings.front().message)});
@@ -289,27 +286,28 @@ int make(const MakeArguments& arguments) {
         sort_by_severity(packing.findings);
     }
 
-    const auto gap = gaps(packed->object, packing, status->progress("Measuring gaps"));
-    if (!gap) return report(gap.error());
+    auto measured =
+        measure_fit(packed->object, packing, task->project.design, status->progress("Measuring gaps"));
+    if (!measured) return report(measured.error());
+    measured->search = packed->search;
+    measured->pack = pack ? &*pack : nullptr;
     status.reset();
     // What it takes is said before anything is written.
     if (pack && !arguments.quiet && !arguments.json)
         if (auto done = print(workshop_summary(*pack, task->project.design)); !done)
             return report(done.error());
-    const WorkshopPack* made = pack ? &*pack : nullptr;
     const bool dry = arguments.workshop.dry_run;
     status.emplace(arguments.quiet || dry);
     status->show("Writing");
     const auto report_text =
-        dry ? Result<std::string>(
-                  report_json(packed->object, task->project.object, packing, *gap, packed->search, made))
-            : write_outputs(*packed, packing, *gap, task->project, made, arguments.folder);
+        dry ? Result<std::string>(report_json(packed->object, task->project, packing, *measured))
+            : write_outputs(*packed, packing, task->project, *measured, arguments.folder);
     status.reset();
     if (!report_text) return report(report_text.error());
     if (arguments.json) {
         if (auto done = print(*report_text); !done) return report(done.error());
     } else if (!arguments.quiet) {
-        if (auto done = print(summary(packed->object, task->project, packing, *gap,
+        if (auto done = print(summary(packed->object, task->project, packing, *measured,
                                       dry ? std::string() : arguments.folder));
             !done)
             return report(done.error());

@@ -39,6 +39,18 @@ Result<Vec3<T>> parse_three(const std::string& option, std::string_view text, ch
     return values;
 }
 
+/// Numbers between separators; none where one is no number.
+std::vector<double> parse_list(std::string_view text, char separator) {
+    std::vector<double> values;
+    for (bool more = true; more;) {
+        const std::size_t end = text.find(separator);
+        more = end != std::string_view::npos;
+        if (!parse_number(text.substr(0, end), values.emplace_back())) return {};
+        text.remove_prefix(more ? end + 1 : text.size());
+    }
+    return values;
+}
+
 }  // namespace
 
 Result<Vec3i> parse_counts(const std::string& option, std::string_view text) {
@@ -64,24 +76,49 @@ Result<Vec3d> parse_vector(const std::string& option, std::string_view text) {
 }
 
 Result<Walls> parse_walls(const std::string& option, std::string_view text) {
-    std::vector<double> values;
-    std::string_view rest = text;
-    bool good = true;
-    for (bool more = true; more && good;) {
-        const std::size_t end = rest.find(',');
-        more = end != std::string_view::npos;
-        good = parse_number(rest.substr(0, end), values.emplace_back());
-        rest.remove_prefix(more ? end + 1 : rest.size());
-    }
-    if (good && values.size() == 1) return equal_walls(values[0]);
-    if (good && values.size() == 3) return paired_walls({values[0], values[1], values[2]});
-    if (good && values.size() == 6)
-        return Walls{values[0], values[1], values[2], values[3], values[4], values[5]};
+    const std::vector<double> values = parse_list(text, ',');
+    if (values.size() == 1) return equal_walls(values[0]);
+    if (values.size() == 3) return paired_walls({values[0], values[1], values[2]});
+    if (values.size() == 6) return Walls{values[0], values[1], values[2], values[3], values[4], values[5]};
     return fail(
         ErrorKind::usage,
         fmt::format("{} takes one number of mm, three (x,y,z) or six (floor,roof,back,front,left,right) "
                     "such as 50 or 40,50,50, not {}",
                     option, quoted(text)));
+}
+
+Result<Clearance> parse_clearance(const std::string& option, std::string_view text) {
+    const std::vector<double> values = parse_list(text, ',');
+    if (values.size() == 1) return Clearance(values[0]);
+    if (values.size() == 3) {
+        const Vec3d both{values[0], values[1], values[2]};
+        return Clearance{both, both};
+    }
+    if (values.size() == 6)
+        return Clearance{{values[0], values[1], values[2]}, {values[3], values[4], values[5]}};
+    return fail(ErrorKind::usage,
+                fmt::format("{} takes one number of mm, three (x,y,z) or six (x,y,z of the lower foam, then "
+                            "of the upper) such as 1 or 0,2,2, not {}",
+                            option, quoted(text)));
+}
+
+Result<Vec3d> parse_notches(const std::string& option, std::string_view text) {
+    const std::vector<double> values = parse_list(text, 'x');
+    if (values.size() == 2 || (values.size() == 3 && values[2] > 0))
+        return Vec3d{values[0], values[1], values.size() == 3 ? values[2] : 0};
+    return fail(
+        ErrorKind::usage,
+        fmt::format("{} takes width x depth in mm, and the room outwards if you like, such as 80x40 or "
+                    "80x40x25, not {}",
+                    option, quoted(text)));
+}
+
+Result<Vec2d> parse_pair(const std::string& option, std::string_view text) {
+    const std::vector<double> values = parse_list(text, ',');
+    if (values.size() == 1) return Vec2d{values[0], values[0]};
+    if (values.size() == 2) return Vec2d{values[0], values[1]};
+    return fail(ErrorKind::usage, fmt::format("{} takes one or two numbers of mm such as 0 or -20,10, not {}",
+                                              option, quoted(text)));
 }
 
 Result<double> parse_length(const std::string& option, std::string_view text) {

@@ -7,6 +7,7 @@
 #include "snug/base/result.h"
 #include "snug/base/vec.h"
 #include "snug/base/vec2.h"
+#include "snug/design/clearance.h"
 #include "snug/design/walls.h"
 
 namespace snug::cli {
@@ -27,6 +28,15 @@ namespace snug::cli {
 
 /// "50", "40,50,50" (x, y, z) or six sides "60,40,50,50,50,50", mm
 [[nodiscard]] Result<Walls> parse_walls(const std::string& option, std::string_view text);
+
+/// "2", "0,2,2" (x, y, z) or "0,1,1,2,3,3" (the lower foam's, then the upper's), mm
+[[nodiscard]] Result<Clearance> parse_clearance(const std::string& option, std::string_view text);
+
+/// "80x40" or "80x40x25", mm; the third is 0 where it was not named.
+[[nodiscard]] Result<Vec3d> parse_notches(const std::string& option, std::string_view text);
+
+/// "-20,10", or one number for both, mm
+[[nodiscard]] Result<Vec2d> parse_pair(const std::string& option, std::string_view text);
 
 /// "45" or "12.5", mm
 [[nodiscard]] Result<double> parse_length(const std::string& option, std::string_view text);

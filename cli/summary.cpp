@@ -7,6 +7,7 @@
 #include "snug/base/text.h"
 
 #include "cli/make_case.h"
+#include "cli/make_fit.h"
 
 namespace snug::cli {
 namespace {
@@ -74,7 +75,7 @@ std::string object_line(const Object& object) {
 }
 
 std::string summary(const Object& object, const Project& project, const Packing& packing,
-                    const GapReport& gap, const std::string& folder) {
+                    const Measured& measured, const std::string& folder) {
     const FitReport& fit = packing.fit;
     const auto& wall = fit.wall_mm;
     const auto line = [](std::string_view label, const std::string& text) {
@@ -95,7 +96,9 @@ std::string summary(const Object& object, const Project& project, const Packing&
     text += line("Walls", fmt::format("floor {}, roof {}, back {}, front {}, left {}, right {} mm",
                                       number(wall[0], 1), number(wall[1], 1), number(wall[2], 1),
                                       number(wall[3], 1), number(wall[4], 1), number(wall[5], 1)));
-    text += line("Gaps", gap_line(gap));
+    for (const Notch& notch : packing.notches) text += line("Notch", notch_text(notch));
+    text += line("Gaps", gap_line(*measured.gap));
+    text += line("Bears", wrapped(bearing_text(*measured.bearing, project.design), 10));
     text += findings_lines(packing.findings);
     text += line("Files", folder.empty() ? "none are written: a dry run"
                                          : fmt::format("in {}: look at preview.svg first", folder));

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "snug/design/project.h"
+#include "snug/outputs.h"
 #include "snug/pipeline.h"
 
 namespace snug::cli {
@@ -10,7 +11,7 @@ namespace snug::cli {
 /// What a packer wants to know of a packing with foams, in a dozen lines. An empty folder: nothing is
 /// written.
 [[nodiscard]] std::string summary(const Object& object, const Project& project, const Packing& packing,
-                                  const GapReport& gap, const std::string& folder);
+                                  const Measured& measured, const std::string& folder);
 
 /// "34,834 vertices, 69,451 triangles, 155.7 x 154.3 x 120.7 mm, open (5 holes)"
 [[nodiscard]] std::string object_line(const Object& object);

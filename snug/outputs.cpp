@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 
 #include <nlohmann/json.hpp>
 
@@ -55,11 +56,45 @@ Json findings_json(const std::vector<Finding>& findings) {
     return list;
 }
 
-Json foam_json(const FitReport& fit, const FoamPair& foams) {
+Json foam_json(const Packing& packing) {
+    const FitReport& fit = packing.fit;
+    const FoamPair& foams = *packing.foams;
     return {{"lower_blocks", fit.lower_blocks}, {"upper_blocks", fit.upper_blocks},
             {"cut_blocks", fit.cut_blocks},     {"volume_mm3", rounded(fit.foam_mm3, 1e3)},
             {"fill_ratio", fit.fill_ratio},     {"parting_level", foams.parting_level},
-            {"lower_pieces", fit.lower_pieces}, {"upper_pieces", fit.upper_pieces}};
+            {"lower_pieces", fit.lower_pieces}, {"upper_pieces", fit.upper_pieces},
+            {"rib_blocks", packing.rib_blocks}};
+}
+
+Json bearing_json(const BearingReport& bearing, const Design& design) {
+    const auto areas = [](const auto& mm2) {
+        Json list = Json::array();
+        for (const double area : mm2) list.push_back(rounded(area, 1e3));
+        return list;
+    };
+    Json pressure = nullptr;
+    if (design.workshop.mass_kg) {
+        pressure = Json::array();
+        for (const double area : bearing.lower_mm2) {
+            const auto kpa = static_pressure_kpa(*design.workshop.mass_kg, area);
+            pressure.push_back(kpa ? Json(rounded(*kpa)) : Json(nullptr));
+        }
+    }
+    return {{"sinking_mm", kSinking},
+            {"lower_mm2", areas(bearing.lower_mm2)},
+            {"upper_mm2", areas(bearing.upper_mm2)},
+            {"static_kpa", pressure},
+            {"creep_kpa", design.fit.creep_kpa ? Json(*design.fit.creep_kpa) : Json(nullptr)},
+            {"drops", "not checked"}};
+}
+
+Json notches_json(const std::vector<Notch>& notches) {
+    Json list = Json::array();
+    for (const Notch& notch : notches)
+        list.push_back({{"side", side_name(notch.side)},
+                        {"at_mm", rounded(notch.at_mm)},
+                        {"size_mm", array(notch.size_mm)}});
+    return list;
 }
 
 /// Sizes as people name a case: length, width, height.
@@ -153,35 +188,46 @@ std::string depths_csv(const FoamPair& foams) {
     return text;
 }
 
-std::string report_json(const Object& object, const ObjectFile& file, const Packing& packing,
-                        const std::optional<GapReport>& gap, const std::optional<SearchReport>& search,
-                        const WorkshopPack* pack) {
+Result<Measured> measure_fit(const Object& object, Packing& packing, const Design& design,
+                             const Progress& progress) {
+    Measured measured;
+    auto gap = gaps(object, packing, progress);
+    if (!gap) return tl::unexpected(gap.error());
+    measured.gap = std::move(*gap);
+    const auto bears = bearing(object, packing, progress);
+    if (!bears) return tl::unexpected(bears.error());
+    measured.bearing = *bears;
+    find_bearing_problems(*bears, design.workshop.mass_kg, design.fit.creep_kpa, packing.findings);
+    return measured;
+}
+
+std::string report_json(const Object& object, const Project& project, const Packing& packing,
+                        const Measured& measured) {
     const MeshMeasure& measure = object.measure;
     Json json;
-    json["object"] = {{"file", file.name},
-                      {"vertices", object.read_vertices},
-                      {"triangles", object.read_triangles},
-                      {"size_mm", array(measure.bounds.size())},
-                      {"watertight", measure.watertight},
-                      {"volume_mm3", volume(measure.volume)}};
+    json["object"] = {{"file", project.object.name},        {"vertices", object.read_vertices},
+                      {"triangles", object.read_triangles}, {"size_mm", array(measure.bounds.size())},
+                      {"watertight", measure.watertight},   {"volume_mm3", volume(measure.volume)}};
     json["placement"] = {{"rotation_deg", array(packing.rotation_deg)},
                          {"offset_mm", array(packing.offset_mm)}};
     json["design_space"] = {{"blocks", array(packing.space.blocks)},
                             {"block_mm", array(packing.space.block_mm)}};
-    json["foam"] = packing.foams ? foam_json(packing.fit, *packing.foams) : Json(nullptr);
-    json["gap"] = gap ? gap_json(*gap) : Json(nullptr);
+    json["foam"] = packing.foams ? foam_json(packing) : Json(nullptr);
+    json["gap"] = measured.gap ? gap_json(*measured.gap) : Json(nullptr);
+    json["bearing"] = measured.bearing ? bearing_json(*measured.bearing, project.design) : Json(nullptr);
     json["wall_mm"] = nullptr;
     if (packing.foams) {
         json["wall_mm"] = Json::array();
         for (const double wall : packing.fit.wall_mm) json["wall_mm"].push_back(rounded(wall));
     }
+    if (!packing.notches.empty()) json["notches"] = notches_json(packing.notches);
     if (packing.fitted_case) {
         const int level = packing.foams ? packing.foams->parting_level : 0;
         json["case"] = case_json(*packing.fitted_case, level, packing.fit);
     }
-    if (search) json["search"] = search_json(*search);
+    if (measured.search) json["search"] = search_json(*measured.search);
     json["findings"] = findings_json(packing.findings);
-    if (pack) json["workshop"] = workshop_json(*pack);
+    if (measured.pack) json["workshop"] = workshop_json(*measured.pack);
     const Timing& timing = packing.timing;
     json["timing_ms"] = {
         {"read", rounded(timing.read, 1e3)},           {"depth_map", rounded(timing.depth_map, 1e3)},

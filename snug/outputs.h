@@ -21,12 +21,23 @@ struct OutputFile {
 /// One line a column, j (y) over k (z), header `j,k,lower_blocks,upper_blocks`.
 [[nodiscard]] std::string depths_csv(const FoamPair& foams);
 
+/// What was found out about a packing besides what it says itself.
+struct Measured {
+    std::optional<GapReport> gap;
+    std::optional<BearingReport> bearing;
+    std::optional<SearchReport> search;
+    const WorkshopPack* pack = nullptr;
+};
+
+/// Gaps and bearing of a packing with foams; adds to its findings. Fails only when cancelled.
+[[nodiscard]] Result<Measured> measure_fit(const Object& object, Packing& packing, const Design& design,
+                                           const Progress& progress = {});
+
 /// What was made and what a person must know of it; fields as the command line's contract names them. Without
-/// foams the foam, wall and gap fields are null; without a search or a pack there are no fields of them.
-[[nodiscard]] std::string report_json(const Object& object, const ObjectFile& file, const Packing& packing,
-                                      const std::optional<GapReport>& gap,
-                                      const std::optional<SearchReport>& search = {},
-                                      const WorkshopPack* pack = nullptr);
+/// foams the foam and wall fields are null; what was not measured is null or, for a search or a pack, left
+/// out.
+[[nodiscard]] std::string report_json(const Object& object, const Project& project, const Packing& packing,
+                                      const Measured& measured);
 
 /// Everything that `snug make` writes for a packing with foams, the report left out (it holds the time that
 /// writing took): foams in the design's formats, depths, preview, project. Fills packing.timing.solids.

@@ -6,11 +6,12 @@
 
 #include "snug/base/stopwatch.h"
 #include "snug/base/text.h"
-#include "snug/foam/depth_map.h"
 #include "snug/foam/find_case_problems.h"
 #include "snug/foam/find_problems.h"
 #include "snug/foam/fitted_space.h"
+#include "snug/foam/object_cut.h"
 #include "snug/foam/parting.h"
+#include "snug/foam/ribs.h"
 #include "snug/mesh/cap.h"
 
 namespace snug {
@@ -41,8 +42,9 @@ Result<DesignSpace> space_for(Box3d placed, const Design& design) {
     if (options.blocks) return DesignSpace{*options.blocks, options.block_mm};
     const Vec3d shift = shift_between_walls(options, false);
     placed = {placed.min - shift, placed.max - shift};
-    const Vec3d counts =
-        fitted_blocks(placed, options.block_mm, design.cut.clearance_mm, wanted_wall_mm(options));
+    Box3d room = grown(placed, design.cut.whole_clearance_mm());
+    if (design.fit.notches) room = with_room_for_notches(room, options.block_mm, *design.fit.notches);
+    const Vec3d counts = fitted_blocks(room, options.block_mm, wanted_wall_mm(options));
     if (std::max({counts.x, counts.y, counts.z}) > kMostBlocks)
         return fail(ErrorKind::usage, "the object and its walls would need " + dimensions(counts, 0) +
                                           " blocks, more than 4096 on an axis: choose larger blocks");
@@ -51,15 +53,16 @@ Result<DesignSpace> space_for(Box3d placed, const Design& design) {
 
 /// Whether the object, grown by the clearance, leaves the space; a face that coincides with the space's does
 /// not.
-std::optional<Finding> outside(const Box3d& placed, const DesignSpace& space, double clearance_mm) {
-    const Vec3d least = fitted_blocks(placed, space.block_mm, clearance_mm);
+std::optional<Finding> outside(const Box3d& placed, const DesignSpace& space, const Clearance& clearance) {
+    const Box3d room = grown(placed, clearance);
+    const Vec3d least = fitted_blocks(room, space.block_mm);
     if (least.x <= space.blocks.x && least.y <= space.blocks.y && least.z <= space.blocks.z) return {};
     const Vec3d least_mm{least.x * space.block_mm.x, least.y * space.block_mm.y, least.z * space.block_mm.z};
-    const Vec3d grown_size = placed.size() + Vec3d{2, 2, 2} * clearance_mm;
     return Finding{Severity::danger, "outside",
-                   "the object needs " + dimensions(grown_size) + " mm" +
-                       (clearance_mm != 0 ? " with its clearance" : "") + " and leaves the design space of " +
-                       dimensions(space.size()) + " mm (" + dimensions(vec_cast<double>(space.blocks), 0) +
+                   "the object needs " + dimensions(room.size()) + " mm" +
+                       (clearance != Clearance() ? " with its clearance" : "") +
+                       " and leaves the design space of " + dimensions(space.size()) + " mm (" +
+                       dimensions(vec_cast<double>(space.blocks), 0) +
                        " blocks). The smallest that would do here is " + dimensions(least, 0) + " blocks (" +
                        dimensions(least_mm) + " mm) without any wall; --blocks auto adds walls",
                    placed.centre()};
@@ -69,27 +72,47 @@ std::optional<Finding> outside(const Box3d& placed, const DesignSpace& space, do
 std::optional<Error> too_squeezed(const DesignSpace& space, const CutOptions& cut) {
     const Vec3d block = space.block_mm;
     const double least = kLeastClearanceShare * std::min({block.x, block.y, block.z});
-    if (cut.clearance_mm >= least) return {};
+    if (cut.whole_clearance_mm().least() >= least) return {};
     return Error{ErrorKind::usage, "the case is divided into blocks of " + dimensions(block) +
                                        " mm, for which the clearance must be " + number(least, 4) +
                                        " mm or more (-0.4 of the smallest side), not " +
-                                       number(cut.clearance_mm, 4)};
+                                       number(cut.whole_clearance_mm().least(), 4)};
 }
 
 /// As chosen, or at the line of the case's lid, or the best one.
-int parting_level(const Packing& packing, const PartingOptions& options) {
+int parting_level(const Packing& packing, const HalfCuts& cuts, const PartingOptions& options) {
     if (options.level) return *options.level;
     if (packing.fitted_case && packing.fitted_case->lid_level) return *packing.fitted_case->lid_level;
-    return auto_parting_level(packing.blocks, packing.space, packing.placement.bounds);
+    return auto_parting_level(cut_by_either(cuts), packing.space, packing.placement.bounds);
+}
+
+/// What may be wrong with the object in one half.
+void find_problems_of_half(const Object& object, const Placement& placement, const DesignSpace& space,
+                           const HalfDepths& half, const BlockMap& cut, std::vector<Finding>& findings) {
+    find_open_holes(object.hole_spans, placement, space, half.reach, half.depths, cut, findings);
+    find_uncut_parts(object.mesh, object.measure, placement, space, half.reach, cut, findings);
+}
+
+/// Takes more foam away than the object needs, so that the rest can be worked and the object lifted.
+void shape(Packing& packing, const Design& design, int level) {
+    if (design.fit.notches) {
+        const NotchPair pair = cut_notches(packing.blocks, packing.space, level, *design.fit.notches,
+                                           wanted_wall_mm(design.space));
+        if (pair.notches) packing.notches.assign(pair.notches->begin(), pair.notches->end());
+        if (!pair.notches) packing.findings.push_back({Severity::warning, "no_notches", pair.why_not, {}});
+    }
+    if (design.fit.least_rib_mm > 0)
+        packing.rib_blocks = cut_thin_ribs(packing.blocks, packing.space, level, design.fit.least_rib_mm);
 }
 
 std::vector<Finding> findings_of(const Object& object, const Design& design, const Packing& packing,
-                                 const DepthMap& depths, Reach reach) {
-    std::vector<Finding> findings;
+                                 const ObjectDepths& depths, const HalfCuts& cuts) {
+    std::vector<Finding> findings = packing.findings;
     const Placement& placement = packing.placement;
     const DesignSpace& space = packing.space;
-    find_open_holes(object.hole_spans, placement, space, reach, depths, packing.blocks, findings);
-    find_uncut_parts(object.mesh, object.measure, placement, space, reach, packing.blocks, findings);
+    find_problems_of_half(object, placement, space, depths.lower, cuts.lower, findings);
+    if (depths.upper && findings.size() == packing.findings.size())
+        find_problems_of_half(object, placement, space, *depths.upper, *cuts.upper, findings);
     find_thin_walls(packing.fit, packing.blocks, space, wanted_wall_mm(design.space), findings);
     find_pieces(packing.fit, findings);
     if (packing.fitted_case)
@@ -168,38 +191,44 @@ Result<Packing> pack(const Object& object, const Design& design) {
         packing.space = *fitted;
     }
     const DesignSpace& space = packing.space;
-    if (auto finding = outside(packing.placement.bounds, space, design.cut.clearance_mm)) {
+    if (auto finding = outside(packing.placement.bounds, space, design.cut.whole_clearance_mm())) {
         if (in_case)
             finding->message = too_small(*packing.fitted_case, packing.placement.bounds.size(),
-                                         design.cut.clearance_mm, wanted_wall_mm(design.space));
+                                         design.cut.whole_clearance_mm(), wanted_wall_mm(design.space));
         packing.findings.push_back(*finding);
         return packing;
     }
 
-    const Reach grown = reach(design.cut.clearance_mm, design.cut.cut_on_touch);
     Stopwatch watch;
-    const DepthMap depths = object.surface ? depth_map(*object.surface, packing.placement, space, grown)
-                                           : depth_map(object.mesh, packing.placement, space, grown);
+    const ObjectDepths depths = object.surface
+                                    ? object_depths(*object.surface, packing.placement, space, design.cut)
+                                    : object_depths(object.mesh, packing.placement, space, design.cut);
     packing.timing.depth_map = watch.lap();
-    packing.blocks = block_map(depths, space, grown);
+    const HalfCuts cuts = half_cuts(depths, space);
     packing.timing.block_map = watch.lap();
 
-    const int level = parting_level(packing, design.parting);
+    const int level = parting_level(packing, cuts, design.parting);
     if (level > space.blocks.x)
         return fail(ErrorKind::usage, "the parting level " + std::to_string(level) +
                                           " is above the space's " + std::to_string(space.blocks.x) +
                                           " blocks");
+    packing.blocks = cut_by_both(cuts, level);
+    shape(packing, design, level);
     packing.foams = split(packing.blocks, space, level, packing.available);
     packing.timing.foam_pair = watch.lap();
 
     packing.fit = fit_report(*packing.foams, packing.blocks, space, packing.available);
-    packing.findings = findings_of(object, design, packing, depths, grown);
+    packing.findings = findings_of(object, design, packing, depths, cuts);
     return packing;
 }
 
 Result<GapReport> gaps(const Object& object, const Packing& packing, const Progress& progress) {
     const bool closed = object.measure.watertight;
     return gap_report(object.mesh, packing.placement, packing.space, packing.blocks, closed, progress);
+}
+
+Result<BearingReport> bearing(const Object& object, const Packing& packing, const Progress& progress) {
+    return bearing_report(object.mesh, packing.placement, packing.space, *packing.foams, progress);
 }
 
 }  // namespace snug

@@ -7,6 +7,7 @@
 #include "snug/base/progress.h"
 #include "snug/base/result.h"
 #include "snug/design/design.h"
+#include "snug/foam/bearing.h"
 #include "snug/foam/block_map.h"
 #include "snug/foam/case_space.h"
 #include "snug/foam/design_space.h"
@@ -14,6 +15,7 @@
 #include "snug/foam/fit_report.h"
 #include "snug/foam/foam_pair.h"
 #include "snug/foam/gap.h"
+#include "snug/foam/notches.h"
 #include "snug/foam/placement.h"
 #include "snug/foam/prepared_surface.h"
 #include "snug/mesh/measure.h"
@@ -25,6 +27,7 @@
 //   mesh in the file's unit --prepare--> object in mm, measured, its holes spanned
 //   object + design ----------pack----> placement -> depth map -> block map -> foam pair, report and findings
 //   packing ------------------gaps----> how far the cut space exceeds the object (sampled, slower)
+//   packing ----------------bearing---> what the object lies on (sampled, slower)
 //
 // snug/outputs.h turns a packing into files.
 
@@ -55,6 +58,8 @@ struct Packing {
     std::optional<CaseSpace> fitted_case;  ///< where the design has a case: what `space` is of
     Available available;                   ///< blocks that exist in it
     BlockMap blocks;
+    std::vector<Notch> notches;     ///< beside the object, where the design wants them and there is room
+    long long rib_blocks = 0;       ///< cut because they stood too thin between cavities
     std::optional<FoamPair> foams;  ///< none where the object leaves the space (finding `outside`)
     FitReport fit;                  ///< of `foams`
     std::vector<Finding> findings;  ///< dangers first
@@ -82,5 +87,9 @@ void prepare_for_many(Object& object);
 /// The gap report of a packing that has foams. Fails only when cancelled.
 [[nodiscard]] Result<GapReport> gaps(const Object& object, const Packing& packing,
                                      const Progress& progress = {});
+
+/// What the object lies on in either half of a packing that has foams. Fails only when cancelled.
+[[nodiscard]] Result<BearingReport> bearing(const Object& object, const Packing& packing,
+                                            const Progress& progress = {});
 
 }  // namespace snug

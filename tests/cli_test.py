@@ -114,8 +114,8 @@ class CliTest(unittest.TestCase):
         self.assertEqual(sum(row[3] for row in rows), foam["upper_blocks"])
         self.assertEqual(foam["lower_blocks"] + foam["upper_blocks"] + foam["cut_blocks"], 30 * 18 * 18)
         self.assertAlmostEqual(foam["fill_ratio"], 1 - foam["cut_blocks"] / (30 * 18 * 18))
-        self.assertEqual(list(report), ["object", "placement", "design_space", "foam", "gap", "wall_mm", "findings",
-                                        "timing_ms"])
+        self.assertEqual(list(report), ["object", "placement", "design_space", "foam", "gap", "bearing", "wall_mm",
+                                        "findings", "timing_ms"])
         self.assertEqual(list(report["timing_ms"]),
                          ["read", "depth_map", "block_map", "foam_pair", "solids", "write"])
         self.assertEqual(report["design_space"], {"blocks": [30, 18, 18], "block_mm": [15, 15, 22]})
@@ -185,6 +185,43 @@ class CliTest(unittest.TestCase):
                 triangles = read_stl(self.out / f"{half}.stl")
                 self.assertTrue(all(up == down for up, down in edge_balance(triangles)))
                 self.assertAlmostEqual(signed_volume(triangles) / volume, 1, 5)
+
+    def test_the_fit_of_each_half_notches_and_bearing(self):
+        camera = self.work / "camera.ply"
+        self.assertEqual(snug("sample", "camera", "-o", camera).returncode, 0)
+        done = self.make(camera, "--preset", "sheet-10", "--blocks", "auto", "--clearance", "0,1,1,1,4,4",
+                         "--liner", "0.5", "--notches", "60x30", "--least-rib", "12", "--mass", "1.2")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("Notch     back at z", done.stdout)
+        self.assertIn("Drops were not checked", done.stdout)
+        report = json.loads((self.out / "report.json").read_text())
+        bearing = report["bearing"]
+        self.assertEqual(bearing["sinking_mm"], [1, 3, 5])
+        self.assertEqual(bearing["lower_mm2"], sorted(bearing["lower_mm2"]))
+        self.assertAlmostEqual(bearing["static_kpa"][2], 1.2 * 9.80665e3 / bearing["lower_mm2"][2], 3)
+        self.assertEqual((bearing["creep_kpa"], bearing["drops"]), (17.2, "not checked"))
+        self.assertEqual([notch["side"] for notch in report["notches"]], ["back", "front"])
+        for notch in report["notches"]:
+            depth, outwards, width = notch["size_mm"]
+            self.assertEqual((depth, width), (30, 60))
+            self.assertGreaterEqual(outwards, 25, "the room and what the object leaves of the blocks")
+        cut = json.loads((self.out / "project.snug.json").read_text())["design"]["cut"]
+        self.assertEqual((cut["clearance_mm"], cut["liner_mm"]), ([0, 1, 1, 1, 4, 4], 0.5))
+        again = self.make(self.out / "project.snug.json", "--object", camera, "--notches", "none")
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertNotIn("notches", json.loads((self.out / "report.json").read_text()))
+
+    def test_a_wrong_fit_is_a_sentence(self):
+        for arguments, word in [(["--clearance", "1,2"], "six"), (["--clearance", "x"], "number"),
+                                (["--clearance", "0,-9,0"], "-6"), (["--liner", "-1"], "liner"),
+                                (["--least-rib", "-3"], "rib"), (["--notches", "80"], "80x40"),
+                                (["--notches", "80x-4"], "depth"), (["--notch-at", "5"], "--notches"),
+                                (["--notches", "80x40", "--notch-axis", "x"], "y, z or auto"),
+                                (["--notches", "80x40", "--notch-at", "1,2,3"], "one or two")]:
+            done = self.make(self.object, *arguments)
+            self.assertEqual(done.returncode, 1, arguments)
+            self.assertIn(word, done.stderr, arguments)
+            self.assertFalse(self.out.exists())
 
     def test_findings_name_a_thin_wall(self):
         done = self.make(self.object, "--blocks", "6x6x6", "--block-size", "20x20x20", "--json")

@@ -40,7 +40,17 @@ Design random_design_options(Random& random) {
     design.placement.rotation_deg = {random.between(-360, 360), 90, random.between(-1, 1) * 1e-9};
     design.placement.offset_mm = {random.between(-10, 10), 0, -0.5};
     design.cut.clearance_mm = random.between(-0.04, 20);
+    if (random.chance(0.5)) design.cut.clearance_mm = {{0, random.between(0, 2), 3}, {1, 2, 0}};
+    design.cut.liner_mm = random.between(0, 3);
     design.cut.cut_on_touch = random.chance(0.5);
+    design.fit.least_rib_mm = random.between(0, 40);
+    if (random.chance(0.5)) design.fit.creep_kpa = random.between(1, 40);
+    if (random.chance(0.5)) {
+        design.fit.notches = NotchOptions{random.between(1, 100), 40, 25, {}, {}, {}};
+        if (random.chance(0.5)) design.fit.notches->axis = random.integer(1, 2);
+        if (random.chance(0.5)) design.fit.notches->first_mm = random.between(-100, 100);
+        if (random.chance(0.5)) design.fit.notches->second_mm = random.between(-100, 100);
+    }
     if (random.chance(0.5) && design.space.blocks)
         design.parting.level = random.integer(0, design.space.blocks->x);
     if (random.chance(0.5)) design.output.formats = {"ply"};

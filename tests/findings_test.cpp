@@ -148,10 +148,10 @@ TEST(Findings, SeparatePartsAreNotedAndSpecksWarnedOf) {
 TEST(FittedSpace, CountsTheObjectAndItsWalls) {
     const Vec3d block{15, 15, 22};
     const Box3d object{{-30, -30, -33}, {30, 30, 33}};
-    EXPECT_EQ(fitted_blocks(object, block, 0), (Vec3d{4, 4, 3}));
-    EXPECT_EQ(fitted_blocks(object, block, 0, equal_walls(50)), (Vec3d{4 + 8, 4 + 8, 3 + 6}));
-    EXPECT_EQ(fitted_blocks(object, block, 0.5), (Vec3d{5, 5, 4}));
-    EXPECT_EQ(fitted_blocks({{0, 0, 0}, {0, 0, 0}}, block, 0, equal_walls(15)), (Vec3d{3, 3, 3}));
+    EXPECT_EQ(fitted_blocks(object, block), (Vec3d{4, 4, 3}));
+    EXPECT_EQ(fitted_blocks(object, block, equal_walls(50)), (Vec3d{4 + 8, 4 + 8, 3 + 6}));
+    EXPECT_EQ(fitted_blocks(grown(object, 0.5), block), (Vec3d{5, 5, 4}));
+    EXPECT_EQ(fitted_blocks({{0, 0, 0}, {0, 0, 0}}, block, equal_walls(15)), (Vec3d{3, 3, 3}));
 }
 
 TEST(FittedSpace, KeepsTheWantedWallsInAnyPlacement) {

@@ -50,8 +50,9 @@ long long best_of_six(Vec3d box, const Design& design) {
         for (int axis = 0; axis < 3; ++axis) {
             const double size = design.space.block_mm[axis];
             const double length = box[order[static_cast<std::size_t>(axis)]];
-            blocks *= static_cast<long long>(std::ceil((length + 2 * design.cut.clearance_mm - 0.02) / size) +
-                                             2 * std::ceil(design.space.wall_mm->front() / size));
+            blocks *= static_cast<long long>(
+                std::ceil((length + 2 * design.cut.clearance_mm.lower.x - 0.02) / size) +
+                2 * std::ceil(design.space.wall_mm->front() / size));
         }
         best = std::min(best, blocks);
     } while (std::next_permutation(order.begin(), order.end()));
@@ -151,7 +152,7 @@ TEST(FitCase, IsNeverLargerThanTheCaseOfTheRotationThatStands) {
         for (int axis = 0; axis < 3; ++axis) design.placement.rotation_deg[axis] = random.between(-180, 180);
         const Box3d box = place(mesh, design.placement.rotation_deg, {}).bounds;
         const Vec3d stands =
-            fitted_blocks(box, design.space.block_mm, design.cut.clearance_mm, *design.space.wall_mm);
+            fitted_blocks(grown(box, design.cut.clearance_mm), design.space.block_mm, *design.space.wall_mm);
         const auto fitted = fit_case(mesh, design, seed);
         ASSERT_TRUE(fitted);
         EXPECT_LE(total(fitted->blocks), total(vec_cast<int>(stands)));

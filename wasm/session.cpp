@@ -38,11 +38,11 @@ val make_files(const Object& object, const Project& project, const Progress& pro
     auto packing = pack(object, project.design);
     if (!packing) return to_val(packing.error());
     if (!packing->foams) return to_val(Error{ErrorKind::does_not_fit, packing->findings.front().message});
-    const auto gap = gaps(object, *packing, progress);
-    if (!gap) return to_val(gap.error());
+    const auto measured = measure_fit(object, *packing, project.design, progress);
+    if (!measured) return to_val(measured.error());
     val result = val::object();
     result.set("files", to_val(output_files(object, project, *packing)));
-    result.set("report", report_json(object, project.object, *packing, *gap));
+    result.set("report", report_json(object, project, *packing, *measured));
     return result;
 }
 

@@ -52,9 +52,14 @@ Problem problem(const PlacementOptions& placement) {
 
 Problem problem(const CutOptions& cut, Vec3d block) {
     const double least = kLeastClearanceShare * std::min({block.x, block.y, block.z});
-    if (within(cut.clearance_mm, least, kGreatestLength)) return {};
+    if (!within(cut.liner_mm, 0, kGreatestLength))
+        return "the liner must be 0 mm or more, not " + number(cut.liner_mm, 4);
+    const Clearance whole = cut.whole_clearance_mm();
+    if (whole.least() >= least && within(whole.lower, least, kGreatestLength) &&
+        within(whole.upper, least, kGreatestLength))
+        return {};
     return "the clearance must be " + number(least, 4) +
-           " mm or more for these blocks (-0.4 of the smallest side), not " + number(cut.clearance_mm, 4);
+           " mm or more for these blocks (-0.4 of the smallest side), not " + number(whole.least(), 4);
 }
 
 Problem problem(const PartingOptions& parting, const SpaceOptions& space, bool fitted_to_case) {
@@ -132,6 +137,7 @@ Result<Design> checked(Design design) {
     if (!found) found = problem(design.parting, design.space, design.case_options.inside_mm.has_value());
     if (!found) found = problem(design.output);
     if (!found) found = problem_of(design.case_options);
+    if (!found) found = problem_of(design.fit);
     if (!found) found = problem(design.search);
     if (!found) found = problem_of(design.workshop);
     if (found) return fail(ErrorKind::usage, *found);

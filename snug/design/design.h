@@ -8,6 +8,8 @@
 #include "snug/base/result.h"
 #include "snug/base/vec.h"
 #include "snug/design/case_options.h"
+#include "snug/design/clearance.h"
+#include "snug/design/fit_options.h"
 #include "snug/design/search_options.h"
 #include "snug/design/walls.h"
 #include "snug/design/workshop_options.h"
@@ -52,9 +54,13 @@ struct PlacementOptions {
 };
 
 struct CutOptions {
-    double clearance_mm = 0;  ///< the object is grown by this; from -0.4 of the smallest block side upward
-    bool cut_on_touch =
-        false;  ///< the paper's literal "overlap or touch": blocks that only touch are cut too
+    Clearance clearance_mm;  ///< the object is grown by this
+    /// The paper's literal "overlap or touch": blocks that only touch are cut too.
+    bool cut_on_touch = false;
+    double liner_mm = 0;  ///< of a cloth or film between object and foam, on top of the clearance, 0 or more
+
+    /// With the liner; from -0.4 of the smallest block side upward.
+    [[nodiscard]] Clearance whole_clearance_mm() const { return clearance_mm + liner_mm; }
     friend bool operator==(const CutOptions&, const CutOptions&) = default;
 };
 
@@ -76,6 +82,7 @@ struct Design {
     PartingOptions parting;
     OutputOptions output;
     CaseOptions case_options;
+    FitOptions fit;
     SearchOptions search;
     WorkshopOptions workshop;
     friend bool operator==(const Design&, const Design&) = default;

@@ -119,6 +119,11 @@ JsonReader::Numbers JsonReader::read_numbers(const char* name, std::span<double>
     return Numbers::good;
 }
 
+bool JsonReader::is_null(const char* name) {
+    const Json* field = find(name);
+    return field && field->is_null();
+}
+
 void JsonReader::refuse(const char* name, std::string_view expected) {
     if (!problem_) problem_ = (path_.empty() ? "" : path_ + ".") + name + " must be " + std::string(expected);
 }

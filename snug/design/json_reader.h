@@ -70,6 +70,7 @@ class JsonReader {
     /// Says that `name` must be what `expected` names ("a positive number").
     void refuse(const char* name, std::string_view expected);
     void require(const char* name);
+    [[nodiscard]] bool is_null(const char* name);
     [[nodiscard]] bool has(const char* name) const { return value_.is_object() && value_.contains(name); }
 
     /// The first problem, or that of a field that was never asked for.

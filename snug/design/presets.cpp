@@ -8,6 +8,10 @@
 namespace snug {
 namespace {
 
+/// kPa for at most 10 % of thickness lost: Ethafoam 220 (35 kg/m3), Sealed Air's Package Design Guide,
+/// step 4.
+constexpr double kPolyethyleneCreep = 17.2;
+
 Result<Preset> preset_from(const nlohmann::json& json, const std::string& path) {
     JsonReader reader(json, path);
     Preset preset;
@@ -19,6 +23,7 @@ Result<Preset> preset_from(const nlohmann::json& json, const std::string& path) 
         .read("block_mm", preset.block_mm)
         .read("clearance_mm", preset.clearance_mm)
         .read("density_kg_m3", preset.density_kg_m3)
+        .read("creep_kpa", preset.creep_kpa)
         .read("rigid", preset.rigid)
         .read("worked", preset.worked)
         .read("division", division);
@@ -28,6 +33,7 @@ Result<Preset> preset_from(const nlohmann::json& json, const std::string& path) 
         reader.refuse("division", "none, across or all");
     if (preset.name.empty()) reader.refuse("name", "a word");
     if (preset.density_kg_m3 && *preset.density_kg_m3 <= 0) reader.refuse("density_kg_m3", "above 0");
+    if (preset.creep_kpa && *preset.creep_kpa <= 0) reader.refuse("creep_kpa", "above 0");
     if (const auto problem = reader.problem()) return fail(ErrorKind::usage, *problem);
 
     Design design;
@@ -46,6 +52,7 @@ const std::vector<Preset>& built_in_presets() {
          {15, 15, 22},
          0,
          {},
+         {},
          false,
          "pull the blocks out of their slits"},
         {"slit-10",
@@ -53,6 +60,7 @@ const std::vector<Preset>& built_in_presets() {
          {20, 10, 10},
          0,
          25,
+         {},
          false,
          "pull the blocks out of their slits"},
         {"slit-12.7",
@@ -60,6 +68,7 @@ const std::vector<Preset>& built_in_presets() {
          {25.4, 12.7, 12.7},
          0,
          25,
+         {},
          false,
          "pull the blocks out of their slits"},
         {"slit-15",
@@ -67,14 +76,16 @@ const std::vector<Preset>& built_in_presets() {
          {15, 15, 15},
          0,
          25,
+         {},
          false,
          "pull the blocks out of their slits"},
-        {"cube-25", "loose foam cubes of 25 mm", {25, 25, 25}, 0, 25, false, "glue or stack the cubes"},
+        {"cube-25", "loose foam cubes of 25 mm", {25, 25, 25}, 0, 25, {}, false, "glue or stack the cubes"},
         {"sheet-5",
          "polyethylene sheets of 5 mm, cut to contour in steps of 2.5 mm",
          {5, 2.5, 2.5},
          1,
          33,
+         kPolyethyleneCreep,
          false,
          "cut each sheet, then glue the stack",
          Division::across},
@@ -83,6 +94,7 @@ const std::vector<Preset>& built_in_presets() {
          {10, 2.5, 2.5},
          1,
          33,
+         kPolyethyleneCreep,
          false,
          "cut each sheet, then glue the stack",
          Division::across},
@@ -91,6 +103,7 @@ const std::vector<Preset>& built_in_presets() {
          {9.6, 8, 8},
          1,
          {},
+         {},
          true,
          "build it layer by layer"},
         {"lego-plate",
@@ -98,12 +111,14 @@ const std::vector<Preset>& built_in_presets() {
          {3.2, 8, 8},
          1,
          {},
+         {},
          true,
          "build it layer by layer"},
         {"print",
          "3D print in steps of 2 mm",
          {2, 2, 2},
          1,
+         {},
          {},
          true,
          "print each half cavity up",
@@ -139,6 +154,7 @@ void apply(const Preset& preset, Design& design) {
     design.space.block_mm = preset.block_mm;
     design.cut.clearance_mm = preset.clearance_mm;
     design.case_options.division = preset.division;
+    design.fit.creep_kpa = preset.creep_kpa;
 }
 
 }  // namespace snug

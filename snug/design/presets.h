@@ -18,6 +18,7 @@ struct Preset {
     Vec3d block_mm;
     double clearance_mm = 0;
     std::optional<double> density_kg_m3;  ///< none where it depends on the maker
+    std::optional<double> creep_kpa;      ///< pressure that it bears for long; none where that is not known
     bool rigid = false;                   ///< true: holds, but does not cushion
     std::string worked;                   ///< how a person gets the blocks out
     Division division = Division::none;   ///< whether it may be cut to other sizes
@@ -34,7 +35,7 @@ struct Preset {
 /// The last preset of that name, or an Error (kind usage) that lists the known names.
 [[nodiscard]] Result<Preset> find_preset(const std::vector<Preset>& known, std::string_view name);
 
-/// Sets the block size, clearance and division to the preset's.
+/// Sets the block size, clearance, division and creep limit to the preset's.
 void apply(const Preset& preset, Design& design);
 
 }  // namespace snug

@@ -4,6 +4,7 @@
 #include <array>
 
 #include "snug/base/text.h"
+#include "snug/design/fit_json.h"
 #include "snug/design/json_reader.h"
 #include "snug/design/workshop_json.h"
 
@@ -70,7 +71,10 @@ Json to_json(const Design& design) {
                      {"wall_mm", wall_or_null(space.wall_mm)}};
     json["placement"] = {{"rotation_deg", array(design.placement.rotation_deg)},
                          {"offset_mm", array(design.placement.offset_mm)}};
-    json["cut"] = {{"clearance_mm", design.cut.clearance_mm}, {"cut_on_touch", design.cut.cut_on_touch}};
+    json["cut"] = {{"clearance_mm", clearance_json(design.cut.clearance_mm)},
+                   {"liner_mm", design.cut.liner_mm},
+                   {"cut_on_touch", design.cut.cut_on_touch}};
+    json["fit"] = fit_json(design.fit);
     json["parting"] = {{"level", design.parting.level ? Json(*design.parting.level) : Json("auto")}};
     json["output"] = {{"formats", design.output.formats}};
     json["case"] = case_json(design.case_options);
@@ -120,7 +124,8 @@ void read_placement(JsonReader json, PlacementOptions& placement, JsonReader& pa
 }
 
 void read_cut(JsonReader json, CutOptions& cut, JsonReader& parent) {
-    json.read("clearance_mm", cut.clearance_mm).read("cut_on_touch", cut.cut_on_touch);
+    read_clearance(json, "clearance_mm", cut.clearance_mm);
+    json.read("liner_mm", cut.liner_mm).read("cut_on_touch", cut.cut_on_touch);
     parent.adopt(json);
 }
 
@@ -189,6 +194,7 @@ Result<Design> design_from(JsonReader json) {
     read_space(json.object("space"), design.space, json);
     read_placement(json.object("placement"), design.placement, json);
     read_cut(json.object("cut"), design.cut, json);
+    read_fit(json.object("fit"), design.fit, json);
     read_parting(json.object("parting"), design.parting, json);
     read_output(json.object("output"), design.output, json);
     read_case(json.object("case"), design.case_options, json);

@@ -41,7 +41,7 @@ BoxPlacer::BoxPlacer(const SurfaceClusters& surface, const Placement& placement,
         const Vec3d row = placement.rotation.row[i] * scale;
         row_[i] = {static_cast<float>(row.x), static_cast<float>(row.y), static_cast<float>(row.z)};
         shift_[i] = static_cast<float>((placement.shift[axis] - start) * scale);
-        grow_[i] = static_cast<float>((slack_ + (in_cells ? std::max(reach.mm, 0.0) : 0)) * scale);
+        grow_[i] = static_cast<float>((slack_ + (in_cells ? std::max(reach.mm[axis], 0.0) : 0)) * scale);
         cells_[i] = static_cast<float>(space.blocks[axis]);
     }
 }

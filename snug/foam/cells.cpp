@@ -11,8 +11,8 @@ GrownCells::GrownCells(const DesignSpace& space, int axis, Reach reach)
     low_.reserve(static_cast<std::size_t>(n));
     high_.reserve(static_cast<std::size_t>(n));
     for (int i = 0; i < n; ++i) {
-        low_.push_back(space.face(axis, i) - reach.mm);
-        high_.push_back(space.face(axis, i + 1) + reach.mm);
+        low_.push_back(space.face(axis, i) - reach.mm[axis]);
+        high_.push_back(space.face(axis, i + 1) + reach.mm[axis]);
     }
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     sole_.reserve(static_cast<std::size_t>(n));

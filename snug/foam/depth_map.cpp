@@ -39,8 +39,12 @@ void add_all(DepthMapBuilder& builder, std::size_t count, Add add) {
 
 }  // namespace
 
-Reach reach(double clearance_mm, bool cut_on_touch) {
-    return {(cut_on_touch ? clearance_mm : clearance_mm - kFaceTolerance) + kRounding};
+Reach reach(Vec3d clearance_mm, bool cut_on_touch) {
+    Reach reach;
+    for (int axis = 0; axis < 3; ++axis)
+        reach.mm[axis] =
+            (cut_on_touch ? clearance_mm[axis] : clearance_mm[axis] - kFaceTolerance) + kRounding;
+    return reach;
 }
 
 DepthMap depth_map(const Mesh& mesh, const Placement& placement, const DesignSpace& space, Reach reach) {

@@ -11,17 +11,20 @@
 
 namespace snug {
 
-/// How far the object is grown before it is compared with cells and blocks, on every side, in mm; may be
-/// negative. One rule for all three axes, so that a face which merely coincides with a block's face cuts
-/// nothing.
+/// How far the object is grown before it is compared with cells and blocks, on both sides along each axis,
+/// in mm; may be negative. One rule for all three axes, so that a face which merely coincides with a block's
+/// face cuts nothing.
 struct Reach {
-    double mm = 0;
+    Vec3d mm;
 };
 
 /// The clearance less 0.01 mm; with `cut_on_touch` the clearance itself, so that touching counts (the paper's
 /// literal "overlap or touch", section 3.2). Both with a billionth of a millimetre on top: coordinates that
 /// should tie but are rounded apart count as touching.
-[[nodiscard]] Reach reach(double clearance_mm, bool cut_on_touch);
+[[nodiscard]] Reach reach(Vec3d clearance_mm, bool cut_on_touch);
+[[nodiscard]] inline Reach reach(double clearance_mm, bool cut_on_touch) {
+    return reach(Vec3d{clearance_mm, clearance_mm, clearance_mm}, cut_on_touch);
+}
 
 /// The lowest and highest x of the object's surface within one column; none where lowest > highest.
 struct DepthRange {

@@ -16,29 +16,30 @@ std::string case_size(Vec3d inside) {
 
 }  // namespace
 
-Vec3d least_inside(const CaseOptions& options, Vec3d block_mm, Vec3d object_size, double clearance_mm,
-                   const Walls& walls) {
+Vec3d least_inside(const CaseOptions& options, Vec3d block_mm, Vec3d object_size,
+                   const Clearance& clearance_mm, const Walls& walls) {
     const Vec3d counts =
-        fitted_blocks({object_size * -0.5, object_size * 0.5}, block_mm, clearance_mm, walls);
+        fitted_blocks(grown({object_size * -0.5, object_size * 0.5}, clearance_mm), block_mm, walls);
     Vec3d inside;
     for (int axis = 0; axis < 3; ++axis) inside[axis] = counts[axis] * block_mm[axis] + 2 * options.play_mm;
     return inside;
 }
 
-std::string too_small(const CaseSpace& fitted, Vec3d object_size, double clearance_mm, const Walls& walls) {
+std::string too_small(const CaseSpace& fitted, Vec3d object_size, const Clearance& clearance_mm,
+                      const Walls& walls) {
     constexpr const char* kAxes[3] = {"height", "width", "length"};
     const DesignSpace& space = fitted.space;
     const Vec3d foam = space.size();
-    const Vec3d needed = object_size + Vec3d{2, 2, 2} * clearance_mm;
+    const Vec3d needed = grown({object_size * -0.5, object_size * 0.5}, clearance_mm).size();
     std::string lacking;
     for (int axis = 0; axis < 3; ++axis)
         if (needed[axis] - 0.02 > foam[axis])
             lacking += (lacking.empty() ? "" : ", ") + number(needed[axis] - foam[axis], 1) + " mm of " +
                        kAxes[axis];
     if (lacking.empty()) lacking = "nothing but the place: it is moved out of the middle";
-    return "the object needs " + case_size(needed) + (clearance_mm != 0 ? " with its clearance" : "") +
-           " and leaves the foam of its case, " + case_size(foam) + ". Lacking: " + lacking +
-           ". A case would do from " +
+    return "the object needs " + case_size(needed) +
+           (clearance_mm != Clearance() ? " with its clearance" : "") + " and leaves the foam of its case, " +
+           case_size(foam) + ". Lacking: " + lacking + ". A case would do from " +
            case_size(least_inside(fitted.options, space.block_mm, object_size, clearance_mm, walls)) +
            " inside; `snug cases --for` lists those that fit, in every way to lay the object";
 }

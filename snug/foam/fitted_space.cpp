@@ -14,11 +14,10 @@ double wall_blocks(const Walls& walls, int side, Vec3d block_mm) {
 
 }  // namespace
 
-Vec3d fitted_blocks(const Box3d& placed, Vec3d block_mm, double clearance_mm, const Walls& walls) {
+Vec3d fitted_blocks(const Box3d& grown, Vec3d block_mm, const Walls& walls) {
     Vec3d counts;
     for (int axis = 0; axis < 3; ++axis) {
-        const double reach = std::max(placed.max[axis], -placed.min[axis]);
-        const double length = 2 * (reach + clearance_mm) - 0.02;
+        const double length = 2 * std::max(grown.max[axis], -grown.min[axis]) - 0.02;
         const double inside = std::max(1.0, std::ceil((length - kRounding) / block_mm[axis]));
         counts[axis] =
             inside + wall_blocks(walls, 2 * axis, block_mm) + wall_blocks(walls, 2 * axis + 1, block_mm);

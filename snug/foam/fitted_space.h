@@ -6,12 +6,11 @@
 
 namespace snug {
 
-/// The fewest blocks of a size that hold an object with a clearance and at least the walls in whole foam
-/// blocks on each side: an axis counts ceil((length + 2 clearance - 0.02) / size) + ceil(wall / size) for
-/// each of its walls. `placed` is the object's box in design coordinates; away from the centre the space
-/// grows on both sides. Counts may pass the limit of 4096.
-[[nodiscard]] Vec3d fitted_blocks(const Box3d& placed, Vec3d block_mm, double clearance_mm,
-                                  const Walls& walls = {});
+/// The fewest blocks of a size that hold an object with its clearance and at least the walls in whole foam
+/// blocks on each side: an axis counts ceil((length - 0.02) / size) + ceil(wall / size) for each of its
+/// walls. `grown` is the room that the object takes with its clearance, in design coordinates; away from the
+/// centre the space grows on both sides. Counts may pass the limit of 4096.
+[[nodiscard]] Vec3d fitted_blocks(const Box3d& grown, Vec3d block_mm, const Walls& walls = {});
 
 /// How far the object moves from the centre of such a space where the walls on opposite sides differ, in mm:
 /// whole or half blocks, so that it meets the blocks as it would in the middle.

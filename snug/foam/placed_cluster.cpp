@@ -18,7 +18,7 @@ ClusterPlacer::ClusterPlacer(const SurfaceClusters& surface, const Placement& pl
         axes_[i] = {vec_cast<float>(placement.rotation.row[i + 1] * per_mm),
                     static_cast<float>((placement.shift[axis] - space.face(axis, 0)) * per_mm),
                     static_cast<float>(space.blocks[axis]),
-                    static_cast<float>((std::fabs(reach.mm) + 2 * slack) * per_mm)};
+                    static_cast<float>((std::fabs(reach.mm[axis]) + 2 * slack) * per_mm)};
     }
 }
 

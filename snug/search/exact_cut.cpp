@@ -14,12 +14,12 @@ std::optional<ExactCut> exact_cut(const PreparedSurface& surface, const DesignSp
                                   const Available& available) {
     ExactCut result;
     result.placement = place(surface, rotation_deg, offset_mm);
-    const Vec3d least = fitted_blocks(result.placement.bounds, space.block_mm, cut.clearance_mm);
+    const Vec3d least =
+        fitted_blocks(grown(result.placement.bounds, cut.whole_clearance_mm()), space.block_mm);
     for (int axis = 0; axis < 3; ++axis)
         if (least[axis] > space.blocks[axis]) return {};
-    const Reach grown = reach(cut.clearance_mm, cut.cut_on_touch);
-    result.depths = depth_map(surface, result.placement, space, grown);
-    result.blocks = block_map(result.depths, space, grown);
+    result.depths = object_depths(surface, result.placement, space, cut);
+    result.blocks = object_cut(half_cuts(result.depths, space), space, result.placement.bounds);
     // Where the halves meet changes neither the walls nor what is cut.
     const FitReport fit =
         fit_report(split(result.blocks, space, 0, available), result.blocks, space, available);

@@ -5,9 +5,9 @@
 
 #include "snug/design/design.h"
 #include "snug/foam/block_map.h"
-#include "snug/foam/depth_map.h"
 #include "snug/foam/design_space.h"
 #include "snug/foam/foam_pair.h"
+#include "snug/foam/object_cut.h"
 #include "snug/foam/placement.h"
 #include "snug/foam/prepared_surface.h"
 
@@ -16,7 +16,7 @@ namespace snug {
 /// What the method itself makes of a placement.
 struct ExactCut {
     Placement placement;
-    DepthMap depths;
+    ObjectDepths depths;
     BlockMap blocks;
     long long cut_blocks = 0;
     std::array<double, 6> wall_mm{};  ///< as FitReport::wall_mm

@@ -53,15 +53,18 @@ class CaseSearch {
 
     /// The blocks that lengths need, without walls.
     [[nodiscard]] Vec3d blocks(Vec3d lengths) const {
-        return fitted_blocks({lengths * -0.5, lengths * 0.5}, design_.space.block_mm,
-                             design_.cut.clearance_mm);
+        return fitted_blocks(grown({lengths * -0.5, lengths * 0.5}, design_.cut.whole_clearance_mm()),
+                             design_.space.block_mm);
     }
 
     /// How long an object may be that so many blocks hold.
     [[nodiscard]] Vec3d room(Vec3d blocks) const {
+        // On the side where the object is grown most: it stays in the middle.
+        const Box3d most = grown({Vec3d{}, Vec3d{}}, design_.cut.whole_clearance_mm());
         Vec3d room;
         for (int axis = 0; axis < 3; ++axis)
-            room[axis] = blocks[axis] * design_.space.block_mm[axis] + 0.02 - 2 * design_.cut.clearance_mm;
+            room[axis] = blocks[axis] * design_.space.block_mm[axis] + 0.02 -
+                         2 * std::max(most.max[axis], -most.min[axis]);
         return room;
     }
 

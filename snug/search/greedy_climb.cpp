@@ -6,11 +6,11 @@
 #include <optional>
 
 #include "snug/base/text.h"
-#include "snug/foam/block_map.h"
 #include "snug/foam/case_space.h"
 #include "snug/foam/fit_report.h"
 #include "snug/foam/fitted_space.h"
 #include "snug/foam/foam_pair.h"
+#include "snug/foam/object_cut.h"
 #include "snug/foam/placement.h"
 
 namespace snug {
@@ -20,11 +20,12 @@ namespace {
 std::optional<FitReport> evaluate(Climb& climb, const PreparedSurface& surface, Vec3d rotation_deg) {
     ++climb.evaluations;
     const Placement placement = place(surface, rotation_deg, climb.offset_mm);
-    const Vec3d least = fitted_blocks(placement.bounds, climb.space.block_mm, climb.cut.clearance_mm);
+    const Vec3d least =
+        fitted_blocks(grown(placement.bounds, climb.cut.whole_clearance_mm()), climb.space.block_mm);
     for (int axis = 0; axis < 3; ++axis)
         if (least[axis] > climb.space.blocks[axis]) return {};
-    const Reach grown = reach(climb.cut.clearance_mm, climb.cut.cut_on_touch);
-    const BlockMap blocks = block_map(depth_map(surface, placement, climb.space, grown), climb.space, grown);
+    const ObjectDepths depths = object_depths(surface, placement, climb.space, climb.cut);
+    const BlockMap blocks = object_cut(half_cuts(depths, climb.space), climb.space, placement.bounds);
     // Where the halves meet changes neither the walls nor what is cut.
     const FoamPair foams = split(blocks, climb.space, 0, climb.available);
     const FitReport fit = fit_report(foams, blocks, climb.space, climb.available);

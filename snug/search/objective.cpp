@@ -71,19 +71,22 @@ PlacementMeasures measures(const ExactCut& exact, const DesignSpace& space) {
     PlacementMeasures result;
     result.cut_blocks = static_cast<double>(exact.cut_blocks);
     double gaps = 0, ends = 0, bearing = 0;
+    const DepthMap& lower = exact.depths.lower.depths;
+    const DepthMap& upper = exact.depths.upper ? exact.depths.upper->depths : lower;
+    const auto count = [&](double gap) {
+        gaps += std::max(0.0, gap);
+        bearing += gap <= kBearing;
+        ends += 1;
+    };
     int first = space.blocks.x, end = 0;
     for (std::size_t column = 0; column < exact.blocks.size(); ++column) {
         const CutRun run = exact.blocks[column];
         if (run.none()) continue;
         first = std::min(first, int{run.first});
         end = std::max(end, int{run.end});
-        const DepthRange depth = exact.depths[column];
-        for (const double gap :
-             {depth.lowest - space.face(0, run.first), space.face(0, run.end) - depth.highest}) {
-            gaps += std::max(0.0, gap);
-            bearing += gap <= kBearing;
-            ends += 1;
-        }
+        const DepthRange below = lower[column], above = upper[column];
+        if (!below.none()) count(below.lowest - space.face(0, run.first));
+        if (!above.none()) count(space.face(0, run.end) - above.highest);
     }
     if (ends == 0) return result;
     result.gap_mm = gaps / ends;

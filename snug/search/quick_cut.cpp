@@ -35,17 +35,21 @@ T most_of(T a, T b) {
 
 QuickCut::QuickCut(const DesignSpace& space, const CutOptions& cut, const std::array<double, 6>& least_wall,
                    double longest, int fine_y_z, int fine_x)
-    : space_(space),
-      clearance_(cut.clearance_mm),
-      inset_(cut.clearance_mm - reach(cut.clearance_mm, cut.cut_on_touch).mm),
-      least_wall_(least_wall) {
+    : space_(space), least_wall_(least_wall) {
+    const Clearance clearance = cut.whole_clearance_mm();
+    const Box3d growth = grown({Vec3d{}, Vec3d{}}, clearance);
+    grown_below_ = growth.min * -1.0;
+    grown_above_ = growth.max;
+    inset_ = clearance.lower - reach(clearance.lower, cut.cut_on_touch).mm;
     for (int axis = 0; axis < 3; ++axis) {
         Axis& a = axes_[static_cast<std::size_t>(axis)];
         const double block = space.block_mm[axis];
         a.block = block * std::max(1.0, std::ceil(longest / kMostBlocksLong / block));
         a.fine = axis == 0 ? fine_x : fine_y_z;
         a.pitch = a.block / a.fine;
-        a.reach = static_cast<int>(std::floor(std::min(2 * clearance_ / a.pitch, 1e3) + 0.5));
+        // Across x a mean of the halves: the method itself decides among what is promising here.
+        const double both = clearance.lower[axis] + clearance.upper[axis];
+        a.reach = static_cast<int>(std::floor(std::min(both / a.pitch, 1e3) + 0.5));
         a.window = std::max(1, a.fine + a.reach);
     }
     counts_.resize(static_cast<std::size_t>(fine_x * fine_y_z * fine_y_z));
@@ -181,7 +185,7 @@ double QuickCut::offset(int axis, int phase, double extent) const {
     const Axis& a = axes_[static_cast<std::size_t>(axis)];
     const double block = space_.block_mm[axis];
     // The lower end of the grown object lies `phase` pitches above a face.
-    const double shift = space_.face(axis, 0) + phase * a.pitch + extent / 2 + clearance_;
+    const double shift = space_.face(axis, 0) + phase * a.pitch + extent / 2 + grown_below_[axis];
     const double within = shift - block * std::floor(shift / block + 0.5);
     const double rounded = std::floor(within * 1e6 + 0.5) / 1e6;
     return rounded == 0 ? 0 : rounded;
@@ -189,9 +193,10 @@ double QuickCut::offset(int axis, int phase, double extent) const {
 
 bool QuickCut::keeps_walls(int axis, double offset, double extent) const {
     const double block = space_.block_mm[axis];
-    const double half = extent / 2 + clearance_ - inset_ - 1e-6;
-    const double first = std::ceil((offset - half - space_.face(axis, 0)) / block) - 1;
-    const double end = std::floor((offset + half - space_.face(axis, 0)) / block) + 1;
+    const double below = extent / 2 + grown_below_[axis] - inset_[axis] - 1e-6;
+    const double above = extent / 2 + grown_above_[axis] - inset_[axis] - 1e-6;
+    const double first = std::ceil((offset - below - space_.face(axis, 0)) / block) - 1;
+    const double end = std::floor((offset + above - space_.face(axis, 0)) / block) + 1;
     const auto side = static_cast<std::size_t>(2 * axis);
     return first >= 0 && end <= space_.blocks[axis] && first * block >= least_wall_[side] &&
            (space_.blocks[axis] - end) * block >= least_wall_[side + 1];

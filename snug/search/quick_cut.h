@@ -62,7 +62,8 @@ class QuickCut {
     }
 
     DesignSpace space_;
-    double clearance_, inset_;
+    Vec3d grown_below_, grown_above_;  ///< by the clearance, on each side
+    Vec3d inset_;                      ///< of it, so that faces on faces cut nothing
     std::array<double, 6> least_wall_;
     std::array<Axis, 3> axes_;
     int rows_ = 0, vectors_ = 0;  ///< of the fine depth map with its margins: a row has whole vectors

@@ -30,11 +30,12 @@ RankedCase tried(const KnownCase& known, const Design& design, const Cargo& carg
     const Walls walls = wanted_wall_mm(design.space);
     CaseOptions options = design.case_options;
     apply(known, options);
-    const double clearance = design.cut.clearance_mm;
+    const Clearance clearance = design.cut.whole_clearance_mm();
+    const Box3d room = grown({size * -0.5, size * 0.5}, clearance);
     const auto fitted = problem_of(options) ? Result<CaseSpace>(fail(ErrorKind::usage, ""))
                                             : case_space(options, design.space.block_mm);
     const Vec3d block = fitted ? fitted->space.block_mm : design.space.block_mm;
-    const Vec3d needed = fitted_blocks({size * -0.5, size * 0.5}, block, clearance, walls);
+    const Vec3d needed = fitted_blocks(room, block, walls);
     const Vec3d inside = least_inside(options, block, size, clearance, walls);
     for (int axis = 0; axis < 3; ++axis) {
         const bool fits = fitted && needed[axis] <= fitted->space.blocks[axis];
@@ -45,7 +46,7 @@ RankedCase tried(const KnownCase& known, const Design& design, const Cargo& carg
         Vec3d taken;
         for (int axis = 0; axis < 3; ++axis) {
             const auto side = static_cast<std::size_t>(2 * axis);
-            taken[axis] = size[axis] + 2 * clearance + walls[side] + walls[side + 1];
+            taken[axis] = room.size()[axis] + walls[side] + walls[side + 1];
         }
         ranked.fill = std::min(1.0, volume(taken) / volume(fitted->free.size()));
     }
@@ -85,7 +86,7 @@ std::optional<double> billed_kg(const KnownCase& known, const Cargo& cargo) {
 CaseRanking rank_cases(const std::vector<KnownCase>& known, const Design& design, const Cargo& cargo) {
     CaseRanking ranking;
     ranking.least_inside_mm = least_inside(design.case_options, design.space.block_mm, cargo.size_mm,
-                                           design.cut.clearance_mm, wanted_wall_mm(design.space));
+                                           design.cut.whole_clearance_mm(), wanted_wall_mm(design.space));
     for (const KnownCase& one : known) {
         RankedCase ranked = best_lay(one, design, cargo);
         const bool fits = ranked.lacking() <= 0;

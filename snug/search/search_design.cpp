@@ -40,8 +40,9 @@ std::optional<Error> settle_counts(const PreparedSurface& surface, Design& desig
     if (design.space.blocks || design.case_options.inside_mm) return {};
     design.space.wall_mm = wanted_wall_mm(design.space);
     const PlacementOptions& at = design.placement;
-    const Vec3d counts = fitted_blocks(place(surface, at.rotation_deg, at.offset_mm).bounds,
-                                       design.space.block_mm, design.cut.clearance_mm, *design.space.wall_mm);
+    const Vec3d counts = fitted_blocks(
+        grown(place(surface, at.rotation_deg, at.offset_mm).bounds, design.cut.whole_clearance_mm()),
+        design.space.block_mm, *design.space.wall_mm);
     if (std::max({counts.x, counts.y, counts.z}) > kMostBlocks)
         return Error{ErrorKind::usage, "the object and its walls would need " + dimensions(counts, 0) +
                                            " blocks, more than 4096 on an axis: choose larger blocks"};

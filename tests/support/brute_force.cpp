@@ -24,14 +24,15 @@ Polygon clipped(const Polygon& polygon, const std::function<double(Vec3d)>& side
 }  // namespace
 
 Blocks brute_force_cut(const std::vector<PlacedTriangle>& triangles, const DesignSpace& space,
-                       double clearance, bool cut_on_touch) {
-    const double e = (cut_on_touch ? clearance : clearance - 0.01) + 1e-9;
+                       Vec3d clearance, bool cut_on_touch) {
+    const Vec3d touch{1e-9, 1e-9, 1e-9};
+    const Vec3d e = (cut_on_touch ? clearance : clearance - Vec3d{0.01, 0.01, 0.01}) + touch;
     const auto start = [&](int axis, int i) { return i * space.block_mm[axis] - space.size()[axis] / 2; };
     Blocks blocks(space.blocks);
     for (int j = 0; j < space.blocks.y; ++j) {
         for (int k = 0; k < space.blocks.z; ++k) {
-            const double y0 = start(1, j) - e, y1 = start(1, j + 1) + e;
-            const double z0 = start(2, k) - e, z1 = start(2, k + 1) + e;
+            const double y0 = start(1, j) - e.y, y1 = start(1, j + 1) + e.y;
+            const double z0 = start(2, k) - e.z, z1 = start(2, k + 1) + e.z;
             double low = std::numeric_limits<double>::infinity(), high = -low;
             for (const auto& [a, b, c] : triangles) {
                 Polygon polygon{a, b, c};
@@ -46,7 +47,7 @@ Blocks brute_force_cut(const std::vector<PlacedTriangle>& triangles, const Desig
             }
             if (low > high) continue;
             for (int i = 0; i < space.blocks.x; ++i)
-                if (high + e >= start(0, i) && low - e <= start(0, i + 1)) blocks.set_cut(i, j, k);
+                if (high + e.x >= start(0, i) && low - e.x <= start(0, i + 1)) blocks.set_cut(i, j, k);
         }
     }
     return blocks;

@@ -1,0 +1,105 @@
+#include "snug/foam/bearing.h"
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "snug/base/text.h"
+#include "snug/foam/line_hits.h"
+#include "snug/foam/line_lattice.h"
+
+namespace snug {
+namespace {
+
+constexpr double kStandardGravity = 9.80665;  // m/s2
+constexpr int kPerColumn = LineLattice::kPerColumn;
+
+/// Where each half ends in a column; where it has no foam the object presses on nothing.
+struct Ends {
+    double lower = -std::numeric_limits<double>::infinity();
+    double upper = std::numeric_limits<double>::infinity();
+};
+
+Ends ends_of(const FoamPair& foams, const DesignSpace& space, int j, int k) {
+    Ends ends;
+    if (foams.lower(j, k) > 0) ends.lower = space.face(0, foams.lower(j, k));
+    if (foams.upper(j, k) > 0) ends.upper = space.face(0, space.blocks.x - foams.upper(j, k));
+    return ends;
+}
+
+struct LineCounts {
+    std::array<std::uint64_t, kSinking.size()> lower{};
+    std::array<std::uint64_t, kSinking.size()> upper{};
+
+    void add(std::span<const Crossing> line, Ends ends) {
+        if (line.empty()) return;
+        for (std::size_t i = 0; i < kSinking.size(); ++i) {
+            lower[i] += line.front().x - ends.lower < kSinking[i];
+            upper[i] += ends.upper - line.back().x < kSinking[i];
+        }
+    }
+};
+
+}  // namespace
+
+Result<BearingReport> bearing_report(const Mesh& mesh, const Placement& placement, const DesignSpace& space,
+                                     const FoamPair& foams, const Progress& progress) {
+    std::vector<Vec3d> placed;
+    placed.reserve(mesh.vertices.size());
+    for (const Vec3f& vertex : mesh.vertices) placed.push_back(placement(vertex));
+    LineCounts counts;
+    const auto done = sweep_lines(
+        LineLattice(space), placed, mesh.triangles,
+        [&](const LineBand& band) {
+            for (int k = 0; k < space.blocks.z; ++k) {
+                const Ends ends = ends_of(foams, space, band.j, k);
+                for (int l = 0; l < kPerColumn; ++l) {
+                    if (!band.any(l, k)) continue;
+                    for (int m = 0; m < kPerColumn; ++m) counts.add(band.line(l, k * kPerColumn + m), ends);
+                }
+            }
+        },
+        progress);
+    if (!done) return tl::unexpected(done.error());
+    const double area = space.block_mm.y * space.block_mm.z / (kPerColumn * kPerColumn);
+    BearingReport report;
+    for (std::size_t i = 0; i < kSinking.size(); ++i) {
+        report.lower_mm2[i] = static_cast<double>(counts.lower[i]) * area;
+        report.upper_mm2[i] = static_cast<double>(counts.upper[i]) * area;
+    }
+    return report;
+}
+
+std::optional<double> static_pressure_kpa(double mass_kg, double area_mm2) {
+    if (area_mm2 <= 0) return {};
+    return mass_kg * kStandardGravity / area_mm2 * 1e3;
+}
+
+void find_bearing_problems(const BearingReport& bearing, std::optional<double> mass_kg,
+                           std::optional<double> creep_kpa, std::vector<Finding>& findings) {
+    const auto look = [&](const char* half, double area_mm2) {
+        const auto warn = [&](const char* code, std::string message) {
+            findings.push_back({Severity::warning, code, std::move(message), {}});
+        };
+        if (area_mm2 <= 0)
+            return warn("no_bearing",
+                        std::string("the ") + half +
+                            " foam does not hold the object: it would sink more than 5 mm before "
+                            "it lies on foam; choose a smaller clearance or smaller blocks");
+        if (!mass_kg || !creep_kpa) return;
+        const double pressure = *static_pressure_kpa(*mass_kg, area_mm2);
+        if (pressure <= *creep_kpa) return;
+        warn("creep",
+             std::string("the object presses on the ") + half + " foam with " + number(pressure, 1) +
+                 " kPa, more than the " + number(*creep_kpa, 1) +
+                 " kPa that it bears for long: turn the object so that it lies on a larger area, or take "
+                 "a firmer foam");
+    };
+    look("lower", bearing.lower_mm2.back());
+    look("upper", bearing.upper_mm2.back());
+    sort_by_severity(findings);
+}
+
+}  // namespace snug

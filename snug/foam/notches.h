@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+#include "snug/base/box.h"
+#include "snug/base/vec.h"
+#include "snug/design/fit_options.h"
+#include "snug/design/walls.h"
+#include "snug/foam/block_map.h"
+#include "snug/foam/design_space.h"
+#include "snug/foam/fit_report.h"
+
+namespace snug {
+
+/// A recess of the lower foam beside the object, in whole blocks.
+struct Notch {
+    Side side = kBack;  ///< of the object on which it lies: back, front, left or right
+    double at_mm = 0;   ///< its middle along the object's side, in design coordinates
+    Vec3d size_mm;      ///< depth (x) below the parting level and extent along y and z
+    Vec3d where;        ///< its middle at the parting level, in design coordinates
+};
+
+/// Two notches opposite each other, or why there are none, as a sentence.
+struct NotchPair {
+    std::optional<std::array<Notch, 2>> notches;
+    std::string why_not;
+};
+
+/// The object's box with room for notches on both sides of its narrower way, for a space that is fitted to
+/// it.
+[[nodiscard]] Box3d with_room_for_notches(Box3d grown, Vec3d block_mm, const NotchOptions& options);
+
+/// Cuts the notches out of the lower foam, from the object outwards: where they are left to choose, across
+/// the object's narrower way and as near to the middle of what is cut as both find room beside it, so that
+/// the object hangs level between two hands. They leave the walls that are wanted, and at least one block,
+/// and never take foam from under what lies inside the object's outline at the parting level; so both halves
+/// stay height fields.
+[[nodiscard]] NotchPair cut_notches(BlockMap& blocks, const DesignSpace& space, int parting_level,
+                                    const NotchOptions& options, const Walls& wanted_mm);
+
+}  // namespace snug

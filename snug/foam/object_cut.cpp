@@ -1,0 +1,74 @@
+#include "snug/foam/object_cut.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+
+#include "snug/foam/parting.h"
+
+namespace snug {
+namespace {
+
+template <class Surface>
+ObjectDepths depths_of(const Surface& surface, const Placement& placement, const DesignSpace& space,
+                       const CutOptions& cut) {
+    const auto seen = [&](Vec3d clearance_mm) {
+        const Reach grown = reach(clearance_mm, cut.cut_on_touch);
+        return HalfDepths{depth_map(surface, placement, space, grown), grown};
+    };
+    const Clearance clearance = cut.whole_clearance_mm();
+    ObjectDepths depths{seen(clearance.lower), {}};
+    if (!clearance.same_in_both()) depths.upper = seen(clearance.upper);
+    return depths;
+}
+
+CutRun either(CutRun a, CutRun b) {
+    if (a.none()) return b;
+    if (b.none()) return a;
+    return {std::min(a.first, b.first), std::max(a.end, b.end)};
+}
+
+CutRun both(CutRun lower, CutRun upper, std::int16_t level) {
+    if (lower.none() && upper.none()) return {};
+    return {lower.none() ? level : lower.first, upper.none() ? level : upper.end};
+}
+
+}  // namespace
+
+ObjectDepths object_depths(const Mesh& mesh, const Placement& placement, const DesignSpace& space,
+                           const CutOptions& cut) {
+    return depths_of(mesh, placement, space, cut);
+}
+
+ObjectDepths object_depths(const PreparedSurface& surface, const Placement& placement,
+                           const DesignSpace& space, const CutOptions& cut) {
+    return depths_of(surface, placement, space, cut);
+}
+
+HalfCuts half_cuts(const ObjectDepths& depths, const DesignSpace& space) {
+    HalfCuts cuts{block_map(depths.lower.depths, space, depths.lower.reach), {}};
+    if (depths.upper) cuts.upper = block_map(depths.upper->depths, space, depths.upper->reach);
+    return cuts;
+}
+
+BlockMap cut_by_either(const HalfCuts& cuts) {
+    BlockMap blocks = cuts.lower;
+    if (cuts.upper)
+        for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i] = either(blocks[i], (*cuts.upper)[i]);
+    return blocks;
+}
+
+BlockMap cut_by_both(const HalfCuts& cuts, int parting_level) {
+    BlockMap blocks = cuts.lower;
+    if (cuts.upper)
+        for (std::size_t i = 0; i < blocks.size(); ++i)
+            blocks[i] = both(blocks[i], (*cuts.upper)[i], static_cast<std::int16_t>(parting_level));
+    return blocks;
+}
+
+BlockMap object_cut(const HalfCuts& cuts, const DesignSpace& space, const Box3d& placed) {
+    if (!cuts.upper) return cuts.lower;
+    return cut_by_both(cuts, auto_parting_level(cut_by_either(cuts), space, placed));
+}
+
+}  // namespace snug

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+
+#include "snug/base/box.h"
+#include "snug/design/design.h"
+#include "snug/foam/block_map.h"
+#include "snug/foam/depth_map.h"
+#include "snug/foam/design_space.h"
+#include "snug/foam/placement.h"
+#include "snug/foam/prepared_surface.h"
+#include "snug/mesh/mesh.h"
+
+// Where each half has a clearance of its own, each gives way to the object grown by it: a column's lower foam
+// ends below the lowest x that the surface reaches in the cell grown for the lower foam, its upper foam above
+// the highest x in the cell grown for the upper. With one clearance for both this is the block map of one
+// depth map.
+
+namespace snug {
+
+/// The surface as one half sees it, and how far that half keeps away from it.
+struct HalfDepths {
+    DepthMap depths;
+    Reach reach;
+};
+
+struct ObjectDepths {
+    HalfDepths lower;
+    std::optional<HalfDepths> upper;  ///< none where it is the same
+};
+
+[[nodiscard]] ObjectDepths object_depths(const Mesh& mesh, const Placement& placement,
+                                         const DesignSpace& space, const CutOptions& cut);
+[[nodiscard]] ObjectDepths object_depths(const PreparedSurface& surface, const Placement& placement,
+                                         const DesignSpace& space, const CutOptions& cut);
+
+/// What the object cuts from either half alone.
+struct HalfCuts {
+    BlockMap lower;
+    std::optional<BlockMap> upper;  ///< none where it is the same
+};
+[[nodiscard]] HalfCuts half_cuts(const ObjectDepths& depths, const DesignSpace& space);
+
+/// What either half cuts: what the parting level is chosen by.
+[[nodiscard]] BlockMap cut_by_either(const HalfCuts& cuts);
+
+/// What both cut together. Where only one half sees the object, the other ends at the parting level.
+[[nodiscard]] BlockMap cut_by_both(const HalfCuts& cuts, int parting_level);
+
+/// For searches, which have no parting level yet: the same with the one that would be chosen.
+[[nodiscard]] BlockMap object_cut(const HalfCuts& cuts, const DesignSpace& space, const Box3d& placed);
+
+}  // namespace snug
