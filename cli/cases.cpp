@@ -64,36 +64,6 @@ Json case_json(const KnownCase& known) {
             {"source", known.source}};
 }
 
-/// The Euler angles of a rotation, degrees; multiples of 90 come out as such.
-Vec3d euler_of(const Rotation& r) {
-    constexpr double kDegrees = 57.295779513082320877;
-    const double sine = std::fmax(-1, std::fmin(1, -r.row[2].x));
-    Vec3d angles{std::atan2(r.row[2].y, r.row[2].z), std::asin(sine), std::atan2(r.row[1].x, r.row[0].x)};
-    if (std::fabs(sine) > 1 - 1e-12) angles = {std::atan2(-r.row[1].z, r.row[1].y), std::asin(sine), 0};
-    for (int axis = 0; axis < 3; ++axis) {
-        angles[axis] = std::floor(angles[axis] * kDegrees * 1e6 + 0.5) / 1e6;
-        if (angles[axis] == 0) angles[axis] = 0;
-    }
-    return angles;
-}
-
-/// What --rotate has to be so that the object, turned already, is laid this way.
-Vec3d rotation_for(const Lay& lay, Vec3d rotation_deg) {
-    if (lay == kLays[0]) return rotation_deg;
-    const Rotation base = rotation_from_euler(rotation_deg);
-    Rotation turned;
-    // An odd exchange of axes is a rotation only with one of them turned round.
-    const bool odd = lay == kLays[1] || lay == kLays[2] || lay == kLays[3];
-    for (int axis = 0; axis < 3; ++axis)
-        turned.row[static_cast<std::size_t>(axis)] =
-            base.row[static_cast<std::size_t>(lay[static_cast<std::size_t>(axis)])];
-    if (odd) {
-        const std::size_t flipped = lay == kLays[1] ? 1 : 0;
-        turned.row[flipped] = -turned.row[flipped];
-    }
-    return euler_of(turned);
-}
-
 std::string angles_text(Vec3d angles) {
     return number(angles.x, 6) + "," + number(angles.y, 6) + "," + number(angles.z, 6);
 }

@@ -191,10 +191,10 @@ std::string depths_csv(const FoamPair& foams) {
 Result<Measured> measure_fit(const Object& object, Packing& packing, const Design& design,
                              const Progress& progress) {
     Measured measured;
-    auto gap = gaps(object, packing, progress);
+    auto gap = gaps(object, packing, part_of(progress, 0, 0.8));
     if (!gap) return tl::unexpected(gap.error());
     measured.gap = std::move(*gap);
-    const auto bears = bearing(object, packing, progress);
+    const auto bears = bearing(object, packing, part_of(progress, 0.8, 1));
     if (!bears) return tl::unexpected(bears.error());
     measured.bearing = *bears;
     find_bearing_problems(*bears, design.workshop.mass_kg, design.fit.creep_kpa, packing.findings);

@@ -99,5 +99,7 @@ EMSCRIPTEN_BINDINGS(snug) {
         .function("distinct", &bound::Session::distinct)
         .function("startMap", &bound::Session::start_map)
         .function("mapStep", &bound::Session::map_step)
+        .function("rankCases", &bound::Session::rank_cases)
+        .function("workshopFigures", &bound::Session::workshop_figures)
         .function("outputFiles", &bound::Session::output_files);
 }

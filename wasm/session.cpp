@@ -7,6 +7,10 @@
 #include "snug/base/stopwatch.h"
 #include "snug/mesh/measure.h"
 #include "snug/mesh/read.h"
+#include "snug/search/rank_cases.h"
+#include "snug/workshop.h"
+
+#include "wasm/workshop_values.h"
 
 namespace snug::wasm {
 namespace {
@@ -38,11 +42,21 @@ val make_files(const Object& object, const Project& project, const Progress& pro
     auto packing = pack(object, project.design);
     if (!packing) return to_val(packing.error());
     if (!packing->foams) return to_val(Error{ErrorKind::does_not_fit, packing->findings.front().message});
-    const auto measured = measure_fit(object, *packing, project.design, progress);
+    std::optional<WorkshopPack> pack;
+    if (project.design.workshop.work != Workshop::none) {
+        auto made = workshop_pack(object, *packing, project);
+        if (!made) return to_val(made.error());
+        pack = std::move(*made);
+        packing->findings.insert(packing->findings.end(), pack->findings.begin(), pack->findings.end());
+        sort_by_severity(packing->findings);
+    }
+    auto measured = measure_fit(object, *packing, project.design, progress);
     if (!measured) return to_val(measured.error());
+    measured->pack = pack ? &*pack : nullptr;
     val result = val::object();
     result.set("files", to_val(output_files(object, project, *packing)));
     result.set("report", report_json(object, project, *packing, *measured));
+    if (pack) result.set("pack", to_val(*pack));
     return result;
 }
 
@@ -105,13 +119,19 @@ val Session::pack(const std::string& design_text) {
     auto packing = snug::pack(*object_, *design);
     if (!packing) return to_val(packing.error());
     packing_ = std::move(*packing);
+    packed_ = *design;
     return to_val(*packing_, watch.lap());
 }
 
 val Session::gaps(const val& progress) const {
     if (!packing_ || !packing_->foams) return to_val(kNoFoams);
-    const auto gap = snug::gaps(*object_, *packing_, progress_from(progress));
-    return gap ? to_val(*gap) : to_val(gap.error());
+    Packing packing = *packing_;
+    const auto measured = measure_fit(*object_, packing, packed_, progress_from(progress));
+    if (!measured) return to_val(measured.error());
+    val result = to_val(*measured->gap);
+    result.set("bearing", to_val(*measured->bearing, packed_));
+    result.set("findings", to_val(packing.findings));
+    return result;
 }
 
 val Session::distances(const val& points) {
@@ -179,6 +199,26 @@ val Session::map_step() {
     Stopwatch watch;
     for (double spent = 0; spent < kStepMs && map_->passes() < kMapPasses; spent += watch.lap()) map_->step();
     return to_val(*map_);
+}
+
+val Session::rank_cases(const std::string& design_text) {
+    const auto design = parse_design(design_text);
+    if (!design) return to_val(design.error());
+    if (const auto error = prepare_for(*design)) return to_val(*error);
+    const Placement placement = place(object_->mesh, design->placement.rotation_deg, {});
+    const Cargo cargo{placement.bounds.size(), design->workshop.mass_kg, design->search.billed_divisor};
+    return to_val(snug::rank_cases(built_in_cases(), *design, cargo), *design);
+}
+
+val Session::workshop_figures(const std::string& project_text) {
+    const auto project = parse_project(project_text);
+    if (!project) return to_val(project.error());
+    if (const auto error = prepare_for(project->design)) return to_val(*error);
+    const auto packing = snug::pack(*object_, project->design);
+    if (!packing) return to_val(packing.error());
+    if (!packing->foams) return to_val(kNoFoams);
+    const auto pack = workshop_pack(*object_, *packing, *project);
+    return pack ? figures_val(*pack) : to_val(pack.error());
 }
 
 val Session::output_files(const std::string& project_text, const val& progress) {

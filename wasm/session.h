@@ -13,7 +13,8 @@
 
 namespace snug::wasm {
 
-/// {files: [{name, bytes}], report}: what `snug make` writes for an object.
+/// {files: [{name, bytes}], report, pack}: what `snug make` writes for an object; no pack where the design
+/// asks for none, and PDF and zip are left to the caller.
 [[nodiscard]] val make_files(const Object& object, const Project& project, const Progress& progress);
 
 /// Keeps the object between calls, so that only designs and results pass between JavaScript and the library.
@@ -29,7 +30,7 @@ class Session {
     /// indices}.
     [[nodiscard]] val mesh() const;
     val pack(const std::string& design);
-    /// Of the last packing.
+    /// Of the last packing: its gaps, what the object lies on, and all findings.
     [[nodiscard]] val gaps(const val& progress) const;
     /// Of points (x, y, z after each other, design coordinates) from the surface of the last packing's
     /// object.
@@ -44,6 +45,10 @@ class Session {
     val start_map(const std::string& design);
     /// Goes on with it for some milliseconds.
     val map_step();
+    /// The known cases that hold the object as the design places it, the best fill first.
+    val rank_cases(const std::string& design);
+    /// What the design's way of working takes: {figures, findings}.
+    val workshop_figures(const std::string& project);
     /// Everything that `snug make` writes for the design and the object's file.
     val output_files(const std::string& project, const val& progress);
 
@@ -55,6 +60,7 @@ class Session {
     ObjectOptions options_;     ///< that object_ was prepared with
     std::optional<Object> object_;
     std::optional<Packing> packing_;
+    Design packed_;                           ///< that packing_ is of
     std::optional<SurfaceDistance> surface_;  ///< of object_, once it was asked for
     std::optional<PlacementSearch> search_;   ///< of object_
     DesignSpace searched_;

@@ -39,19 +39,6 @@ val triple(double x, double y, double z) {
     return array;
 }
 
-val findings_val(const std::vector<Finding>& findings) {
-    val list = val::array();
-    for (const Finding& finding : findings) {
-        val entry = val::object();
-        entry.set("severity", std::string(severity_name(finding.severity)));
-        entry.set("code", finding.code);
-        entry.set("message", finding.message);
-        entry.set("where", finding.where ? to_val(*finding.where) : val::null());
-        list.call<void>("push", entry);
-    }
-    return list;
-}
-
 val fit_val(const FitReport& fit) {
     val walls = val::array();
     for (const double wall : fit.wall_mm) walls.call<void>("push", wall);
@@ -145,8 +132,10 @@ val to_val(const Preset& preset) {
     result.set("block_mm", to_val(preset.block_mm));
     result.set("clearance_mm", preset.clearance_mm);
     result.set("density_kg_m3", or_null(preset.density_kg_m3));
+    result.set("creep_kpa", or_null(preset.creep_kpa));
     result.set("rigid", preset.rigid);
     result.set("worked", preset.worked);
+    result.set("division", std::string(division_name(preset.division)));
     return result;
 }
 
@@ -191,6 +180,19 @@ val to_val(const Mesh& mesh) {
     return result;
 }
 
+val to_val(const std::vector<Finding>& findings) {
+    val list = val::array();
+    for (const Finding& finding : findings) {
+        val entry = val::object();
+        entry.set("severity", std::string(severity_name(finding.severity)));
+        entry.set("code", finding.code);
+        entry.set("message", finding.message);
+        entry.set("where", finding.where ? to_val(*finding.where) : val::null());
+        list.call<void>("push", entry);
+    }
+    return list;
+}
+
 val to_val(const Packing& packing, double library_ms) {
     val bounds = val::object();
     bounds.set("min", to_val(packing.placement.bounds.min));
@@ -203,7 +205,7 @@ val to_val(const Packing& packing, double library_ms) {
     result.set("placement", matrix(packing.placement));
     result.set("bounds", bounds);
     result.set("fit", packing.foams ? fit_val(packing.fit) : val::null());
-    result.set("findings", findings_val(packing.findings));
+    result.set("findings", to_val(packing.findings));
     result.set("library_ms", library_ms);
     return result;
 }
@@ -215,6 +217,26 @@ val to_val(const GapReport& gap) {
     result.set("widest_at", to_val(gap.widest_at));
     result.set("step_mm3", gap.step_mm3);
     result.set("undercut_mm3", or_null(gap.undercut_mm3));
+    return result;
+}
+
+val to_val(const BearingReport& bearing, const Design& design) {
+    const auto list = [](const auto& numbers) {
+        val result = val::array();
+        for (const double number : numbers) result.call<void>("push", number);
+        return result;
+    };
+    val pressure = val::array();
+    for (const double area : bearing.lower_mm2) {
+        const auto& mass = design.workshop.mass_kg;
+        pressure.call<void>("push", mass ? or_null(static_pressure_kpa(*mass, area)) : val::null());
+    }
+    val result = val::object();
+    result.set("sinking_mm", list(kSinking));
+    result.set("lower_mm2", list(bearing.lower_mm2));
+    result.set("upper_mm2", list(bearing.upper_mm2));
+    result.set("static_kpa", pressure);
+    result.set("creep_kpa", or_null(design.fit.creep_kpa));
     return result;
 }
 

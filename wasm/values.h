@@ -12,6 +12,7 @@
 #include "snug/base/vec.h"
 #include "snug/design/presets.h"
 #include "snug/design/project.h"
+#include "snug/foam/bearing.h"
 #include "snug/foam/gap.h"
 #include "snug/outputs.h"
 #include "snug/pipeline.h"
@@ -48,6 +49,8 @@ template <class T>
 [[nodiscard]] val to_val(const Mesh& mesh);
 [[nodiscard]] val to_val(const Packing& packing, double library_ms);
 [[nodiscard]] val to_val(const GapReport& gap);
+[[nodiscard]] val to_val(const BearingReport& bearing, const Design& design);
+[[nodiscard]] val to_val(const std::vector<Finding>& findings);
 [[nodiscard]] val to_val(const FoundPlacement& placement);
 [[nodiscard]] val to_val(const PlacementSearch& search, const DesignSpace& space);
 /// Directions that fit alone.

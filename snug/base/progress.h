@@ -12,4 +12,10 @@ using Progress = std::function<bool(double fraction)>;
     return !progress || progress(fraction);
 }
 
+/// What a part of the work tells, from `begin` to `end` of the whole.
+[[nodiscard]] inline Progress part_of(const Progress& progress, double begin, double end) {
+    if (!progress) return {};
+    return [&progress, begin, end](double fraction) { return progress(begin + (end - begin) * fraction); };
+}
+
 }  // namespace snug

@@ -5,9 +5,11 @@
 #include <limits>
 #include <tuple>
 
+#include "snug/base/rotation.h"
 #include "snug/foam/case_space.h"
 #include "snug/foam/find_case_problems.h"
 #include "snug/foam/fitted_space.h"
+#include "snug/search/turn.h"
 
 namespace snug {
 namespace {
@@ -71,6 +73,22 @@ bool comes_before(const RankedCase& a, const RankedCase& b) {
 }
 
 }  // namespace
+
+Vec3d rotation_for(const Lay& lay, Vec3d rotation_deg) {
+    if (lay == kLays[0]) return rotation_deg;
+    const Rotation base = rotation_from_euler(rotation_deg);
+    Rotation turned;
+    // An odd exchange of axes is a rotation only with one of them turned round.
+    const bool odd = lay == kLays[1] || lay == kLays[2] || lay == kLays[3];
+    for (int axis = 0; axis < 3; ++axis)
+        turned.row[static_cast<std::size_t>(axis)] =
+            base.row[static_cast<std::size_t>(lay[static_cast<std::size_t>(axis)])];
+    if (odd) {
+        const std::size_t flipped = lay == kLays[1] ? 1 : 0;
+        turned.row[flipped] = -turned.row[flipped];
+    }
+    return euler_of(turned);
+}
 
 std::optional<double> billed_kg(const KnownCase& known, const Cargo& cargo) {
     std::optional<double> billed;

@@ -43,6 +43,9 @@ struct CaseRanking {
 [[nodiscard]] CaseRanking rank_cases(const std::vector<KnownCase>& known, const Design& design,
                                      const Cargo& cargo);
 
+/// The rotation that lays the object this way, where it is turned already: Euler angles, degrees.
+[[nodiscard]] Vec3d rotation_for(const Lay& lay, Vec3d rotation_deg);
+
 /// What a carrier bills: the greater of the mass and the volumetric weight, rounded up to whole kg; none
 /// where neither is known. Reckoned from the inside sizes, so at least this.
 [[nodiscard]] std::optional<double> billed_kg(const KnownCase& known, const Cargo& cargo);

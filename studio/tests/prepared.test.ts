@@ -25,7 +25,7 @@ describe('the prepared surface', () => {
           ...design,
           space: {...design.space, blocks: [30, columns, columns] as Triple, block_mm: [15, 400 / columns, 400 / columns]},
           placement: {rotation_deg: [turn(), turn(), turn()], offset_mm: [number(20) - 10, number(9) / 7, 0]},
-          cut: {clearance_mm: number(3) / 2, cut_on_touch: number(2) === 1},
+          cut: {...design.cut, clearance_mm: number(3) / 2, cut_on_touch: number(2) === 1},
         };
         await plain.load(file.name, new Blob([file.bytes]), design.object);
         expect(foams(good(await prepared.pack(turned)))).toEqual(foams(good(await plain.pack(turned))));

@@ -1,7 +1,7 @@
 import {Quaternion, Vector3} from 'three';
 import {describe, expect, it} from 'vitest';
 import type {Design, Triple} from '../src/engine/api';
-import {mmPerFileUnit, withBlocks, withLength} from '../src/state/edit';
+import {completed, mmPerFileUnit, walls, withBlocks, withClearanceOf, withLength, withSpace, withWalls} from '../src/state/edit';
 import {canRedo, canUndo, moved, present, record, startHistory} from '../src/state/history';
 import {angles, quarterTurned, quaternion, sideDown, SIDES, sideThatIsDown} from '../src/state/rotation';
 import {numbers} from './support/packing';
@@ -89,15 +89,23 @@ describe('the history', () => {
   });
 });
 
-describe('edits', () => {
-  const design: Design = {
-    object: {units: null, scale: 1, longest_mm: null, cap: false},
-    space: {preset: 'paper', blocks: 'auto', block_mm: [15, 15, 22], wall_mm: null},
-    placement: {rotation_deg: [0, 0, 0], offset_mm: [0, 0, 0]},
-    cut: {clearance_mm: 0, cut_on_touch: false},
-    parting: {level: 'auto'},
-    output: {formats: ['stl', 'ply']},
-  };
+describe('edits', async () => {
+  const design = await (await startCore()).defaultDesign();
+
+  it('a design of another version is completed, and what it says stays', () => {
+    const {fit: _, ...old} = {...design, cut: {clearance_mm: 3}};
+    const now = completed(old as unknown as Design, design);
+    expect(now.cut).toEqual({...design.cut, clearance_mm: 3});
+    expect(now.fit).toEqual(design.fit);
+    expect(completed(now, design)).toEqual(now);
+  });
+
+  it('a clearance and a wall may differ from side to side', () => {
+    const loose = withClearanceOf({...design, cut: {...design.cut, clearance_mm: 1}}, 4, 3);
+    expect(loose.cut.clearance_mm).toEqual([1, 1, 1, 1, 3, 1]);
+    expect(walls(withWalls(design, 20))).toEqual([20, 20, 20, 20, 20, 20]);
+    expect(walls(withWalls(design, [1, 2, 3, 4, 5, 6]))).toEqual([1, 2, 3, 4, 5, 6]);
+  });
 
   it('a known length scales the object to it, whatever its unit was', () => {
     for (const units of ['mm', 'cm', 'm', 'in'] as const)
@@ -109,6 +117,6 @@ describe('edits', () => {
   });
 
   it('a typed block count takes over from the fitted ones', () => {
-    expect(withBlocks(design, 1, 9, [4, 5, 6]).space.blocks).toEqual([4, 9, 6]);
+    expect(withBlocks(withSpace(design, 'auto'), 1, 9, [4, 5, 6]).space.blocks).toEqual([4, 9, 6]);
   });
 });

@@ -9,9 +9,89 @@ export interface Design {
   object: {units: Unit | null; scale: number; longest_mm: number | null; cap: boolean};
   space: {preset: string; blocks: Triple | 'auto'; block_mm: Triple; wall_mm: number | number[] | null};
   placement: {rotation_deg: Triple; offset_mm: Triple};
-  cut: {clearance_mm: number; cut_on_touch: boolean};
+  /** Clearance: one number, or x, y, z of the lower foam and then of the upper. */
+  cut: {clearance_mm: number | number[]; liner_mm: number; cut_on_touch: boolean};
+  fit: {least_rib_mm: number; notches: Notches | null; creep_kpa: number | null};
   parting: {level: number | 'auto'};
   output: {formats: ('stl' | 'ply')[]};
+  case: CaseOptions;
+  search: {
+    weights: Record<string, number>;
+    upright: string | null;
+    case: 'volume' | 'billed-weight';
+    billed_divisor: number;
+    seed: number;
+  };
+  workshop: WorkshopOptions;
+}
+
+/** The case that the foam is made for: sizes are height, width, length inside. */
+export interface CaseOptions {
+  name: string;
+  inside_mm: Triple | null;
+  play_mm: number;
+  lid_mm: number | null;
+  corner_radius_mm: number;
+  base_mm: [number, number] | null;
+  top_mm: [number, number] | null;
+  divisor: number | null;
+  division: 'none' | 'across' | 'all';
+}
+
+export type Work = 'sponge' | 'sheets' | 'print';
+export interface WorkshopOptions {
+  /** The way of working; null: the foams' own files alone. */
+  for: Work | null;
+  paper: 'a4' | 'letter' | 'a3';
+  price_per_litre: number | null;
+  currency: string;
+  mass_kg: number | null;
+  density_kg_m3: number | null;
+  sheets: {
+    thickness_mm: number | null;
+    stock_mm: [number, number];
+    kerf_mm: number;
+    dowel_mm: number;
+    dowels: number;
+    [more: string]: unknown;
+  };
+  print: {bed_mm: Triple; dowels: boolean; dowel_diameter_mm: number; [more: string]: unknown};
+}
+
+/** A known case and how the object goes in. */
+export interface RankedCase {
+  name: string;
+  kind: string;
+  /** Height, width, length. */
+  inside_mm: Triple;
+  lid_mm: number | null;
+  divisor: number | null;
+  /** Of the case by the object with its walls, 0 to 1. */
+  fill: number;
+  billed_kg: number | null;
+  price: number | null;
+  rotation_deg: Triple;
+  lacking_mm: number[];
+}
+export interface CaseRanking {
+  fitting: RankedCase[];
+  nearest: RankedCase | null;
+  leastInside: Triple;
+}
+
+/** What a way of working takes. */
+export interface WorkshopFigures {
+  figures: {label: string; value: string}[];
+  findings: Finding[];
+}
+/** Two recesses beside the object for the fingers that lift it. */
+export interface Notches {
+  width_mm: number;
+  depth_mm: number;
+  room_mm: number;
+  axis: 'y' | 'z' | null;
+  first_mm: number | null;
+  second_mm: number | null;
 }
 export type Unit = 'mm' | 'cm' | 'm' | 'in';
 
@@ -21,8 +101,10 @@ export interface Preset {
   block_mm: Triple;
   clearance_mm: number;
   density_kg_m3: number | null;
+  creep_kpa: number | null;
   rigid: boolean;
   worked: string;
+  division: 'none' | 'across' | 'all';
 }
 
 /** A sentence of the library for the person, and where it belongs. */
@@ -105,6 +187,19 @@ export interface Gap {
   widest_at: Triple;
   step_mm3: number;
   undercut_mm3: number | null;
+  bearing: Bearing;
+  /** All of the packing, with what only this shows. */
+  findings: Finding[];
+}
+
+/** What the object lies on in each half, once it has sunk `sinking_mm` into it. */
+export interface Bearing {
+  sinking_mm: number[];
+  lower_mm2: number[];
+  upper_mm2: number[];
+  /** Of the lower foam; null where the mass or the area is not there. */
+  static_kpa: (number | null)[];
+  creep_kpa: number | null;
 }
 
 /** A placement and what it cuts. */
@@ -186,7 +281,11 @@ export interface Engine {
   /** Ends gaps(), search(), directions() and outputFiles(), whichever runs; the first and the last then give a Failure of kind
    *  `cancelled`. */
   cancel(): Promise<void>;
-  /** Everything that `snug make` writes for this design, byte for byte (report.json's timing_ms aside).
+  /** The known cases that hold the object as it is placed, the best fill first. */
+  rankCases(design: Design): Promise<CaseRanking | Failure>;
+  /** What the design's way of working takes; its pack comes with outputFiles(). */
+  workshopFigures(design: Design): Promise<WorkshopFigures | Failure>;
+  /** Everything that `snug make` writes for this design, byte for byte (report.json's timing_ms, PDF and zip aside).
    *  Cancelled by cancel(). */
   outputFiles(design: Design, onProgress?: OnProgress): Promise<OutputFile[] | Failure>;
 }

@@ -1,5 +1,6 @@
 import type {Session, SnugModule} from 'snug-wasm/snug.mjs';
 import type {
+  CaseRanking,
   SearchResult,
   SearchStep,
   Design,
@@ -13,6 +14,7 @@ import type {
   OutputFile,
   Packing,
   Preset,
+  WorkshopFigures,
 } from './api';
 import {simplified} from './display_mesh';
 import {brokenModule, isFailure} from './failure';
@@ -148,12 +150,25 @@ export class EngineCore {
     this.#stepping++;
   }
 
+  async rankCases(design: Design): Promise<CaseRanking | Failure> {
+    return guarded(() => this.#session.rankCases(JSON.stringify(design)));
+  }
+
+  async workshopFigures(design: Design): Promise<WorkshopFigures | Failure> {
+    const project = await this.projectText(design);
+    return isFailure(project) ? project : guarded(() => this.#session.workshopFigures(project.text));
+  }
+
   async outputFiles(design: Design, onProgress?: OnProgress): Promise<OutputFile[] | Failure> {
     const project = await this.projectText(design);
     if (isFailure(project)) return project;
     const made = guarded(() => this.#session.outputFiles(project.text, throttled(onProgress)));
     if (isFailure(made)) return made;
-    return [...made.files, {name: 'report.json', bytes: new TextEncoder().encode(made.report)}];
+    const files = [...made.files, {name: 'report.json', bytes: new TextEncoder().encode(made.report)}];
+    if (!made.pack) return files;
+    // A large part of the page that only makers need.
+    const {packFiles} = await import('../make/pack');
+    return [...files, ...(await packFiles(made.pack))];
   }
 }
 

@@ -1,7 +1,6 @@
 import {proxy, wrap} from 'comlink';
 import type {
-  SearchResult,
-  SearchStep,
+  CaseRanking,
   Design,
   DirectionMap,
   DisplayMesh,
@@ -12,6 +11,9 @@ import type {
   OnProgress,
   OutputFile,
   Packing,
+  SearchResult,
+  SearchStep,
+  WorkshopFigures,
 } from './api';
 import type {EngineCore} from './core';
 import {brokenModule, failure, isFailure} from './failure';
@@ -168,6 +170,16 @@ class PageEngine implements Engine {
   directions(design: Design, onStep: (map: DirectionMap) => void): Promise<DirectionMap | Failure> {
     const plain = copied(design);
     return this.#slowly('searches', (core) => core.directions(plain, proxy(onStep)));
+  }
+
+  rankCases(design: Design): Promise<CaseRanking | Failure> {
+    const plain = copied(design);
+    return this.#quickly((core) => core.rankCases(plain));
+  }
+
+  workshopFigures(design: Design): Promise<WorkshopFigures | Failure> {
+    const plain = copied(design);
+    return this.#slowly('outputs', (core) => core.workshopFigures(plain));
   }
 
   outputFiles(design: Design, onProgress?: OnProgress): Promise<OutputFile[] | Failure> {

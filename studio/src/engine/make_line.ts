@@ -1,8 +1,9 @@
-import type {Design, Triple} from './api';
+import type {CaseOptions, Design, Triple, Work, WorkshopOptions} from './api';
 
 /** The command that makes the same foams from the same file: what differs from the defaults, and nothing else. */
 export function makeLine(file: string, design: Design, defaults: Design): string {
-  const {object, space, placement, cut, parting, output} = design;
+  const {object, space, placement, cut, fit, parting, output, workshop} = design;
+  const inside = design.case.inside_mm;
   const options: string[] = [];
   // With "=", since a value may begin with a minus sign.
   const add = (name: string, value: string, usual: string) => {
@@ -14,22 +15,65 @@ export function makeLine(file: string, design: Design, defaults: Design): string
   add('scale', decimal(object.scale), '1');
   if (object.longest_mm !== null) add('longest', decimal(object.longest_mm), '');
   flag('cap', object.cap);
-  add('preset', quoted(space.preset), quoted(defaults.space.preset));
+  // A way of working implies a foam of its own unless one is named.
+  add('preset', quoted(space.preset), workshop.for ? '' : quoted(defaults.space.preset));
   const blocks = (value: Triple | 'auto') => (value === 'auto' ? value : value.join('x'));
-  add('blocks', blocks(space.blocks), blocks(defaults.space.blocks));
+  // A case decides how many blocks go in.
+  if (!inside) add('blocks', blocks(space.blocks), blocks(defaults.space.blocks));
   // A preset brings its own sizes and clearance, so both are said wherever one is named.
   const own = space.preset !== defaults.space.preset;
   const size = (value: Triple) => value.map(decimal).join('x');
   add('block-size', size(space.block_mm), own ? '' : size(defaults.space.block_mm));
-  add('clearance', decimal(cut.clearance_mm), own ? '' : decimal(defaults.cut.clearance_mm));
+  const clearance = (value: number | number[]) => [value].flat().map(decimal).join();
+  add('clearance', clearance(cut.clearance_mm), own ? '' : clearance(defaults.cut.clearance_mm));
+  add('liner', decimal(cut.liner_mm), '0');
+  add('least-rib', decimal(fit.least_rib_mm), '0');
+  if (fit.notches) {
+    const {width_mm, depth_mm, room_mm, axis, first_mm, second_mm} = fit.notches;
+    add('notches', [width_mm, depth_mm, room_mm].map(decimal).join('x'), '');
+    add('notch-axis', axis ?? '', '');
+    if (first_mm !== null && second_mm !== null) add('notch-at', [first_mm, second_mm].map(decimal).join(), '');
+  }
   if (space.wall_mm !== null) add('wall', [space.wall_mm].flat().map(decimal).join(), '');
+  if (inside) addCase(design.case, inside, add);
   const list = (value: Triple) => value.map(decimal).join(',');
   add('rotate', list(placement.rotation_deg), list(defaults.placement.rotation_deg));
   add('move', list(placement.offset_mm), list(defaults.placement.offset_mm));
   flag('cut-on-touch', cut.cut_on_touch);
   add('parting', String(parting.level), String(defaults.parting.level));
+  if (workshop.for) addWorkshop(workshop, workshop.for, defaults.workshop, add);
+  if (workshop.mass_kg !== null) add('mass', decimal(workshop.mass_kg), '');
   add('formats', output.formats.join(','), defaults.output.formats.join(','));
   return ['snug make', quoted(file), ...options, '-o', quoted(`${file.replace(/\.[^.]+$/, '')}-foam`)].join(' ');
+}
+
+type Add = (name: string, value: string, usual: string) => void;
+
+function addCase(options: CaseOptions, [height, width, length]: Triple, add: Add) {
+  const size = [length, width, height].map(decimal).join('x');
+  add('case', options.lid_mm === null ? size : `${size}:${decimal(options.lid_mm)}`, '');
+  add('case-play', decimal(options.play_mm), '3');
+  add('case-radius', decimal(options.corner_radius_mm), '0');
+  const section = (value: [number, number] | null) => (value ? [value[1], value[0]].map(decimal).join('x') : '');
+  add('case-base', section(options.base_mm), '');
+  add('case-top', section(options.top_mm), '');
+}
+
+function addWorkshop(options: WorkshopOptions, work: Work, usual: WorkshopOptions, add: Add) {
+  const {paper, price_per_litre: price, sheets, print} = options;
+  add('for', work, '');
+  add('paper', paper, usual.paper);
+  if (price !== null) add('price', `${decimal(price)}${options.currency}`, '');
+  if (work === 'sheets') {
+    if (sheets.thickness_mm !== null) add('sheet', decimal(sheets.thickness_mm), '');
+    add('stock', sheets.stock_mm.map(decimal).join('x'), usual.sheets.stock_mm.map(decimal).join('x'));
+    add('kerf', decimal(sheets.kerf_mm), decimal(usual.sheets.kerf_mm));
+    add('dowel', sheets.dowels > 0 ? decimal(sheets.dowel_mm) : '0', decimal(usual.sheets.dowel_mm));
+  }
+  if (work === 'print') {
+    add('bed', print.bed_mm.map(decimal).join('x'), usual.print.bed_mm.map(decimal).join('x'));
+    add('dowel', print.dowels ? decimal(print.dowel_diameter_mm) : '0', decimal(usual.print.dowel_diameter_mm));
+  }
 }
 
 /** Never an exponent, which the command line does not read. */

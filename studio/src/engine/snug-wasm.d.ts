@@ -2,6 +2,7 @@
 
 declare module 'snug-wasm/snug.mjs' {
   import type {
+    CaseRanking,
     DirectionMap,
     DisplayMesh,
     Failure,
@@ -13,10 +14,17 @@ declare module 'snug-wasm/snug.mjs' {
     Packing,
     Preset,
     SearchStep,
+    WorkshopFigures,
   } from './api';
 
   type Progress = ((fraction: number) => boolean) | null;
-  type Made = {files: OutputFile[]; report: string};
+  type Made = {files: OutputFile[]; report: string; pack?: Pack};
+  export interface Pack {
+    files: OutputFile[];
+    /** `pages`: a JSON text, see snug/fabricate/drawing_json.h. */
+    documents: {name: string; title: string; trueSize: boolean; pages: string}[];
+    containers: {name: string; members: OutputFile[]}[];
+  }
 
   /** Keeps the object between calls. Failures change nothing. */
   export interface Session {
@@ -31,6 +39,8 @@ declare module 'snug-wasm/snug.mjs' {
     distinct(): FoundPlacement[];
     startMap(design: string): (DirectionMap & {ended: boolean}) | Failure;
     mapStep(): (DirectionMap & {ended: boolean}) | Failure;
+    rankCases(design: string): CaseRanking | Failure;
+    workshopFigures(project: string): WorkshopFigures | Failure;
     outputFiles(project: string, progress: Progress): Made | Failure;
     delete(): void;
   }

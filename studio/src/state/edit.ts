@@ -1,4 +1,4 @@
-import type {Design, Preset, Triple, Unit} from '../engine/api';
+import type {Design, Notches, Preset, RankedCase, Triple, Unit, Work} from '../engine/api';
 
 // Every change that a person can make, as a function from a design to the next one. Ranges are the library's
 // business: it refuses what cannot be, with its own sentence.
@@ -13,6 +13,9 @@ export function withPreset(design: Design, preset: Preset): Design {
     ...design,
     space: {...design.space, preset: preset.name, block_mm: [...preset.block_mm], blocks: 'auto'},
     cut: {...design.cut, clearance_mm: preset.clearance_mm},
+    fit: {...design.fit, creep_kpa: preset.creep_kpa},
+    case: {...design.case, division: preset.division},
+    workshop: {...design.workshop, density_kg_m3: preset.density_kg_m3},
     parting: {level: 'auto'},
   };
 }
@@ -44,6 +47,38 @@ export function withWall(design: Design, wall_mm: number | null): Design {
   return {...design, space: {...design.space, wall_mm}};
 }
 
+/** The six walls, floor, roof, back, front, left, right. */
+export function walls({space}: Design): number[] {
+  if (Array.isArray(space.wall_mm)) return space.wall_mm;
+  return Array<number>(6).fill(space.wall_mm ?? (space.blocks === 'auto' ? 50 : 0));
+}
+
+export function withWalls(design: Design, wall_mm: number | number[]): Design {
+  return {...design, space: {...design.space, wall_mm}};
+}
+
+export function withCase(design: Design, to: Partial<Design['case']>): Design {
+  return {...design, case: {...design.case, ...to}};
+}
+
+/** A case that is known, with the object laid as it was ranked. */
+export function withKnownCase(design: Design, known: RankedCase): Design {
+  const {name, inside_mm, lid_mm, divisor, rotation_deg} = known;
+  const sides = {base_mm: null, top_mm: null, corner_radius_mm: 0};
+  return {
+    ...withCase(design, {name, inside_mm, lid_mm, divisor, ...sides}),
+    placement: {rotation_deg, offset_mm: [0, 0, 0]},
+    parting: {level: 'auto'},
+  };
+}
+
+export function withWorkshop(design: Design, to: Partial<Design['workshop']>): Design {
+  return {...design, workshop: {...design.workshop, ...to}};
+}
+
+/** The foam that a way of working takes where none is chosen for it. */
+export const USUAL_PRESET: Record<Work, string> = {sponge: 'slit-10', sheets: 'sheet-10', print: 'print'};
+
 export function withRotation(design: Design, rotation_deg: Triple): Design {
   return {...design, placement: {...design.placement, rotation_deg}};
 }
@@ -56,8 +91,35 @@ export function withOffset(design: Design, offset_mm: Triple): Design {
   return {...design, placement: {...design.placement, offset_mm}};
 }
 
-export function withClearance(design: Design, clearance_mm: number): Design {
+export function withClearance(design: Design, clearance_mm: number | number[]): Design {
   return {...design, cut: {...design.cut, clearance_mm}};
+}
+
+/** x, y, z of the lower foam, then of the upper. */
+export function clearances({cut}: Design): number[] {
+  return typeof cut.clearance_mm === 'number' ? Array<number>(6).fill(cut.clearance_mm) : cut.clearance_mm;
+}
+
+export function withClearanceOf(design: Design, side: number, mm: number): Design {
+  return withClearance(
+    design,
+    clearances(design).map((old, i) => (i === side ? mm : old)),
+  );
+}
+
+export function withLiner(design: Design, liner_mm: number): Design {
+  return {...design, cut: {...design.cut, liner_mm}};
+}
+
+export function withLeastRib(design: Design, least_rib_mm: number): Design {
+  return {...design, fit: {...design.fit, least_rib_mm}};
+}
+
+/** As the library has them where nothing is said. */
+export const USUAL_NOTCHES: Notches = {width_mm: 80, depth_mm: 40, room_mm: 25, axis: null, first_mm: null, second_mm: null};
+
+export function withNotches(design: Design, notches: Notches | null): Design {
+  return {...design, fit: {...design.fit, notches}};
 }
 
 export function withCutOnTouch(design: Design, cut_on_touch: boolean): Design {
@@ -90,6 +152,12 @@ export function mmPerFileUnit(design: Design, fileSize: Triple): number {
   const {units, scale, longest_mm} = design.object;
   if (longest_mm !== null) return longest_mm / Math.max(...fileSize);
   return MM_PER_UNIT[units ?? 'mm'] * scale;
+}
+
+/** A design of another version, with what it does not say as it is by default. */
+export function completed(design: Design, defaults: Design): Design {
+  const parts = Object.entries(defaults).map(([name, part]) => [name, {...part, ...design[name as keyof Design]}]);
+  return Object.fromEntries(parts) as Design;
 }
 
 /** What a fresh object starts with: the foam stays as it was chosen, everything about the last object goes. */

@@ -8,7 +8,9 @@ export type Kind = 'zip' | 'stl' | 'ply';
 /** Hands the person what `snug make` writes, byte for byte: all of it in one zip, or the two foams alone. */
 export async function exportFiles(studio: Studio, kind: Kind): Promise<void> {
   const {design} = studio;
-  const wanted = kind === 'zip' ? design : {...design, output: {formats: [kind]}};
+  // The foams alone need no pack.
+  const alone = {...design, workshop: {...design.workshop, for: null}};
+  const wanted = kind === 'zip' ? design : {...alone, output: {formats: [kind]}};
   const files = await studio.long('make', (onProgress) => studio.engine.outputFiles(wanted, onProgress));
   if (isFailure(files)) {
     if (files.kind !== 'cancelled') studio.refuse('make', files.error);

@@ -13,7 +13,7 @@ import type {
 import {isFailure} from '../engine/failure';
 import {makeLine} from '../engine/make_line';
 import type {Autosave, Moment, StoredObject} from './autosave';
-import {forNewObject, withPlacement, withSpace} from './edit';
+import {completed, forNewObject, withPlacement, withSpace} from './edit';
 import {canRedo, canUndo, moved, present, record, startHistory, type History} from './history';
 
 /** Drawn while something moves, and when it stands still. */
@@ -278,10 +278,12 @@ export class Studio {
     if (!saved) return;
     for (const object of saved.objects) this.#objects.set(object.id, object);
     // Designs of another version may say less, or other things, than this one's.
-    const moment = present(saved.work.history);
+    const moments = saved.work.history.moments.map((at) => ({...at, design: completed(at.design, this.defaults)}));
+    const history = {...saved.work.history, moments, control: ''};
+    const moment = present(history);
     const checked = await this.engine.parseProject(JSON.stringify(moment.design));
     if (isFailure(checked)) return;
-    this.#history = {...saved.work.history, control: ''};
+    this.#history = history;
     await this.#arrive(moment);
   }
 

@@ -6,6 +6,8 @@ export const mm = (value: number): string => `${tidy(value)} mm`;
 export const size = (value: readonly number[]): string => `${value.map((side) => tidy(side)).join(' × ')} mm`;
 export const litres = (mm3: number): string => `${(mm3 / 1e6).toFixed(mm3 < 1e7 ? 2 : 1)} L`;
 export const cm3 = (mm3: number): string => `${tidy(mm3 / 1000)} cm³`;
+export const cm2 = (mm2: number): string => `${tidy(mm2 / 100)} cm²`;
+export const kpa = (value: number): string => `${tidy(value)} kPa`;
 export const count = (value: number): string => Math.round(value).toLocaleString('en').replaceAll(',', ' ');
 export const ratio = (value: number): string => value.toFixed(4);
 
