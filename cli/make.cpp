@@ -229,7 +229,7 @@ Result<Packed> read_and_pack(Task& task, const SearchArguments& search_arguments
 /// Writes everything, the report last, since it tells how long the rest took.
 Result<std::string> write_outputs(const Packed& packed, Packing& packing, const Project& project,
                                   const Measured& measured, const std::string& folder) {
-    std::vector<OutputFile> files = output_files(packed.object, project, packing);
+    std::vector<OutputFile> files = output_files(packed.object, project, measured, packing);
     if (measured.pack) {
         auto more = workshop_files(*measured.pack);
         if (!more) return tl::unexpected(more.error());

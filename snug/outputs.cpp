@@ -33,6 +33,14 @@ Json volume(const std::optional<double>& mm3) {
     return mm3 ? Json(rounded(*mm3, 1e3)) : Json(nullptr);
 }
 
+Json half_gap_json(const HalfGap& half) {
+    return {{"step_mm3", volume(half.step_mm3)},
+            {"undercut_mm3", volume(half.undercut_mm3)},
+            {"widest_mm", rounded(half.widest_mm, 1e4)},
+            {"widest_error_mm", rounded(half.widest_error_mm, 1e4)},
+            {"widest_at_mm", array(half.widest_at)}};
+}
+
 Json gap_json(const GapReport& gap) {
     return {{"cut_mm3", volume(gap.cut_mm3)},
             {"hull_mm3", volume(gap.hull_mm3)},
@@ -43,7 +51,9 @@ Json gap_json(const GapReport& gap) {
             {"lines_per_column", gap.lines_per_column},
             {"widest_mm", rounded(gap.widest_mm, 1e4)},
             {"widest_error_mm", rounded(gap.widest_error_mm, 1e4)},
-            {"widest_at_mm", array(gap.widest_at)}};
+            {"widest_at_mm", array(gap.widest_at)},
+            {"lower", half_gap_json(gap.lower)},
+            {"upper", half_gap_json(gap.upper)}};
 }
 
 Json findings_json(const std::vector<Finding>& findings) {
@@ -236,7 +246,8 @@ std::string report_json(const Object& object, const Project& project, const Pack
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::vector<OutputFile> output_files(const Object& object, const Project& project, Packing& packing) {
+std::vector<OutputFile> output_files(const Object& object, const Project& project, const Measured& measured,
+                                     Packing& packing) {
     const FoamPair& foams = *packing.foams;
     Stopwatch watch;
     const Solid lower = lower_solid(foams, packing.space);
@@ -250,7 +261,8 @@ std::vector<OutputFile> output_files(const Object& object, const Project& projec
     }
     files.push_back({"depths.csv", bytes_of(depths_csv(foams))});
     files.push_back({"preview.svg", bytes_of(preview_svg(foams, packing.space, object.mesh, packing.placement,
-                                                         caption(packing, project.object.name)))});
+                                                         caption(packing, project.object.name),
+                                                         measured.gap ? &*measured.gap : nullptr))});
     files.push_back({"project.snug.json", bytes_of(project_json(project))});
     return files;
 }

@@ -42,6 +42,6 @@ struct Measured {
 /// Everything that `snug make` writes for a packing with foams, the report left out (it holds the time that
 /// writing took): foams in the design's formats, depths, preview, project. Fills packing.timing.solids.
 [[nodiscard]] std::vector<OutputFile> output_files(const Object& object, const Project& project,
-                                                   Packing& packing);
+                                                   const Measured& measured, Packing& packing);
 
 }  // namespace snug

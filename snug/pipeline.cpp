@@ -224,7 +224,8 @@ Result<Packing> pack(const Object& object, const Design& design) {
 
 Result<GapReport> gaps(const Object& object, const Packing& packing, const Progress& progress) {
     const bool closed = object.measure.watertight;
-    return gap_report(object.mesh, packing.placement, packing.space, packing.blocks, closed, progress);
+    return gap_report(object.mesh, packing.placement, packing.space, packing.blocks,
+                      packing.foams->parting_level, closed, progress);
 }
 
 Result<BearingReport> bearing(const Object& object, const Packing& packing, const Progress& progress) {

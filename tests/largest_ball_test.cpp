@@ -20,7 +20,7 @@ double length(Vec3d v) {
 }
 
 GapReport report(const test::RandomCase& c, bool closed) {
-    const auto result = gap_report(c.mesh, c.placement, c.space, c.blocks, closed);
+    const auto result = gap_report(c.mesh, c.placement, c.space, c.blocks, c.space.blocks.x / 2, closed);
     EXPECT_TRUE(result);
     return *result;
 }

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "snug/fabricate/gap_maps.h"
 #include "snug/foam/block_map.h"
 #include "snug/foam/depth_map.h"
 
@@ -213,6 +214,68 @@ TEST(Preview, LowerShowsYTowardsTheViewerAndTheLidAwayFromHim) {
     }
     EXPECT_GT(pillar(true, 0, 0).y, pillar(false, 0, 0).y);  // the lid lies behind
     EXPECT_LT(pillar(true, 0, 0).x, pillar(false, 0, 0).x);
+}
+
+// ---- maps of the gap
+
+/// One column of the lower half and the same of the lid have a gap.
+GapReport gap_in_column(const DesignSpace& space, int j, int k, float undercut) {
+    GapReport gap;
+    gap.columns = Grid<ColumnGap>(space.blocks.y, space.blocks.z);
+    gap.columns(j, k) = {10 - undercut, undercut, 10 - undercut, undercut};
+    gap.undercut_mm3 = gap.lower.undercut_mm3 = gap.upper.undercut_mm3 = 0;
+    return gap;
+}
+
+/// Where the only coloured cell of a map (0: lower, 1: lid) begins, px.
+Spot colored_cell(const std::string& svg, int map) {
+    std::size_t at = svg.find("<g id=\"gap\"");
+    for (; map >= 0; --map) at = svg.find("<g transform=\"scale(.1)\"", at + 1);
+    const std::size_t end = svg.find("</g>", at);
+    while ((at = svg.find("<path fill=\"", at)) < end) {
+        at += 12;
+        if (svg.compare(at, 7, "#e8ebef") == 0) continue;
+        at = svg.find("d=\"M", at) + 4;
+        std::size_t used = 0;
+        const double x = std::stod(svg.substr(at, 12), &used);
+        return {x, std::stod(svg.substr(at + used, 12))};
+    }
+    return {-1, -1};
+}
+
+TEST(PreviewOfGaps, ShowsTheLowerFoamFromAboveAndTheLidIntoItsCavity) {
+    const DesignSpace space{{4, 6, 8}, {10, 10, 10}};
+    const auto cell = [&](int map, int j, int k) {
+        const std::string svg = gap_maps(gap_in_column(space, j, k, 0), space, 0).svg;
+        EXPECT_EQ(xml_fault("<svg>" + svg + "</svg>"), "");
+        return colored_cell(svg, map);
+    };
+    for (const int map : {0, 1}) {
+        EXPECT_GT(cell(map, 1, 5).x, cell(map, 1, 2).x) << "k to the right";
+        EXPECT_EQ(cell(map, 1, 5).y, cell(map, 1, 2).y);
+    }
+    EXPECT_GT(cell(0, 4, 2).y, cell(0, 1, 2).y) << "j downward";
+    EXPECT_LT(cell(1, 4, 2).y, cell(1, 1, 2).y) << "j upward";
+}
+
+TEST(PreviewOfGaps, TellsStepsFromUndercutsAndSaysWhereTheBallIs) {
+    const DesignSpace space{{4, 6, 8}, {10, 10, 10}};
+    GapReport gap = gap_in_column(space, 2, 2, 0);
+    const std::string steps = gap_maps(gap, space, 0).svg;
+    EXPECT_NE(gap_maps(gap_in_column(space, 2, 2, 10), space, 0).svg, steps);
+    EXPECT_FALSE(holds(steps, "<circle"));
+    gap.lower.widest_mm = 12;
+    EXPECT_TRUE(holds(gap_maps(gap, space, 0).svg, "a ball of 12 mm"));
+    gap.undercut_mm3.reset();
+    EXPECT_TRUE(holds(gap_maps(gap, space, 0).svg, "unknown: the object is open"));
+}
+
+TEST(PreviewOfGaps, StaysSmallHoweverManyColumns) {
+    const DesignSpace space{{10, 900, 700}, {5, 1, 1}};
+    GapReport gap = gap_in_column(space, 3, 3, 0);
+    Random random(1);
+    for (ColumnGap& column : gap.columns) column.lower_step = static_cast<float>(random.between(0, 20));
+    EXPECT_LT(gap_maps(gap, space, 0).svg.size(), 900'000u);
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ val make_files(const Object& object, const Project& project, const Progress& pro
     if (!measured) return to_val(measured.error());
     measured->pack = pack ? &*pack : nullptr;
     val result = val::object();
-    result.set("files", to_val(output_files(object, project, *packing)));
+    result.set("files", to_val(output_files(object, project, *measured, *packing)));
     result.set("report", report_json(object, project, *packing, *measured));
     if (pack) result.set("pack", to_val(*pack));
     return result;

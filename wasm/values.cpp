@@ -210,13 +210,30 @@ val to_val(const Packing& packing, double library_ms) {
     return result;
 }
 
-val to_val(const GapReport& gap) {
+namespace {
+
+/// Of the whole report or of a half.
+template <class Part>
+val gap_part(const Part& gap) {
     val result = val::object();
     result.set("widest_mm", gap.widest_mm);
     result.set("widest_error_mm", gap.widest_error_mm);
     result.set("widest_at", to_val(gap.widest_at));
     result.set("step_mm3", gap.step_mm3);
     result.set("undercut_mm3", or_null(gap.undercut_mm3));
+    return result;
+}
+
+}  // namespace
+
+val to_val(const GapReport& gap) {
+    val result = gap_part(gap);
+    result.set("lower", gap_part(gap.lower));
+    result.set("upper", gap_part(gap.upper));
+    std::vector<float> columns;
+    for (const ColumnGap& c : gap.columns)
+        columns.insert(columns.end(), {c.lower_step, c.lower_undercut, c.upper_step, c.upper_undercut});
+    result.set("columns", typed_array(columns.data(), columns.size()));
     return result;
 }
 

@@ -7,6 +7,7 @@
 
 #include "snug/base/text.h"
 #include "snug/fabricate/foam_drawing.h"
+#include "snug/fabricate/gap_maps.h"
 #include "snug/fabricate/isometric.h"
 #include "snug/fabricate/mesh_files.h"
 #include "snug/fabricate/object_outlines.h"
@@ -135,7 +136,7 @@ std::string caption_lines(const std::vector<std::string>& lines, double first_ba
 }  // namespace
 
 std::string preview_svg(const FoamPair& foams, const DesignSpace& space, const Mesh& mesh,
-                        const Placement& placement, const std::string& caption) {
+                        const Placement& placement, const std::string& caption, const GapReport* gap) {
     const OpenedPair pair = opened(space, foams.parting_level);
     const HalfScene lower = half_scene(foams, space, pair, Half::lower);
     const HalfScene lid = half_scene(foams, space, pair, Half::lid);
@@ -157,7 +158,9 @@ std::string preview_svg(const FoamPair& foams, const DesignSpace& space, const M
     // A very long front leaves no room in the lower right corner.
     const bool long_front = space.size().z > 4 * space.size().y;
     const Vec2d axes{long_front ? 70 : kPageWidth - 90, drawing_end - 60};
-    const double height = drawing_end + kCaptionLine * static_cast<double>(lines.size()) + 24;
+    const double caption_end = drawing_end + kCaptionLine * static_cast<double>(lines.size()) + 24;
+    const GapMaps maps = gap ? gap_maps(*gap, space, caption_end) : GapMaps{};
+    const double height = caption_end + maps.height;
     return opening_tag(height) + "<title>" + xml_text(caption) + "</title>\n" +
            "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n" + table(page, lid.relief) +
            foam_drawing(page, lid.relief, lid.faces, kUpperOrange) + half_name(page, lid.relief, Half::lid) +
@@ -166,7 +169,7 @@ std::string preview_svg(const FoamPair& foams, const DesignSpace& space, const M
            half_name(page, lower.relief, Half::lower) + size_marks(page, lid.relief, Half::lid, space) +
            size_marks(page, lower.relief, Half::lower, space) + back_label(page, space) +
            object_drawing(page, outlines) + legend(kLegendAt, space, !outlines.whole.empty()) +
-           axis_hint(axes) + caption_lines(lines, drawing_end + 18) + "</svg>\n";
+           axis_hint(axes) + caption_lines(lines, drawing_end + 18) + maps.svg + "</svg>\n";
 }
 
 }  // namespace snug

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "snug/base/grid.h"
 #include "snug/base/progress.h"
 #include "snug/base/result.h"
 #include "snug/foam/block_map.h"
@@ -10,6 +11,24 @@
 #include "snug/mesh/mesh.h"
 
 namespace snug {
+
+/// Of the gap, what one half's foam faces: on a line that meets the object all below its first hit is the
+/// lower half's and all above its last the upper's; between them, and on other lines, the parting level
+/// divides.
+struct HalfGap {
+    double step_mm3 = 0;
+    std::optional<double> undercut_mm3;  ///< none unless the object is closed
+    double widest_mm = 0;  ///< as in GapReport, of balls on the half's side of the parting level
+    double widest_error_mm = 0;
+    Vec3d widest_at;
+};
+
+/// Mean depths of the gap over a column, mm: a map to look at.
+struct ColumnGap {
+    float lower_step = 0, lower_undercut = 0;
+    float upper_step = 0, upper_undercut = 0;
+    friend bool operator==(const ColumnGap&, const ColumnGap&) = default;
+};
 
 /// The cut-away space that the object does not fill, sampled on lines along x (LineLattice).
 ///   hull      what lies between the first and last hit of each line
@@ -32,11 +51,13 @@ struct GapReport {
                                  ///< is unknown; there the hull is taken as its lines see it)
     double widest_error_mm = 0;  ///< the true diameter is at most this much larger
     Vec3d widest_at;             ///< that ball's centre, in design coordinates; no place if widest_mm is 0
+    HalfGap lower, upper;        ///< their steps and undercuts add up to the whole
+    Grid<ColumnGap> columns;     ///< undercuts are 0 unless the object is closed
 };
 
 /// `closed` is MeshMeasure::watertight. Fails only when cancelled.
 [[nodiscard]] Result<GapReport> gap_report(const Mesh& mesh, const Placement& placement,
-                                           const DesignSpace& space, const BlockMap& blocks, bool closed,
-                                           const Progress& progress = {});
+                                           const DesignSpace& space, const BlockMap& blocks,
+                                           int parting_level, bool closed, const Progress& progress = {});
 
 }  // namespace snug

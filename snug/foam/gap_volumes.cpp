@@ -59,9 +59,39 @@ GapVolumes gap_lengths(std::span<const Crossing> crossings, PrismSpan cut) {
     return lengths;
 }
 
+std::array<HalfLengths, 2> half_lengths(std::span<const Crossing> crossings, PrismSpan cut, double parting) {
+    std::array<HalfLengths, 2> halves;
+    auto& [lower, upper] = halves;
+    if (cut.none()) return halves;
+    if (crossings.empty()) {
+        lower.step = overlap(cut, cut.low, parting);
+        upper.step = overlap(cut, parting, cut.high);
+        return halves;
+    }
+    const double first = crossings.front().x, last = crossings.back().x;
+    lower.step = overlap(cut, cut.low, first);
+    upper.step = overlap(cut, last, cut.high);
+    int winding = 0;
+    for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
+        winding += crossings[i].turn;
+        if (winding != 0) continue;
+        const double begin = crossings[i].x, end = crossings[i + 1].x;
+        lower.undercut += overlap(cut, begin, std::min(end, parting));
+        upper.undercut += overlap(cut, std::max(begin, parting), end);
+    }
+    return halves;
+}
+
+GapSampler::GapSampler(const BlockMap& blocks, const DesignSpace& space, int parting_level)
+    : blocks_(blocks),
+      space_(space),
+      parting_(space.face(0, parting_level)),
+      halves_(blocks.ny(), blocks.nz()) {}
+
 void GapSampler::add(const LineBand& band) {
     for (int k = 0; k < blocks_.nz(); ++k) {
         const PrismSpan cut = run_of(blocks_(band.j, k), space_);
+        auto& column = halves_(band.j, k);
         for (int l = 0; l < kPerColumn; ++l) {
             if (cut.none() && !band.any(l, k)) continue;
             for (int m = 0; m < kPerColumn; ++m) {
@@ -69,6 +99,11 @@ void GapSampler::add(const LineBand& band) {
                 // Any odd factor but 1 or 15, whose groups would follow the diagonals.
                 const int group = (l + 3 * m) % kGroups;
                 combine(lengths_[static_cast<std::size_t>(group)], gap_lengths(line, cut), sum);
+                const auto halves = half_lengths(line, cut, parting_);
+                for (std::size_t half = 0; half < 2; ++half) {
+                    column[half].step += halves[half].step;
+                    column[half].undercut += halves[half].undercut;
+                }
             }
         }
     }
@@ -79,6 +114,29 @@ GapVolumes GapSampler::volumes() const {
     for (const GapVolumes& group : lengths_) combine(total, group, sum);
     combine(total, {}, [this](double length, double) { return length * area_of_line(); });
     return total;
+}
+
+std::array<HalfLengths, 2> GapSampler::halves() const {
+    std::array<HalfLengths, 2> total;
+    for (const auto& column : halves_)
+        for (std::size_t half = 0; half < 2; ++half) {
+            total[half].step += column[half].step * area_of_line();
+            total[half].undercut += column[half].undercut * area_of_line();
+        }
+    return total;
+}
+
+Grid<ColumnGap> GapSampler::columns(bool closed) const {
+    Grid<ColumnGap> map(halves_.ny(), halves_.nz());
+    const auto mean = [](double lengths) { return static_cast<float>(lengths / (kPerColumn * kPerColumn)); };
+    for (std::size_t i = 0; i < map.size(); ++i) {
+        const auto& [lower, upper] = halves_[i];
+        map[i] = {mean(lower.step), 0, mean(upper.step), 0};
+        if (!closed) continue;
+        map[i].lower_undercut = mean(lower.undercut);
+        map[i].upper_undercut = mean(upper.undercut);
+    }
+    return map;
 }
 
 GapVolumes GapSampler::errors() const {

@@ -6,6 +6,7 @@
 #include "snug/base/grid.h"
 #include "snug/foam/block_map.h"
 #include "snug/foam/design_space.h"
+#include "snug/foam/gap.h"
 #include "snug/foam/line_hits.h"
 #include "snug/foam/prism_field.h"
 
@@ -22,14 +23,26 @@ struct GapVolumes {
 /// Of one line: its crossings by x, and the cut run of its column.
 [[nodiscard]] GapVolumes gap_lengths(std::span<const Crossing> crossings, PrismSpan cut);
 
+/// The same of one line, of what each half faces (HalfGap): lower, then upper. `parting`: x of the parting
+/// level.
+struct HalfLengths {
+    double step = 0;
+    double undercut = 0;
+};
+[[nodiscard]] std::array<HalfLengths, 2> half_lengths(std::span<const Crossing> crossings, PrismSpan cut,
+                                                      double parting);
+
 /// Adds up lines, band by band.
 class GapSampler {
   public:
-    GapSampler(const BlockMap& blocks, const DesignSpace& space) : blocks_(blocks), space_(space) {}
+    GapSampler(const BlockMap& blocks, const DesignSpace& space, int parting_level);
 
     void add(const LineBand& band);
 
     [[nodiscard]] GapVolumes volumes() const;
+    /// mm3 of the lower half, then of the upper.
+    [[nodiscard]] std::array<HalfLengths, 2> halves() const;
+    [[nodiscard]] Grid<ColumnGap> columns(bool closed) const;
 
     /// The standard error of the mean of 16 estimates, each from a sixteenth of the lines that has one line
     /// in every row and every column of lines of a column. The lines of all sixteenths lie more evenly than
@@ -45,6 +58,8 @@ class GapSampler {
 
     const BlockMap& blocks_;
     const DesignSpace& space_;
+    double parting_;
+    Grid<std::array<HalfLengths, 2>> halves_;    ///< summed over each column's lines
     std::array<GapVolumes, kGroups> lengths_{};  ///< summed for each sixteenth of the lines
 };
 

@@ -133,6 +133,9 @@ describe('a packing', () => {
     gap.bearing.lower_mm2.forEach((area, i) => expect(area).toBeCloseTo(report.bearing.lower_mm2[i], 2));
     expect(gap.widest_mm).toBeCloseTo(report.gap.widest_mm, 3);
     expect(gap.step_mm3).toBeCloseTo(report.gap.step_mm3, 2);
+    expect(gap.lower.step_mm3 + gap.upper.step_mm3).toBeCloseTo(gap.step_mm3, 2);
+    expect(gap.upper.widest_mm).toBeCloseTo(report.gap.upper.widest_mm, 3);
+    expect(gap.columns.length).toBe(4 * packing.lower.length);
   });
 
   test('places the drawn object where its bounds are', async () => {

@@ -181,12 +181,19 @@ export interface Packing {
   library_ms: number;
 }
 
-export interface Gap {
+export interface GapPart {
   widest_mm: number;
   widest_error_mm: number;
   widest_at: Triple;
   step_mm3: number;
   undercut_mm3: number | null;
+}
+/** Of the whole, and of what each half's foam faces. */
+export interface Gap extends GapPart {
+  lower: GapPart;
+  upper: GapPart;
+  /** Mean depths in mm, four a column: steps and undercuts of the lower half, then of the upper. */
+  columns: Float32Array<ArrayBuffer>;
   bearing: Bearing;
   /** All of the packing, with what only this shows. */
   findings: Finding[];

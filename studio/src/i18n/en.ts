@@ -227,6 +227,7 @@ export const en = {
     walls: 'Foam on each side',
     sides: ['below', 'above', 'back', 'front', 'left', 'right'],
     gap: 'Room around the object',
+    gapHalves: ['Lower foam', 'Lid'],
     gapWidest: 'Widest gap',
     gapWhere: 'Show the widest gap',
     gapStep: 'Cut away beyond the object (steps)',

@@ -224,6 +224,7 @@ export const ja: Texts = {
     walls: '各面のフォームの厚さ',
     sides: ['下', '上', '奥', '手前', '左', '右'],
     gap: '対象物のまわりのすきま',
+    gapHalves: ['下のフォーム', 'ふた'],
     gapWidest: '最大のすきま',
     gapWhere: '最大のすきまを見る',
     gapStep: '段差で余分に切る量',
