@@ -20,6 +20,23 @@ NUMBER = re.compile(r"[MLHVZmlhvz]|-?[0-9.]+(?:e-?[0-9]+)?")
 PAPER = {"a4": (210, 297), "letter": (215.9, 279.4), "a3": (297, 420)}
 POINTS = 72 / 25.4  # a mm
 
+MEASURE_DXF = """
+import json, sys
+import ezdxf
+from ezdxf import bbox
+for path in sys.argv[1:]:
+    drawing = ezdxf.readfile(path)
+    errors = len(drawing.audit().errors)
+    space = drawing.modelspace()
+    loops = [e for e in space if e.dxftype() == 'POLYLINE' and e.is_closed and e.dxf.layer.startswith('cut')]
+    area = 0
+    for loop in loops:
+        corners = [v.dxf.location for v in loop.vertices]
+        area += abs(sum(a.x * b.y - b.x * a.y for a, b in zip(corners, corners[1:] + corners[:1]))) / 2
+    box = bbox.extents(space)
+    print(json.dumps([errors, len(loops), area, box.extmin.x, box.extmin.y, box.extmax.x, box.extmax.y]))
+"""
+
 
 def snug(*arguments):
     return subprocess.run([SNUG, *map(str, arguments)], capture_output=True, text=True, timeout=240)
@@ -68,6 +85,11 @@ def loops_of(path_data):
         else:
             loops[-1].append(at)
     return loops
+
+
+
+def area_of(loop):
+    return abs(sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(loop, loop[1:] + loop[:1]))) / 2
 
 
 class Map:
@@ -302,6 +324,31 @@ class WorkshopTest(unittest.TestCase):
             self.assertEqual(sorted(cells[half, first]), sorted(names), path)
 
     # ---- figures, before anything is written
+
+    def test_another_program_reads_the_dxf_and_measures_the_same_as_in_the_svg(self):
+        camera = self.work / "camera.ply"
+        self.assertEqual(snug("sample", "camera", "-o", camera).returncode, 0)
+        self.assertEqual(snug("make", camera, "--for", "sheets", "-o", self.out, "--quiet").returncode, 0)
+        files = sorted((self.out / "sheets").glob("*.dxf"))
+        self.assertGreater(len(files), 0)
+        # Debian's own interpreter, which has its packages.
+        python = shutil.which("python3", path="/usr/bin") or sys.executable
+        measured = subprocess.run([python, "-c", MEASURE_DXF, *map(str, files)], capture_output=True, text=True)
+        if "No module named 'ezdxf'" in measured.stderr:
+            self.skipTest("python3-ezdxf is not installed")
+        self.assertEqual(measured.returncode, 0, measured.stderr)
+        for path, line in zip(files, measured.stdout.splitlines()):
+            errors, loops, area, *extents = json.loads(line)
+            self.assertEqual(errors, 0, "ezdxf finds nothing to mend")
+            svg = path.with_suffix(".svg").read_text()
+            cut = "".join(re.findall(r'<g id="cut[^"]*".*?</g>', svg, re.S))
+            data = re.findall(r' d="([^"]+)"', cut)
+            outlines = [loop for path in data for part in re.findall("M[^M]*Z", path) for loop in loops_of(part)]
+            self.assertEqual(loops, len(outlines))
+            self.assertAlmostEqual(area / sum(map(area_of, outlines)), 1, 4)
+            self.assertGreaterEqual(min(extents), -1e-6)
+            self.assertLessEqual(extents[2], 1000)
+            self.assertLessEqual(extents[3], 600)
 
     def test_a_dry_run_tells_all_and_writes_nothing(self):
         done = snug("make", self.sample("vase"), "--for", "sponge", "--price", "0.5 EUR", "--dry-run", "-o", self.out)

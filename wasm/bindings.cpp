@@ -97,6 +97,7 @@ EMSCRIPTEN_BINDINGS(snug) {
         .function("startSearch", &bound::Session::start_search)
         .function("searchStep", &bound::Session::search_step)
         .function("distinct", &bound::Session::distinct)
+        .function("fitCase", &bound::Session::fit_case)
         .function("startMap", &bound::Session::start_map)
         .function("mapStep", &bound::Session::map_step)
         .function("rankCases", &bound::Session::rank_cases)

@@ -8,6 +8,7 @@
 #include "snug/mesh/measure.h"
 #include "snug/mesh/read.h"
 #include "snug/search/rank_cases.h"
+#include "snug/search/search_design.h"
 #include "snug/workshop.h"
 
 #include "wasm/workshop_values.h"
@@ -181,6 +182,22 @@ val Session::distinct() const {
         for (const FoundPlacement& placement : search_->distinct(kMostDistinct))
             list.call<void>("push", to_val(placement));
     return list;
+}
+
+val Session::fit_case(const std::string& design_text, const val& progress) {
+    auto design = parse_design(design_text);
+    if (!design) return to_val(design.error());
+    if (const auto error = prepare_for(*design)) return to_val(*error);
+    prepare_for_many(*object_);
+    SearchTask task;
+    task.fit_case = true;
+    const Progress told = progress_from(progress);
+    const auto news = [&](double share, std::optional<long long>) { return go_on(told, share); };
+    const auto report = search_design(object_->mesh, *object_->surface, *design, task, news);
+    if (!report) return to_val(report.error());
+    val result = val::object();
+    result.set("design", design_json(*design));
+    return result;
 }
 
 val Session::start_map(const std::string& design_text) {

@@ -41,6 +41,9 @@ class Session {
     val search_step();
     /// Of the search: the best few placements that differ.
     [[nodiscard]] val distinct() const;
+    /// The design with the fewest blocks that hold the object and its walls, and the placement for them:
+    /// {design}.
+    val fit_case(const std::string& design, const val& progress);
     /// Starts a map of what is cut by direction, for the design's space; another object ends it.
     val start_map(const std::string& design);
     /// Goes on with it for some milliseconds.

@@ -328,3 +328,16 @@ test('where memory runs out the answer says so', async () => {
   expect(failure.kind).toBe('memory');
   expect(failure.error).toContain('memory');
 });
+
+test('the smallest space holds the object and its walls', async () => {
+  await sample('figurine');
+  design.space.blocks = 'auto';
+  design.space.wall_mm = 30;
+  design.placement.rotation_deg = [20, 30, 40];
+  const before = await pack();
+  const fitted = good(await core.fitCase(design)).design;
+  const after = good(await core.pack(fitted));
+  const volume = ({blocks}: {blocks: number[]}) => blocks.reduce((a, b) => a * b, 1);
+  expect(volume(after)).toBeLessThan(volume(before));
+  for (const wall of after.fit!.wall_mm) expect(wall).toBeGreaterThanOrEqual(30);
+});

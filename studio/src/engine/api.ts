@@ -283,6 +283,9 @@ export interface Engine {
    *  its walls stay those of the start. `onStep` hears where it stands several times a second. After cancel() the
    *  best so far is returned. */
   search(design: Design, onStep: (step: SearchStep) => void): Promise<SearchResult | Failure>;
+  /** The design with the fewest blocks that hold the object and its walls, however it is turned. Cancelled by
+   *  cancel(). */
+  fitCase(design: Design, onProgress?: OnProgress): Promise<{design: Design} | Failure>;
   /** The map of directions for the design's space; `onStep` hears it grow. Ended by cancel(), it is what it is. */
   directions(design: Design, onStep: (map: DirectionMap) => void): Promise<DirectionMap | Failure>;
   /** Ends gaps(), search(), directions() and outputFiles(), whichever runs; the first and the last then give a Failure of kind

@@ -116,6 +116,11 @@ export class EngineCore {
     return isFailure(distinct) ? distinct : {...end, distinct};
   }
 
+  async fitCase(design: Design, onProgress?: OnProgress): Promise<{design: Design} | Failure> {
+    const fitted = guarded(() => this.#session.fitCase(JSON.stringify(design), throttled(onProgress)));
+    return isFailure(fitted) ? fitted : {design: JSON.parse(fitted.design) as Design};
+  }
+
   async directions(design: Design, onStep: (map: DirectionMap) => void): Promise<DirectionMap | Failure> {
     const text = JSON.stringify(design);
     return this.#stepwise(

@@ -172,6 +172,11 @@ class PageEngine implements Engine {
     return this.#slowly('searches', (core) => core.directions(plain, proxy(onStep)));
   }
 
+  fitCase(design: Design, onProgress?: OnProgress): Promise<{design: Design} | Failure> {
+    const plain = copied(design);
+    return this.#slowly('outputs', (core) => core.fitCase(plain, onProgress && proxy(onProgress)));
+  }
+
   rankCases(design: Design): Promise<CaseRanking | Failure> {
     const plain = copied(design);
     return this.#quickly((core) => core.rankCases(plain));

@@ -37,6 +37,7 @@ declare module 'snug-wasm/snug.mjs' {
     startSearch(design: string): (SearchStep & {ended: boolean}) | Failure;
     searchStep(): (SearchStep & {ended: boolean}) | Failure;
     distinct(): FoundPlacement[];
+    fitCase(design: string, progress: Progress): {design: string} | Failure;
     startMap(design: string): (DirectionMap & {ended: boolean}) | Failure;
     mapStep(): (DirectionMap & {ended: boolean}) | Failure;
     rankCases(design: string): CaseRanking | Failure;

@@ -72,6 +72,20 @@ export function withKnownCase(design: Design, known: RankedCase): Design {
   };
 }
 
+/** The one thing that a search looks for. */
+export function withObjective(design: Design, objective: string): Design {
+  const weights = Object.fromEntries(Object.keys(design.search.weights).map((name) => [name, Number(name === objective)]));
+  return {...design, search: {...design.search, weights}};
+}
+
+export function objective({search}: Design): string {
+  return Object.entries(search.weights).reduce((best, next) => (next[1] > best[1] ? next : best))[0];
+}
+
+export function withUpright(design: Design, upright: string | null): Design {
+  return {...design, search: {...design.search, upright}};
+}
+
 export function withWorkshop(design: Design, to: Partial<Design['workshop']>): Design {
   return {...design, workshop: {...design.workshop, ...to}};
 }

@@ -178,6 +178,23 @@ export class Studio {
     this.change((design) => withSpace(withPlacement(design, {rotation_deg, offset_mm}), blocks), control);
   }
 
+  /** The fewest blocks that hold the object and its walls, and the placement for them. */
+  fitCase(): Promise<void> {
+    this.#work = this.#fitCase();
+    return this.#work;
+  }
+
+  async #fitCase(): Promise<void> {
+    const start = this.design;
+    const fitted = await this.#long('search', (onProgress) => this.engine.fitCase(start, onProgress));
+    if (isFailure(fitted)) {
+      this.#refuse('optimize', fitted);
+      return;
+    }
+    this.design = fitted.design;
+    await this.#show(this.design, 'optimize');
+  }
+
   /** Colours all directions by what they cut, better and better. */
   map(): Promise<void> {
     this.#work = this.#map();
