@@ -244,7 +244,7 @@ export const en = {
     gapHalves: ['Lower foam', 'Lid'],
     gapWidest: 'Widest gap',
     gapWhere: 'Show the widest gap',
-    gapStep: 'Cut away beyond the object (steps)',
+    gapStep: 'Steps: cut beyond the object',
     gapUndercut: 'Undercuts',
     gapUnknown: 'unknown, the object is open',
     bearing: 'What it lies on',
