@@ -51,7 +51,8 @@ type Add = (name: string, value: string, usual: string) => void;
 
 function addCase(options: CaseOptions, [height, width, length]: Triple, add: Add) {
   const size = [length, width, height].map(decimal).join('x');
-  add('case', options.lid_mm === null ? size : `${size}:${decimal(options.lid_mm)}`, '');
+  const sizes = options.lid_mm === null ? size : `${size}:${decimal(options.lid_mm)}`;
+  add('case', options.name ? quoted(options.name) : sizes, '');
   add('case-play', decimal(options.play_mm), '3');
   add('case-radius', decimal(options.corner_radius_mm), '0');
   const section = (value: [number, number] | null) => (value ? [value[1], value[0]].map(decimal).join('x') : '');
@@ -63,7 +64,7 @@ function addWorkshop(options: WorkshopOptions, work: Work, usual: WorkshopOption
   const {paper, price_per_litre: price, sheets, print} = options;
   add('for', work, '');
   add('paper', paper, usual.paper);
-  if (price !== null) add('price', `${decimal(price)}${options.currency}`, '');
+  if (price !== null) add('price', quoted(`${decimal(price)}${options.currency}`), '');
   if (work === 'sheets') {
     if (sheets.thickness_mm !== null) add('sheet', decimal(sheets.thickness_mm), '');
     add('stock', sheets.stock_mm.map(decimal).join('x'), usual.sheets.stock_mm.map(decimal).join('x'));

@@ -57,8 +57,13 @@ export function withWalls(design: Design, wall_mm: number | number[]): Design {
   return {...design, space: {...design.space, wall_mm}};
 }
 
+/** As carriers reckon where nothing else is known: the library's own. */
+export const USUAL_DIVISOR = 5000;
+
+/** A case of other sizes is no longer the one that has the name. */
 export function withCase(design: Design, to: Partial<Design['case']>): Design {
-  return {...design, case: {...design.case, ...to}};
+  const other = 'inside_mm' in to || 'lid_mm' in to ? {name: '', divisor: USUAL_DIVISOR} : {};
+  return {...design, case: {...design.case, ...other, ...to}};
 }
 
 /** A case that is known, with the object laid as it was ranked. */
@@ -91,7 +96,7 @@ export function withWorkshop(design: Design, to: Partial<Design['workshop']>): D
 }
 
 /** The foam that a way of working takes where none is chosen for it. */
-export const USUAL_PRESET: Record<Work, string> = {sponge: 'slit-10', sheets: 'sheet-10', print: 'print'};
+export const USUAL_PRESET: Record<Work, string> = {sponge: 'slit-15', sheets: 'sheet-10', print: 'print'};
 
 export function withRotation(design: Design, rotation_deg: Triple): Design {
   return {...design, placement: {...design.placement, rotation_deg}};
