@@ -6,7 +6,7 @@ import {expect, open, set, status, test} from './support/studio';
 test('slit sponge: what it takes is shown first, then the pack comes as one zip', async ({studio: page}) => {
   await open(page, sample('camera'));
   await page.getByRole('radio', {name: /Slit sponge/}).check();
-  await expect(page.getByLabel('Foam', {exact: true})).toHaveValue('slit-10');
+  await expect(page.getByLabel('Foam', {exact: true})).toHaveValue('slit-15');
   await set(page, 'spinbutton', 'Price a litre', 2);
   const figures = page.getByTestId('figures');
   await expect(figures).toContainText('litres', {timeout: 20_000});

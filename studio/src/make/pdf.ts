@@ -73,7 +73,8 @@ export async function writePdf(title: string, trueSize: boolean, pages: Page[]):
     const content = page.node.context.contentStream(operators);
     page.node.addContentStream(page.node.context.register(content));
   }
-  return (await pdf.save()) as Uint8Array<ArrayBuffer>;
+  // Printers' own readers of PDF may be old: no object streams.
+  return (await pdf.save({useObjectStreams: false})) as Uint8Array<ArrayBuffer>;
 }
 
 class Painter {
