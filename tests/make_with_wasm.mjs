@@ -1,7 +1,8 @@
-// Does under node what `snug make PROJECT -o FOLDER` does, with the WebAssembly build.
+// Does under node what `snug make PROJECT -o FOLDER` does, with the WebAssembly build; PDF is left out, and a 3MF
+// becomes a folder of its members.
 // Usage: node make_with_wasm.mjs WASM_FOLDER OBJECT PROJECT FOLDER
 import {mkdirSync, readFileSync, writeFileSync} from 'node:fs';
-import {join} from 'node:path';
+import {dirname, join} from 'node:path';
 
 const [wasmFolder, objectPath, projectPath, folder] = process.argv.slice(2);
 const {default: createSnug} = await import(join(wasmFolder, 'snug.mjs'));
@@ -12,6 +13,12 @@ if (result.error) {
   console.error(result.error);
   process.exit(1);
 }
-mkdirSync(folder, {recursive: true});
-for (const {name, bytes} of result.files) writeFileSync(join(folder, name), bytes);
-writeFileSync(join(folder, 'report.json'), result.report);
+const {files = [], containers = []} = result.pack ?? {};
+const members = containers.flatMap(({name, members: inside}) =>
+  inside.map((member) => ({...member, name: join(name, member.name)})),
+);
+const report = {name: 'report.json', bytes: result.report};
+for (const {name, bytes} of [...result.files, ...files, ...members, report]) {
+  mkdirSync(dirname(join(folder, name)), {recursive: true});
+  writeFileSync(join(folder, name), bytes);
+}

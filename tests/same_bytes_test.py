@@ -3,12 +3,13 @@
 Usage: same_bytes_test.py SNUG_GCC SNUG_CLANG WASM_FOLDER
 """
 
-import filecmp
+import io
 import json
 import os
 import subprocess
 import sys
 import tempfile
+import zipfile
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -18,6 +19,9 @@ SAMPLE_CASES = [
     ("torus", []),
     ("vase", ["--rotate", "12.3,45.6,-78.9", "--clearance", "1.5"]),
     ("camera", ["--rotate", "30,0,60", "--blocks", "auto", "--preset", "slit-12.7"]),
+    ("vase", ["--for", "sponge", "--paper", "letter", "--mass", "2"]),
+    ("camera", ["--for", "sheets", "--kerf", "0.2", "--price", "0.8EUR"]),
+    ("torus", ["--for", "print", "--block-size", "5x5x5", "--bed", "180x180x180"]),
     ("figurine", ["--blocks", "90x54x54", "--block-size", "5x5x7.3", "--cut-on-touch", "--parting", "40"]),
 ]
 MODEL_CASES = [
@@ -33,30 +37,42 @@ def run(command):
         sys.exit(f"{' '.join(map(str, command))}: status {done.returncode}\n{done.stdout}{done.stderr}")
 
 
-def comparable(folder):
-    """Report and all, with the one thing that may differ taken out."""
-    report = folder / "report.json"
-    content = json.loads(report.read_text())
-    del content["timing_ms"]
-    report.write_text(json.dumps(content))
-    return sorted(path.name for path in folder.iterdir())
+def contents(folder):
+    """Every file by its name, the report without the one thing that may differ."""
+    found = {path.relative_to(folder).as_posix(): path.read_bytes()
+             for path in folder.rglob("*") if path.is_file()}
+    report = json.loads(found["report.json"])
+    del report["timing_ms"]
+    found["report.json"] = json.dumps(report)
+    return found
+
+
+def unpacked(found):
+    """Without PDF, and with the members of 3MF instead of how they were compressed."""
+    plain = {name: content for name, content in found.items() if not name.endswith((".pdf", ".3mf"))}
+    for name in found:
+        if name.endswith(".3mf"):
+            with zipfile.ZipFile(io.BytesIO(found[name])) as container:
+                plain |= {f"{name}/{member}": container.read(member) for member in container.namelist()}
+    return plain
 
 
 def check(programs, wasm, path, options, work):
-    folders = []
+    made = []
     for number, program in enumerate(programs):
-        folders.append(work / f"native{number}")
-        run([program, "make", path, *options, "-o", folders[-1], "--quiet"])
-    folders.append(work / "wasm")
-    run(["node", HERE / "make_with_wasm.mjs", wasm, path, folders[0] / "project.snug.json", folders[-1]])
-    names = [comparable(folder) for folder in folders]
-    for folder, found in zip(folders[1:], names[1:]):
-        if found != names[0]:
-            sys.exit(f"{path.name} {options}: {found} instead of {names[0]}")
-        _, different, errors = filecmp.cmpfiles(folders[0], folder, names[0], shallow=False)
-        if different or errors:
-            sys.exit(f"{path.name} {options}: {different + errors} differ in {folder}")
-    print(f"{path.name} {' '.join(options)}: {len(names[0])} files equal", flush=True)
+        folder = work / f"native{number}"
+        run([program, "make", path, *options, "-o", folder, "--quiet"])
+        made.append(contents(folder))
+    folder = work / "wasm"
+    run(["node", HERE / "make_with_wasm.mjs", wasm, path, work / "native0" / "project.snug.json", folder])
+    pairs = [("clang", made[0], made[1]), ("wasm", unpacked(made[0]), contents(folder))]
+    for name, expected, found in pairs:
+        if sorted(found) != sorted(expected):
+            sys.exit(f"{path.name} {options}: {sorted(found)} instead of {sorted(expected)} by {name}")
+        different = [file for file in expected if found[file] != expected[file]]
+        if different:
+            sys.exit(f"{path.name} {options}: {different} differ by {name}")
+    print(f"{path.name} {' '.join(options)}: {len(made[0])} files equal", flush=True)
 
 
 def main():
