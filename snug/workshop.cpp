@@ -74,7 +74,7 @@ void tell_material(const Design& design, WorkshopPack& pack) {
     pack.figures.push_back(
         {"Cost", material.cost ? with_currency(*material.cost, options.currency) + " at " +
                                      with_currency(*options.price_per_litre, options.currency) + " a litre"
-                               : "not known: name the price of a litre, as in --price 0.8EUR"});
+                               : "not known without the price of a litre"});
 }
 
 }  // namespace

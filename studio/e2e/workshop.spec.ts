@@ -8,8 +8,12 @@ test('slit sponge: what it takes is shown first, then the pack comes as one zip'
   await page.getByRole('radio', {name: /Slit sponge/}).check();
   await expect(page.getByLabel('Foam', {exact: true})).toHaveValue('slit-15');
   await set(page, 'spinbutton', 'Price a litre', 2);
+  await page.getByLabel('Currency').fill('EUR');
+  await page.getByLabel('Currency').press('Tab');
   const figures = page.getByTestId('figures');
   await expect(figures).toContainText('litres', {timeout: 20_000});
+  await expect(figures).toContainText('at 2 EUR a litre');
+  await expect(page.locator('code')).toContainText('--for=sponge --price=2EUR');
   const [download] = await Promise.all([
     page.waitForEvent('download'),
     page.getByRole('button', {name: 'Export', exact: true}).click(),
@@ -20,6 +24,20 @@ test('slit sponge: what it takes is shown first, then the pack comes as one zip'
   const pdf = Object.keys(members).filter((name) => name.endsWith('.pdf'));
   expect(pdf.length).toBeGreaterThan(1);
   for (const name of pdf) expect(new TextDecoder().decode(members[name]!.slice(0, 5))).toBe('%PDF-');
+});
+
+test('each way of working brings its foam, unless another was chosen', async ({studio: page}) => {
+  await open(page, sample('camera'));
+  const foam = page.getByLabel('Foam', {exact: true});
+  await page.getByRole('radio', {name: /Slit sponge/}).check();
+  await expect(foam).toHaveValue('slit-15');
+  await page.getByRole('radio', {name: /3D print/}).check();
+  await expect(foam).toHaveValue('print');
+  await foam.selectOption('cube-25');
+  await page.getByRole('radio', {name: /Slit sponge/}).check();
+  await expect(foam).toHaveValue('cube-25');
+  await page.getByRole('button', {name: 'Take its usual foam: Slit sponge 15 mm'}).click();
+  await expect(foam).toHaveValue('slit-15');
 });
 
 test('a sheet that cannot be is refused beside its field', async ({studio: page}) => {
