@@ -5,6 +5,7 @@ import {join, relative} from 'node:path';
 import {unzipSync} from 'fflate';
 import {afterAll, beforeAll, describe, expect, test} from 'vitest';
 import type {Design, OutputFile, Work} from '../src/engine/api';
+import {ja} from '../src/i18n/ja';
 import {USUAL_PRESET} from '../src/state/edit';
 import type {EngineCore} from '../src/engine/core';
 import {good, startCore} from './support/snug';
@@ -121,4 +122,13 @@ test('the cases that are known are ranked, and one that is chosen is filled', as
     placement: {rotation_deg: best!.rotation_deg, offset_mm: [0, 0, 0]},
   };
   expect(good(await core.pack(cased)).fit).not.toBeNull();
+});
+
+test('each figure has its name in every language', async () => {
+  for (const work of WORKS) {
+    const design = await designFor(work);
+    design.workshop.print.bed_mm = [120, 120, 120];
+    const {figures} = good(await core.workshopFigures(design));
+    for (const {label} of figures) expect(Object.keys(ja.workshop.figures)).toContain(label);
+  }
 });

@@ -148,6 +148,8 @@ export const en = {
     dowels: 'Dowels where a half is cut apart',
     dowelsTip: 'Holes in the parts, and loose dowels to print',
     counting: 'Counting what it takes …',
+    /** By the library's labels, where they are said otherwise. */
+    figures: {} as Record<string, string>,
   },
   fit: {
     apart: 'Lower foam and lid each with their own',
