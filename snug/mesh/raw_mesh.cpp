@@ -70,7 +70,7 @@ Result<Mesh> recentred(RawMeshOf<T> raw, const std::string& noun, const std::str
         if (!usable(p))
             return fail(ErrorKind::input, noun + " " + grouped(v + 1) + which +
                                               " has a coordinate that is not a number, "
-                                              "or beyond 1e30: repair or export the mesh again");
+                                              "or beyond 1e30: repair or export it again");
         box.include(p);
     }
     Mesh mesh;
