@@ -16,6 +16,9 @@ struct Mesh {
     Vec3d origin;  ///< scans lie at survey coordinates that a float cannot hold
     /// The last vertices that only caps use (cap.h): they count for what is cut, not for where the centre is.
     std::size_t cap_vertices = 0;
+
+    /// Points without triangles: every other rule of a mesh holds, but each vertex stands for itself.
+    [[nodiscard]] bool is_cloud() const { return triangles.empty() && !vertices.empty(); }
 };
 
 /// Bounding box of the vertices, relative to mesh.origin.

@@ -61,6 +61,25 @@ std::vector<Vec3f> relative_to(Vec3d origin, std::vector<Vec3f> vertices) {
     return vertices;
 }
 
+/// `noun` and `which` name a vertex that is wrong.
+template <class T>
+Result<Mesh> recentred(RawMeshOf<T> raw, const std::string& noun, const std::string& which) {
+    Box3d box;
+    for (std::size_t v = 0; v < raw.vertices.size(); ++v) {
+        const Vec3d p = vec_cast<double>(raw.vertices[v]);
+        if (!usable(p))
+            return fail(ErrorKind::input, noun + " " + grouped(v + 1) + which +
+                                              " has a coordinate that is not a number, "
+                                              "or beyond 1e30: repair or export it again");
+        box.include(p);
+    }
+    Mesh mesh;
+    mesh.origin = origin_for(box);
+    mesh.vertices = relative_to(mesh.origin, std::move(raw.vertices));
+    mesh.triangles = std::move(raw.triangles);
+    return mesh;
+}
+
 }  // namespace
 
 template <class T>
@@ -75,23 +94,19 @@ Result<Mesh> finish(RawMeshOf<T> raw) {
         return fail(ErrorKind::input, "there are more than 2^32 - 2 vertices");
     drop_unused(raw);
 
-    Box3d box;
-    for (std::size_t v = 0; v < raw.vertices.size(); ++v) {
-        const Vec3d p = vec_cast<double>(raw.vertices[v]);
-        if (!usable(p))
-            return fail(ErrorKind::input,
-                        "vertex " + grouped(v + 1) +
-                            " of those that triangles use has a coordinate that is not a number, "
-                            "or beyond 1e30: repair or export the mesh again");
-        box.include(p);
-    }
-    Mesh mesh;
-    mesh.origin = origin_for(box);
-    mesh.vertices = relative_to(mesh.origin, std::move(raw.vertices));
-    mesh.triangles = std::move(raw.triangles);
-    return mesh;
+    return recentred(std::move(raw), "vertex", " of those that triangles use");
 }
 
+template <class T>
+Result<Mesh> finish_cloud(RawMeshOf<T> raw) {
+    if (raw.vertices.empty()) return fail(ErrorKind::input, "there are no points in this file");
+    if (raw.vertices.size() > kMostVertices)
+        return fail(ErrorKind::input, "there are more than 2^32 - 2 points");
+    return recentred(std::move(raw), "point", "");
+}
+
+template Result<Mesh> finish_cloud(RawMeshOf<float>);
+template Result<Mesh> finish_cloud(RawMeshOf<double>);
 template Result<Mesh> finish(RawMeshOf<float>);
 template Result<Mesh> finish(RawMeshOf<double>);
 

@@ -31,4 +31,9 @@ void append_polygon(RawMeshOf<T>& mesh, std::span<const std::uint32_t> corners);
 template <class T>
 [[nodiscard]] Result<Mesh> finish(RawMeshOf<T> raw);
 
+/// The same for points without triangles: all are kept in their order, and Mesh::is_cloud() holds. For float
+/// and double.
+template <class T>
+[[nodiscard]] Result<Mesh> finish_cloud(RawMeshOf<T> raw);
+
 }  // namespace snug

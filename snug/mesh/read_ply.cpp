@@ -8,6 +8,7 @@
 #include "snug/mesh/ply_values.h"
 #include "snug/mesh/raw_mesh.h"
 #include "snug/mesh/read.h"
+#include "snug/mesh/read_cloud.h"
 
 namespace snug {
 namespace {
@@ -19,7 +20,7 @@ class PlyReader {
   public:
     PlyReader(const PlyHeader& header, Values values) : header_(header), values_(std::move(values)) {}
 
-    Result<Mesh> read() {
+    Result<Mesh> read(bool as_cloud) {
         for (const PlyElement& element : header_.elements) {
             element_ = &element;
             if (element.properties.empty()) continue;
@@ -33,6 +34,7 @@ class PlyReader {
             if (!read_faces(faces.list)) return tl::unexpected(error_);
         }
         if (has_wrong_index_) return tl::unexpected(wrong_index_);
+        if (as_cloud && mesh_.triangles.empty()) return finish_cloud(std::move(mesh_));
         return finish(std::move(mesh_));
     }
 
@@ -214,17 +216,25 @@ bool has_float_vertices(const PlyHeader& header) {
     return true;
 }
 
-}  // namespace
-
-Result<Mesh> read_ply(Bytes file) {
+Result<Mesh> read(Bytes file, bool as_cloud) {
     const auto header = read_ply_header(file);
     if (!header) return tl::unexpected(header.error());
     const Bytes data = file.subspan(std::min(header->bytes, file.size()));
     if (header->encoding == PlyEncoding::ascii)
-        return PlyReader<AsciiPlyValues, double>(*header, AsciiPlyValues(data, header->lines)).read();
+        return PlyReader<AsciiPlyValues, double>(*header, AsciiPlyValues(data, header->lines)).read(as_cloud);
     const BinaryPlyValues values(data, header->encoding == PlyEncoding::big_endian);
-    return has_float_vertices(*header) ? PlyReader<BinaryPlyValues, float>(*header, values).read()
-                                       : PlyReader<BinaryPlyValues, double>(*header, values).read();
+    return has_float_vertices(*header) ? PlyReader<BinaryPlyValues, float>(*header, values).read(as_cloud)
+                                       : PlyReader<BinaryPlyValues, double>(*header, values).read(as_cloud);
+}
+
+}  // namespace
+
+Result<Mesh> read_ply(Bytes file) {
+    return read(file, false);
+}
+
+Result<Mesh> read_ply_or_cloud(Bytes file) {
+    return read(file, true);
 }
 
 }  // namespace snug

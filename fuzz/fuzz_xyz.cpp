@@ -1,0 +1,15 @@
+#include "snug/mesh/read_cloud.h"
+
+#include "fuzz/check_mesh.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    const auto cloud = snug::read_xyz(snug::fuzz::bytes(data, size));
+    if (!cloud) {
+        snug::fuzz::require(!cloud.error().message.empty());
+        return 0;
+    }
+    snug::fuzz::require(cloud->is_cloud());
+    for (const snug::Vec3f& v : cloud->vertices)
+        snug::fuzz::require(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z));
+    return 0;
+}

@@ -1,0 +1,269 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "snug/foam/block_map.h"
+#include "snug/foam/cloud_depth_map.h"
+#include "snug/foam/point_radius.h"
+#include "snug/mesh/samples.h"
+
+#include "tests/support/random.h"
+
+// Clouds against what their balls and the surfaces that they were sampled from say by themselves.
+
+namespace snug {
+namespace {
+
+using test::Random;
+
+Vec3d random_direction(Random& random) {
+    return {random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
+}
+
+Mesh random_balls(Random& random, const DesignSpace& space, bool snapped, std::vector<float>& radius) {
+    Mesh cloud;
+    for (int n = random.integer(2, 12); n > 0; --n) {
+        Vec3d p = random_direction(random);
+        for (int axis = 0; axis < 3; ++axis) {
+            p[axis] *= 0.6 * space.size()[axis];
+            if (snapped) p[axis] = space.face(axis, random.integer(0, space.blocks[axis]));
+        }
+        const double r = snapped ? random.integer(1, 4) * space.block_mm.y * 0.5 : random.between(0.01, 30);
+        cloud.vertices.push_back(vec_cast<float>(p));
+        radius.push_back(static_cast<float>(r));
+    }
+    return cloud;
+}
+
+/// A ball reaches furthest above one of these places of a cell, if it is above the cell at all.
+DepthRange brute_force(Vec3d c, double r, const std::array<double, 4>& cell) {
+    DepthRange range;
+    for (const double y : {cell[0], cell[1], c.y}) {
+        for (const double z : {cell[2], cell[3], c.z}) {
+            if (y < cell[0] || y > cell[1] || z < cell[2] || z > cell[3]) continue;
+            const double left = r * r - ((y - c.y) * (y - c.y) + (z - c.z) * (z - c.z));
+            if (left < 0) continue;
+            range.include(c.x - std::sqrt(left));
+            range.include(c.x + std::sqrt(left));
+        }
+    }
+    return range;
+}
+
+TEST(CloudDepthMap, IsWhatTheBallsReachAboveEachCell) {
+    for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random(seed);
+        const DesignSpace space{{random.integer(1, 6), random.integer(1, 6), random.integer(1, 6)},
+                                {random.between(4, 20), 8, random.between(4, 20)}};
+        std::vector<float> radius;
+        const Mesh cloud = random_balls(random, space, random.chance(0.5), radius);
+        Placement placement;
+        placement.rotation = rotation_from_euler({0, 0, 0});
+        const double e = random.chance(0.3) ? 0 : random.between(-1, 3);
+        Reach grown = reach(e, true);
+        const DepthMap depths = cloud_depth_map(cloud, radius, placement, space, grown);
+        for (int j = 0; j < space.blocks.y; ++j) {
+            for (int k = 0; k < space.blocks.z; ++k) {
+                DepthRange range;
+                for (std::size_t i = 0; i < radius.size(); ++i)
+                    range.include(
+                        brute_force(placement(cloud.vertices[i]), static_cast<double>(radius[i]),
+                                    {space.face(1, j) - e - 1e-9, space.face(1, j + 1) + e + 1e-9,
+                                     space.face(2, k) - e - 1e-9, space.face(2, k + 1) + e + 1e-9}));
+                ASSERT_EQ(depths(j, k).none(), range.none()) << j << " " << k;
+                if (range.none()) continue;
+                EXPECT_NEAR(depths(j, k).lowest, range.lowest, 1e-6);
+                EXPECT_NEAR(depths(j, k).highest, range.highest, 1e-6);
+            }
+        }
+    }
+}
+
+TEST(CloudDepthMap, TheTurnedBoundingBoxHoldsTheBallsAndIsCentred) {
+    Random random(7);
+    std::vector<float> radius;
+    const Mesh cloud = random_balls(random, {}, false, radius);
+    const Placement placement = place_cloud(cloud, radius, {30, 40, 50}, {1, 2, 3});
+    const Vec3d centre = placement.bounds.centre();
+    EXPECT_NEAR(centre.x, 1, 1e-9);
+    EXPECT_NEAR(centre.y, 2, 1e-9);
+    EXPECT_NEAR(centre.z, 3, 1e-9);
+    Vec3d nearest{1, 1, 1};
+    for (std::size_t i = 0; i < radius.size(); ++i) {
+        const Vec3d p = placement(cloud.vertices[i]);
+        for (int axis = 0; axis < 3; ++axis) {
+            const double r = static_cast<double>(radius[i]);
+            const double room =
+                std::min(p[axis] - r - placement.bounds.min[axis], placement.bounds.max[axis] - p[axis] - r);
+            EXPECT_GE(room, -1e-9);
+            nearest[axis] = std::min(nearest[axis], room);
+        }
+    }
+    EXPECT_NEAR(std::max({nearest.x, nearest.y, nearest.z}), 0, 1e-9);
+}
+
+/// Points so that no place of the surface is further than spacing / sqrt(3) from one: the corners of
+/// triangles whose sides are all at most `spacing`.
+void sample_triangle(Vec3d a, Vec3d b, Vec3d c, double spacing, std::vector<Vec3d>& points) {
+    const auto squared = [](Vec3d v) { return dot(v, v); };
+    const double ab = squared(b - a), bc = squared(c - b), ca = squared(a - c);
+    const double longest = std::max({ab, bc, ca});
+    if (longest <= spacing * spacing) {
+        points.insert(points.end(), {a, b, c});
+        return;
+    }
+    if (longest > ab && longest == bc) return sample_triangle(b, c, a, spacing, points);
+    if (longest > ab) return sample_triangle(c, a, b, spacing, points);
+    const Vec3d middle = (a + b) * 0.5;
+    sample_triangle(a, middle, c, spacing, points);
+    sample_triangle(middle, b, c, spacing, points);
+}
+
+Mesh sampled(const Mesh& mesh, double spacing, double noise) {
+    std::vector<Vec3d> points;
+    for (const auto& [a, b, c] : mesh.triangles)
+        sample_triangle(vec_cast<double>(mesh.vertices[a]), vec_cast<double>(mesh.vertices[b]),
+                        vec_cast<double>(mesh.vertices[c]), spacing, points);
+    Random random(static_cast<std::uint64_t>(spacing * 100));
+    Mesh cloud;
+    for (const Vec3d& p : points)
+        cloud.vertices.push_back(vec_cast<float>(p + random_direction(random) * (noise / std::sqrt(3.0))));
+    return cloud;
+}
+
+struct Comparison {
+    long long missed = 0;  ///< blocks that the mesh cuts and the cloud does not
+    long long more = 0;    ///< the other way round
+    long long beyond = 0;  ///< of `more`: further than one block from what the mesh cuts around them
+    long long mesh_blocks = 0;
+};
+
+Comparison compare(const BlockMap& mesh, const BlockMap& cloud) {
+    Comparison result;
+    for (int j = 0; j < mesh.ny(); ++j) {
+        for (int k = 0; k < mesh.nz(); ++k) {
+            int first = 4096, end = 0;
+            for (int j2 = j - 1; j2 <= j + 1; ++j2)
+                for (int k2 = k - 1; k2 <= k + 1; ++k2)
+                    if (mesh.contains(j2, k2) && !mesh(j2, k2).none()) {
+                        first = std::min<int>(first, mesh(j2, k2).first - 1);
+                        end = std::max<int>(end, mesh(j2, k2).end + 1);
+                    }
+            const CutRun a = mesh(j, k), b = cloud(j, k);
+            const auto in = [](CutRun run, int i) { return i >= run.first && i < run.end; };
+            for (int i = std::min(a.first, b.first); i < std::max(a.end, b.end); ++i) {
+                result.missed += in(a, i) && !in(b, i);
+                result.more += in(b, i) && !in(a, i);
+                result.beyond += in(b, i) && !in(a, i) && (i < first || i >= end);
+            }
+            result.mesh_blocks += a.blocks();
+        }
+    }
+    return result;
+}
+
+/// The cloud lies where the mesh lies: the placement is the mesh's.
+Comparison compare(const Mesh& mesh, const Mesh& cloud, const std::vector<float>& radius, Vec3d turn) {
+    const DesignSpace space{{60, 60, 60}, {10, 10, 12.7}};
+    const Placement placement = place(mesh, turn, {});
+    const Reach grown = reach(0, false);
+    return compare(block_map(depth_map(mesh, placement, space, grown), space, grown),
+                   block_map(cloud_depth_map(cloud, radius, placement, space, grown), space, grown));
+}
+
+TEST(Cloud, WithARadiusOfTheSamplingDistanceCutsAllThatTheMeshCutsAndAtMostOneLayerMore) {
+    for (const std::string_view name : sample_names()) {
+        const Mesh mesh = *sample(name);
+        for (const double spacing : {3.0, 6.0, 9.0}) {
+            for (const double noise : {0.0, 0.8}) {
+                SCOPED_TRACE(std::string(name) + " " + std::to_string(spacing) + " " + std::to_string(noise));
+                const Mesh cloud = sampled(mesh, spacing, noise);
+                const auto radii = point_radii(cloud, spacing / std::sqrt(3.0) + noise + 0.001);
+                ASSERT_TRUE(radii.has_value());
+                const Comparison result = compare(mesh, cloud, radii->radius, {20, 30, 40});
+                EXPECT_EQ(result.missed, 0);
+                EXPECT_EQ(result.beyond, 0);
+                EXPECT_GT(result.mesh_blocks, 50);
+                EXPECT_GT(result.more, 0);
+                EXPECT_LT(result.more, result.mesh_blocks / 2);
+            }
+        }
+    }
+}
+
+/// A plane sampled in squares: the radius from the spacing covers it without being told.
+TEST(PointRadius, FromTheSpacingCoversAnEvenlySampledSurface) {
+    Mesh grid;
+    for (int i = 0; i < 40; ++i)
+        for (int j = 0; j < 40; ++j)
+            grid.vertices.push_back({static_cast<float>(i) * 2, static_cast<float>(j) * 2, 0});
+    const auto radii = point_radii(grid);
+    ASSERT_TRUE(radii.has_value());
+    const double diagonal = 2 * std::sqrt(2.0);
+    EXPECT_NEAR(radii->median, diagonal, 1e-9);
+    for (const float r : radii->radius) EXPECT_GE(static_cast<double>(r), diagonal / 2);
+    EXPECT_EQ(radii->shortened, 0u);
+}
+
+TEST(PointRadius, IsTheSixthNearestDistanceOfABruteForce) {
+    for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random(seed);
+        const bool ties = random.chance(0.5);
+        Mesh cloud;
+        for (int n = random.integer(2, 200); n > 0; --n) {
+            Vec3d p = random_direction(random) * 10;
+            if (ties) p = {std::floor(p.x / 4), std::floor(p.y / 4), std::floor(p.z / 4)};
+            cloud.vertices.push_back(vec_cast<float>(p));
+        }
+        const auto radii = point_radii(cloud);
+        std::vector<Vec3f> places;
+        for (const Vec3f& p : cloud.vertices)
+            if (std::find(places.begin(), places.end(), p) == places.end()) places.push_back(p);
+        ASSERT_EQ(radii.has_value(), places.size() > 1);
+        if (!radii) continue;
+        for (std::size_t i = 0; i < cloud.vertices.size(); ++i) {
+            std::vector<double> distances;
+            for (const Vec3f& p : places) {
+                const Vec3d d = vec_cast<double>(p) - vec_cast<double>(cloud.vertices[i]);
+                distances.push_back(std::sqrt(dot(d, d)));
+            }
+            std::sort(distances.begin(), distances.end());
+            const double sixth = distances[std::min<std::size_t>(6, distances.size() - 1)];
+            const double found = static_cast<double>(radii->radius[i]);
+            EXPECT_NEAR(found, std::min(sixth, 4 * radii->median), 1e-5 * sixth);
+        }
+    }
+}
+
+TEST(PointRadius, EqualAndStrayPointsTakeNoTimeAndNoFoam) {
+    Mesh equal;
+    equal.vertices.assign(1000000, Vec3f{1, 2, 3});
+    const auto refused = point_radii(equal, 5);
+    ASSERT_FALSE(refused.has_value());
+    EXPECT_NE(refused.error().message.find("all its points are one"), std::string::npos);
+    equal.vertices.push_back({2, 2, 3});
+    EXPECT_EQ(point_radii(equal)->radius.back(), 1.0f);
+
+    Mesh stray;
+    for (int i = 0; i < 100; ++i)
+        stray.vertices.push_back({static_cast<float>(i % 10), static_cast<float>(i / 10), 0});
+    stray.vertices.push_back({500, 0, 0});
+    const auto radii = point_radii(stray);
+    ASSERT_TRUE(radii.has_value());
+    EXPECT_EQ(radii->shortened, 1u);
+    EXPECT_NEAR(static_cast<double>(radii->radius.back()), 4 * radii->median, 1e-5);
+    EXPECT_FALSE(point_radii(Mesh{{{0, 0, 0}}, {}, {}}).has_value());
+    EXPECT_FALSE(point_radii(Mesh{}).has_value());
+    EXPECT_EQ(point_radii(stray, -1).error().kind, ErrorKind::usage);
+    EXPECT_EQ(point_radii(stray, std::nan("")).error().kind, ErrorKind::usage);
+}
+
+}  // namespace
+}  // namespace snug
