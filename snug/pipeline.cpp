@@ -13,22 +13,12 @@
 #include "snug/foam/parting.h"
 #include "snug/foam/ribs.h"
 #include "snug/mesh/cap.h"
+#include "snug/pack_placed.h"
 
 namespace snug {
 namespace {
 
 constexpr double kLongestPlausible = 5000;  // mm
-
-/// From the file's unit to millimetres.
-double millimetres_per_unit(Vec3d size, const ObjectOptions& options) {
-    if (options.longest_mm) return *options.longest_mm / std::max({size.x, size.y, size.z});
-    return millimetres(options.units.value_or(Unit::mm)) * options.scale;
-}
-
-/// A space that is fitted to unequal walls does not have the object in its middle.
-Vec3d shift_between_walls(const SpaceOptions& space, bool in_case) {
-    return space.blocks || in_case ? Vec3d{} : fitted_shift(space.block_mm, wanted_wall_mm(space));
-}
 
 Placement placement_of(const Object& object, const PlacementOptions& options, Vec3d shift_mm) {
     const Vec3d offset = options.offset_mm + shift_mm;
@@ -105,30 +95,24 @@ void shape(Packing& packing, const Design& design, int level) {
         packing.rib_blocks = cut_thin_ribs(packing.blocks, packing.space, level, design.fit.least_rib_mm);
 }
 
-std::vector<Finding> findings_of(const Object& object, const Design& design, const Packing& packing,
-                                 const ObjectDepths& depths, const HalfCuts& cuts) {
-    std::vector<Finding> findings = packing.findings;
-    const Placement& placement = packing.placement;
-    const DesignSpace& space = packing.space;
-    find_problems_of_half(object, placement, space, depths.lower, cuts.lower, findings);
-    if (depths.upper && findings.size() == packing.findings.size())
-        find_problems_of_half(object, placement, space, *depths.upper, *cuts.upper, findings);
-    find_thin_walls(packing.fit, packing.blocks, space, wanted_wall_mm(design.space), findings);
+/// What may be wrong with the foams, whatever they are for.
+void find_foam_problems(const Packing& packing, const Design& design, std::vector<Finding>& findings) {
+    find_thin_walls(packing.fit, packing.blocks, packing.space, wanted_wall_mm(design.space), findings);
     find_pieces(packing.fit, findings);
     if (packing.fitted_case)
         find_case_problems(*packing.fitted_case, packing.fit, packing.foams->parting_level, findings);
-    find_parts(object.measure, placement, findings);
-    if (object.capped)
-        findings.push_back({Severity::note,
-                            "capped",
-                            counted(object.measure.holes.size(), "hole was", "holes were") +
-                                " closed before cutting; where the surface is missing its shape is a guess",
-                            {}});
-    sort_by_severity(findings);
-    return findings;
 }
 
 }  // namespace
+
+double millimetres_per_unit(Vec3d size, const ObjectOptions& options) {
+    if (options.longest_mm) return *options.longest_mm / std::max({size.x, size.y, size.z});
+    return millimetres(options.units.value_or(Unit::mm)) * options.scale;
+}
+
+Vec3d shift_between_walls(const SpaceOptions& space, bool in_case) {
+    return space.blocks || in_case ? Vec3d{} : fitted_shift(space.block_mm, wanted_wall_mm(space));
+}
 
 std::optional<Error> implausible_size(Vec3d size, const Design& design) {
     if (design.object.units || design.object.longest_mm) return {};
@@ -172,12 +156,12 @@ void prepare_for_many(Object& object) {
     if (!object.surface) object.surface = prepare_surface(object.mesh);
 }
 
-Result<Packing> pack(const Object& object, const Design& design) {
+Result<Packing> pack_placed(const Placement& placement, const Design& design, const PackSteps& steps) {
     Packing packing;
     const bool in_case = design.case_options.inside_mm.has_value();
     packing.rotation_deg = design.placement.rotation_deg;
     packing.offset_mm = design.placement.offset_mm;
-    packing.placement = placement_of(object, design.placement, shift_between_walls(design.space, in_case));
+    packing.placement = placement;
     if (in_case) {
         auto fitted = case_space(design.case_options, design.space.block_mm);
         if (!fitted) return tl::unexpected(fitted.error());
@@ -200,11 +184,10 @@ Result<Packing> pack(const Object& object, const Design& design) {
     }
 
     Stopwatch watch;
-    const ObjectDepths depths = object.surface
-                                    ? object_depths(*object.surface, packing.placement, space, design.cut)
-                                    : object_depths(object.mesh, packing.placement, space, design.cut);
+    const auto depths = steps.depths(packing.placement, space);
+    if (!depths) return tl::unexpected(depths.error());
     packing.timing.depth_map = watch.lap();
-    const HalfCuts cuts = half_cuts(depths, space);
+    const HalfCuts cuts = half_cuts(*depths, space);
     packing.timing.block_map = watch.lap();
 
     const int level = parting_level(packing, cuts, design.parting);
@@ -218,8 +201,40 @@ Result<Packing> pack(const Object& object, const Design& design) {
     packing.timing.foam_pair = watch.lap();
 
     packing.fit = fit_report(*packing.foams, packing.blocks, space, packing.available);
-    packing.findings = findings_of(object, design, packing, depths, cuts);
+    steps.find_object_problems(packing, *depths, cuts, packing.findings);
+    find_foam_problems(packing, design, packing.findings);
+    steps.find_object_notes(packing, packing.findings);
+    sort_by_severity(packing.findings);
     return packing;
+}
+
+Result<Packing> pack(const Object& object, const Design& design) {
+    PackSteps steps;
+    steps.depths = [&](const Placement& placement, const DesignSpace& space) -> Result<ObjectDepths> {
+        return object.surface ? object_depths(*object.surface, placement, space, design.cut)
+                              : object_depths(object.mesh, placement, space, design.cut);
+    };
+    steps.find_object_problems = [&](const Packing& packing, const ObjectDepths& depths, const HalfCuts& cuts,
+                                     std::vector<Finding>& findings) {
+        const std::size_t before = findings.size();
+        find_problems_of_half(object, packing.placement, packing.space, depths.lower, cuts.lower, findings);
+        if (depths.upper && findings.size() == before)
+            find_problems_of_half(object, packing.placement, packing.space, *depths.upper, *cuts.upper,
+                                  findings);
+    };
+    steps.find_object_notes = [&](const Packing& packing, std::vector<Finding>& findings) {
+        find_parts(object.measure, packing.placement, findings);
+        if (object.capped)
+            findings.push_back(
+                {Severity::note,
+                 "capped",
+                 counted(object.measure.holes.size(), "hole was", "holes were") +
+                     " closed before cutting; where the surface is missing its shape is a guess",
+                 {}});
+    };
+    const bool in_case = design.case_options.inside_mm.has_value();
+    return pack_placed(placement_of(object, design.placement, shift_between_walls(design.space, in_case)),
+                       design, steps);
 }
 
 Result<GapReport> gaps(const Object& object, const Packing& packing, const Progress& progress) {

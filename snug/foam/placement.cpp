@@ -24,6 +24,10 @@ Placement centred(const Rotation& rotation, Box3d turned_body, const Box3d& turn
 
 }  // namespace
 
+Placement place(const Box3d& turned, const Rotation& rotation, Vec3d offset_mm) {
+    return centred(rotation, turned, {}, offset_mm);
+}
+
 Placement place(const Mesh& mesh, Vec3d rotation_deg, Vec3d offset_mm) {
     const std::span<const Vec3f> vertices(mesh.vertices.data(), mesh.vertices.size());
     const Rotation rotation = rotation_from_euler(rotation_deg);

@@ -19,6 +19,8 @@ struct Placement {
 /// The placement by Euler angles psi, theta, phi (degrees; see rotation_from_euler) and an offset in mm. Caps
 /// do not decide where the object's centre is, so that an object lies the same with and without them.
 [[nodiscard]] Placement place(const Mesh& mesh, Vec3d rotation_deg, Vec3d offset_mm);
+/// Of an object whose turned bounding box is known.
+[[nodiscard]] Placement place(const Box3d& turned, const Rotation& rotation, Vec3d offset_mm);
 /// The same to the bit, without a pass over all vertices.
 [[nodiscard]] Placement place(const PreparedSurface& surface, Vec3d rotation_deg, Vec3d offset_mm);
 

@@ -12,7 +12,6 @@ namespace snug {
 namespace {
 
 constexpr std::size_t kMostVertices = std::numeric_limits<std::uint32_t>::max() - 1;
-constexpr double kGreatestCoordinate = 1e30;
 constexpr double kFarAway = 4;  // times the longest side: from there on floats would lose detail
 
 /// Numbers the vertices that triangles use in the order of the file and drops the others.
@@ -37,15 +36,6 @@ void drop_unused(RawMeshOf<T>& raw) {
 bool usable(Vec3d p) {
     const auto one = [](double value) { return std::fabs(value) <= kGreatestCoordinate; };
     return one(p.x) && one(p.y) && one(p.z);
-}
-
-/// Zero, so that the file's own floats stay as they are, unless the object lies so far away that they would
-/// not.
-Vec3d origin_for(const Box3d& box) {
-    const Vec3d centre = box.centre();
-    const double far = kFarAway * box.longest_side();
-    const bool near = std::fabs(centre.x) <= far && std::fabs(centre.y) <= far && std::fabs(centre.z) <= far;
-    return near ? Vec3d{} : centre;
 }
 
 std::vector<Vec3f> relative_to(Vec3d origin, std::vector<Vec3d> vertices) {
@@ -81,6 +71,13 @@ Result<Mesh> recentred(RawMeshOf<T> raw, const std::string& noun, const std::str
 }
 
 }  // namespace
+
+Vec3d origin_for(const Box3d& box) {
+    const Vec3d centre = box.centre();
+    const double far = kFarAway * box.longest_side();
+    const bool near = std::fabs(centre.x) <= far && std::fabs(centre.y) <= far && std::fabs(centre.z) <= far;
+    return near ? Vec3d{} : centre;
+}
 
 template <class T>
 Result<Mesh> finish(RawMeshOf<T> raw) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "snug/base/box.h"
 #include "snug/base/result.h"
 #include "snug/mesh/mesh.h"
 
@@ -18,6 +19,12 @@ struct RawMeshOf {
     std::vector<Triangle> triangles;
 };
 using RawMesh = RawMeshOf<double>;
+
+/// Where a mesh within the box has its origin: zero, so that the file's own floats stay as they are, unless
+/// it lies so far away that they would not; then the box's centre.
+[[nodiscard]] Vec3d origin_for(const Box3d& box);
+/// Beyond this a coordinate is refused.
+constexpr double kGreatestCoordinate = 1e30;
 
 /// Cuts a polygon with any number of corners >= 3 into triangles and appends them. Concave polygons are cut
 /// inside their outline (ear clipping in the plane of their area vector); where that fails, a fan. For float

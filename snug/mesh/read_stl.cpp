@@ -1,55 +1,26 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstring>
 
 #include "snug/base/text.h"
 #include "snug/mesh/raw_mesh.h"
 #include "snug/mesh/read.h"
 #include "snug/mesh/stl_kind.h"
+#include "snug/mesh/stl_layout.h"
 #include "snug/mesh/text_scan.h"
 #include "snug/mesh/welder.h"
 
 namespace snug {
 namespace {
 
-constexpr std::size_t kHeader = 84;
-constexpr std::size_t kFacet = 50;
 constexpr std::size_t kStart = 4096;  // bytes that are looked at to tell text from numbers
 
-std::uint32_t read_u32(const std::byte* at) {
-    return std::to_integer<std::uint32_t>(at[0]) | std::to_integer<std::uint32_t>(at[1]) << 8 |
-           std::to_integer<std::uint32_t>(at[2]) << 16 | std::to_integer<std::uint32_t>(at[3]) << 24;
-}
-
-float read_f32(const std::byte* at) {
-    const std::uint32_t bits = read_u32(at);
-    float value = 0;
-    std::memcpy(&value, &bits, sizeof value);
-    return value;
-}
-
-/// False where a coordinate is not finite.
-bool read_corners(const std::byte* facet, std::array<Vec3f, 3>& corners) {
-    const std::byte* at = facet + 12;  // behind the normal
-    for (Vec3f& p : corners) {
-        p = {read_f32(at), read_f32(at + 4), read_f32(at + 8)};
-        if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) return false;
-        at += 12;
-    }
-    return true;
-}
-
 Result<Mesh> read_binary(Bytes file) {
-    if (file.size() < kHeader)
+    if (file.size() < kStlHeader)
         return fail(ErrorKind::input, "the file is cut off: a binary STL has at least 84 bytes, this one " +
                                           grouped(file.size()) + "; copy or export it again");
     const std::size_t count = read_u32(file.data() + 80);
-    const std::size_t held = (file.size() - kHeader) / kFacet;
-    if (held < count)
-        return fail(ErrorKind::input, "the file is cut off: it says " +
-                                          counted(count, "triangle", "triangles") + " but holds " +
-                                          grouped(held) + "; copy or export it again");
+    const std::size_t held = (file.size() - kStlHeader) / kStlFacet;
+    if (held < count) return tl::unexpected(stl_cut_off(count, held));
     RawMeshOf<float> mesh;
     mesh.triangles.reserve(count);
     mesh.vertices.reserve(count / 2 + 3);
@@ -57,10 +28,8 @@ Result<Mesh> read_binary(Bytes file) {
     std::array<Welder<float>::Corners, Welder<float>::kBatch> batch;
     for (std::size_t t = 0; t < count; ++t) {
         Welder<float>::Corners& corners = batch[t % batch.size()];
-        if (!read_corners(file.data() + kHeader + t * kFacet, corners))
-            return fail(ErrorKind::input, "triangle " + grouped(t + 1) + " of " + grouped(count) +
-                                              " has a coordinate that is not a finite number: repair "
-                                              "or export the mesh again");
+        if (!read_stl_corners(file.data() + kStlHeader + t * kStlFacet, corners))
+            return tl::unexpected(stl_not_finite(t, count));
         if (const std::size_t held_back = t % batch.size() + 1; held_back == batch.size() || t + 1 == count)
             welder.append(std::span(batch).first(held_back));
     }
@@ -149,8 +118,8 @@ bool holds_zero_bytes(Bytes start) {
 }  // namespace
 
 bool is_whole_binary_stl(Bytes file) {
-    return file.size() >= kHeader && (file.size() - kHeader) % kFacet == 0 &&
-           (file.size() - kHeader) / kFacet == stated_count(file);
+    return file.size() >= kStlHeader && (file.size() - kStlHeader) % kStlFacet == 0 &&
+           (file.size() - kStlHeader) / kStlFacet == stated_count(file);
 }
 
 bool is_ascii_stl(Bytes file) {
@@ -166,7 +135,8 @@ bool is_ascii_stl(Bytes file) {
 Result<Mesh> read_stl(Bytes file) {
     if (is_whole_binary_stl(file)) return read_binary(file);
     if (is_ascii_stl(file)) return AsciiReader(file).read();
-    const bool has_room = file.size() >= kHeader && (file.size() - kHeader) / kFacet >= stated_count(file);
+    const bool has_room =
+        file.size() >= kStlHeader && (file.size() - kStlHeader) / kStlFacet >= stated_count(file);
     const Bytes start = file.first(std::min(file.size(), kStart));
     const bool says_solid = same_word(TextScan(start).word_anywhere('\0'), "solid");
     return !has_room && says_solid && !holds_zero_bytes(start) ? AsciiReader(file).read() : read_binary(file);

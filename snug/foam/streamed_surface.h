@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "snug/base/box.h"
+#include "snug/base/progress.h"
+#include "snug/base/result.h"
+#include "snug/base/rotation.h"
+#include "snug/foam/depth_map.h"
+#include "snug/foam/design_space.h"
+#include "snug/foam/placement.h"
+#include "snug/mesh/triangle_stream.h"
+
+namespace snug {
+
+/// How a file's coordinates become the object's: relative to an origin and in mm, rounded as a mesh in memory
+/// has them.
+struct FileToObject {
+    Vec3d origin;
+    double factor = 1;
+
+    [[nodiscard]] Vec3f operator()(Vec3f p) const {
+        if (!(origin == Vec3d{})) p = vec_cast<float>(vec_cast<double>(p) - origin);
+        return factor == 1 ? p : vec_cast<float>(vec_cast<double>(p) * factor);
+    }
+};
+
+/// What one pass over a file tells.
+struct StreamedBounds {
+    Box3d file;    ///< of the coordinates as the file has them
+    Box3d turned;  ///< of the object's, turned
+};
+[[nodiscard]] Result<StreamedBounds> streamed_bounds(const TriangleStream& stream, const FileToObject& object,
+                                                     const Rotation& rotation, const Progress& progress = {});
+
+/// As of a mesh (depth_map.h), to the bit, in one pass.
+[[nodiscard]] Result<DepthMap> depth_map(const TriangleStream& stream, const FileToObject& object,
+                                         const Placement& placement, const DesignSpace& space, Reach reach,
+                                         const Progress& progress = {});
+
+}  // namespace snug

@@ -1,0 +1,114 @@
+#include "snug/pack_stream.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "snug/foam/streamed_surface.h"
+#include "snug/mesh/raw_mesh.h"
+#include "snug/pack_placed.h"
+
+namespace snug {
+namespace {
+
+/// The box and the way from the file's coordinates to the object's; a second pass only where the first could
+/// not know that way.
+struct Measured {
+    FileToObject to_object;
+    Box3d box;  ///< of the object as prepare() sees it before it is scaled
+    Box3d turned;
+};
+
+bool beyond_limits(const Box3d& box) {
+    const auto far = [](Vec3d p) {
+        return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}) > kGreatestCoordinate;
+    };
+    return far(box.min) || far(box.max);
+}
+
+/// As the rounding of a mesh's vertices has it.
+Box3d relative_to(Vec3d origin, const Box3d& file) {
+    const FileToObject moved{origin, 1};
+    const auto rounded = [&](Vec3d p) { return vec_cast<double>(moved(vec_cast<float>(p))); };
+    return {rounded(file.min), rounded(file.max)};
+}
+
+Result<Measured> measured(const TriangleStream& stream, const Design& design, const Progress& progress) {
+    const Rotation rotation = rotation_from_euler(design.placement.rotation_deg);
+    Measured result;
+    const bool by_length = design.object.longest_mm.has_value();
+    if (!by_length) result.to_object.factor = millimetres_per_unit({}, design.object);
+    auto bounds = streamed_bounds(stream, result.to_object, rotation, part_of(progress, 0, 0.5));
+    if (!bounds) return tl::unexpected(bounds.error());
+    if (beyond_limits(bounds->file))
+        return fail(ErrorKind::input,
+                    "a triangle has a coordinate beyond 1e30: repair or export the mesh again");
+    const Vec3d origin = origin_for(bounds->file);
+    result.box = relative_to(origin, bounds->file);
+    const Vec3d size = result.box.size();
+    if (std::max({size.x, size.y, size.z}) <= 0)
+        return fail(ErrorKind::input, "the object has no size: all its points are one");
+    if (const auto error = implausible_size(size, design)) return tl::unexpected(*error);
+    if (by_length || !(origin == Vec3d{})) {
+        result.to_object = {origin, millimetres_per_unit(size, design.object)};
+        bounds = streamed_bounds(stream, result.to_object, rotation, part_of(progress, 0.5, 1));
+        if (!bounds) return tl::unexpected(bounds.error());
+    }
+    result.turned = bounds->turned;
+    return result;
+}
+
+Result<HalfDepths> half_depths(const TriangleStream& stream, const FileToObject& object,
+                               const Placement& placement, const DesignSpace& space, Vec3d clearance_mm,
+                               bool cut_on_touch, const Progress& progress) {
+    const Reach grown = reach(clearance_mm, cut_on_touch);
+    auto depths = depth_map(stream, object, placement, space, grown, progress);
+    if (!depths) return tl::unexpected(depths.error());
+    return HalfDepths{std::move(*depths), grown};
+}
+
+}  // namespace
+
+Result<StreamedPacking> pack_stream(const TriangleStream& stream, const Design& design,
+                                    const Progress& progress) {
+    if (design.object.cap)
+        return fail(ErrorKind::usage, "holes cannot be closed in an object that is read in pieces");
+    const auto object = measured(stream, design, part_of(progress, 0, 0.4));
+    if (!object) return tl::unexpected(object.error());
+    const Clearance clearance = design.cut.whole_clearance_mm();
+
+    PackSteps steps;
+    steps.depths = [&](const Placement& placement, const DesignSpace& space) -> Result<ObjectDepths> {
+        const bool touch = design.cut.cut_on_touch, both = clearance.same_in_both();
+        auto lower = half_depths(stream, object->to_object, placement, space, clearance.lower, touch,
+                                 part_of(progress, 0.4, both ? 1 : 0.7));
+        if (!lower) return tl::unexpected(lower.error());
+        ObjectDepths depths{std::move(*lower), {}};
+        if (both) return depths;
+        auto upper = half_depths(stream, object->to_object, placement, space, clearance.upper, touch,
+                                 part_of(progress, 0.7, 1));
+        if (!upper) return tl::unexpected(upper.error());
+        depths.upper = std::move(*upper);
+        return depths;
+    };
+    steps.find_object_problems = [](const Packing&, const ObjectDepths&, const HalfCuts&,
+                                    std::vector<Finding>&) {};
+    steps.find_object_notes = [](const Packing&, std::vector<Finding>& findings) {
+        findings.push_back(
+            {Severity::note,
+             "streamed",
+             "the object was read in pieces: whether it is closed, in how many parts, and what it "
+             "has of undercuts is not known; foam may grow inside where it is open",
+             {}});
+    };
+    const bool in_case = design.case_options.inside_mm.has_value();
+    const Vec3d offset = design.placement.offset_mm + shift_between_walls(design.space, in_case);
+    const Rotation rotation = rotation_from_euler(design.placement.rotation_deg);
+    auto packing = pack_placed(place(object->turned, rotation, offset), design, steps);
+    if (!packing) return tl::unexpected(packing.error());
+    return StreamedPacking{stream.triangles(), object->box.size() * object->to_object.factor,
+                           std::move(*packing)};
+}
+
+}  // namespace snug

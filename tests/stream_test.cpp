@@ -1,0 +1,172 @@
+#include <algorithm>
+#include <atomic>
+#include <cstring>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "snug/fabricate/mesh_files.h"
+#include "snug/mesh/read.h"
+#include "snug/mesh/samples.h"
+#include "snug/pack_stream.h"
+
+#include "tests/support/random_design.h"
+
+// Objects that are read in pieces, beside the same objects in memory.
+
+namespace snug {
+namespace {
+
+using test::Random;
+
+/// Of bytes in memory; counts how many were read.
+ByteSource source_of(const FileBytes& bytes, std::atomic<std::uint64_t>* read = nullptr) {
+    return {bytes.size(), [&bytes, read](std::uint64_t at, std::span<std::byte> into) -> Result<void> {
+                if (at + into.size() > bytes.size()) return fail(ErrorKind::input, "beyond the end");
+                std::memcpy(into.data(), bytes.data() + at, into.size());
+                if (read) *read += into.size();
+                return {};
+            }};
+}
+
+FileBytes stl_of(const Mesh& mesh) {
+    return write_stl(mesh.vertices, mesh.triangles, "test");
+}
+
+void expect_same(const FileBytes& bytes, const Design& design) {
+    auto mesh = read_stl(bytes);
+    ASSERT_TRUE(mesh);
+    const auto object = prepare(std::move(*mesh), design);
+    const auto stream = TriangleStream::open(source_of(bytes));
+    ASSERT_TRUE(stream) << stream.error().message;
+    const auto streamed = pack_stream(*stream, design);
+    if (!object) {
+        ASSERT_FALSE(streamed);
+        EXPECT_EQ(streamed.error().message, object.error().message);
+        return;
+    }
+    const auto packing = pack(*object, design);
+    ASSERT_EQ(streamed.has_value(), packing.has_value());
+    if (!packing) {
+        EXPECT_EQ(streamed.error().message, packing.error().message);
+        return;
+    }
+    EXPECT_EQ(streamed->triangles, object->read_triangles);
+    const Vec3d size = object->measure.bounds.size();
+    for (int axis = 0; axis < 3; ++axis)
+        EXPECT_NEAR(streamed->size_mm[axis], size[axis], 1e-5 * size[axis] + 1e-9);
+    EXPECT_EQ(streamed->packing.placement.bounds, packing->placement.bounds);
+    EXPECT_EQ(streamed->packing.blocks, packing->blocks);
+    ASSERT_EQ(streamed->packing.foams.has_value(), packing->foams.has_value());
+    if (!packing->foams) return;
+    EXPECT_EQ(streamed->packing.foams->lower, packing->foams->lower);
+    EXPECT_EQ(streamed->packing.foams->upper, packing->foams->upper);
+    EXPECT_EQ(streamed->packing.foams->parting_level, packing->foams->parting_level);
+}
+
+Design random_design_for(Random& random) {
+    Design design;
+    design.object.units = Unit::mm;
+    for (int axis = 0; axis < 3; ++axis) {
+        design.placement.rotation_deg[axis] = random.chance(0.3) ? 0 : random.between(-180, 180);
+        design.placement.offset_mm[axis] = random.chance(0.5) ? 0 : random.between(-10, 10);
+    }
+    if (random.chance(0.5)) design.space.blocks.reset();
+    if (random.chance(0.3)) design.object.longest_mm = random.between(50, 300);
+    if (random.chance(0.3)) design.object.units = Unit::in;
+    if (random.chance(0.5)) design.cut.clearance_mm = random.between(-3, 6);
+    if (random.chance(0.3)) design.cut.clearance_mm.upper = {random.between(-3, 6), 0, 2};
+    return design;
+}
+
+TEST(Stream, RandomSoupsHaveTheFoamsThatTheyHaveInMemory) {
+    for (int seed = 0; seed < 120; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random(static_cast<std::uint64_t>(seed));
+        test::RandomDesign soup = test::random_design(random);
+        // Survey coordinates are recentred, half of the time.
+        if (seed % 2 == 0)
+            for (Vec3f& v : soup.mesh.vertices) v = v + Vec3f{5e4f, -3e4f, 2e4f};
+        expect_same(stl_of(soup.mesh), random_design_for(random));
+    }
+}
+
+TEST(Stream, SamplesAndSharedObjectsHaveTheFoamsThatTheyHaveInMemory) {
+    std::vector<FileBytes> objects;
+    for (const std::string_view name : sample_names()) objects.push_back(stl_of(*sample(name)));
+    Random random(7);
+    for (const FileBytes& bytes : objects)
+        for (int turn = 0; turn < 4; ++turn) {
+            SCOPED_TRACE(turn);
+            expect_same(bytes, random_design_for(random));
+        }
+}
+
+TEST(Stream, ReadsTheFileTwice) {
+    const FileBytes bytes = stl_of(*sample("figurine"));
+    std::atomic<std::uint64_t> read = 0;
+    const auto stream = TriangleStream::open(source_of(bytes, &read));
+    Design design;
+    design.object.units = Unit::mm;
+    ASSERT_TRUE(pack_stream(*stream, design));
+    EXPECT_LE(read, 2 * bytes.size() + 84);
+}
+
+TEST(Stream, BadFilesAreSentences) {
+    const auto opened = [](const FileBytes& bytes) {
+        const auto stream = TriangleStream::open(source_of(bytes));
+        return stream ? std::string() : stream.error().message;
+    };
+    FileBytes good = stl_of(*sample("torus"));
+    EXPECT_EQ(opened(good), "");
+    FileBytes cut(good.begin(), good.end() - 70);
+    EXPECT_NE(opened(cut).find("cut off"), std::string::npos);
+    EXPECT_EQ(opened(cut), read_stl(cut).error().message) << "the same sentence as in memory";
+    EXPECT_NE(opened(FileBytes(20)).find("binary STL"), std::string::npos);
+    FileBytes none(84);
+    EXPECT_NE(opened(none).find("no triangles"), std::string::npos);
+    const std::string text =
+        "solid thing\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n   vertex 1 0 0\n"
+        "   vertex 0 1 0\n  endloop\n endfacet\nendsolid thing\n";
+    const auto* begin = reinterpret_cast<const std::byte*>(text.data());
+    EXPECT_NE(opened(FileBytes(begin, begin + text.size())).find("--stream"), std::string::npos);
+
+    // The first wrong triangle of the file is named, whoever meets it first.
+    const float infinite = std::numeric_limits<float>::infinity();
+    for (const std::size_t triangle : {40000, 1234})
+        std::memcpy(good.data() + 84 + 50 * triangle + 12, &infinite, 4);
+    const auto stream = TriangleStream::open(source_of(good));
+    ASSERT_TRUE(stream);
+    Design design;
+    design.object.units = Unit::mm;
+    const auto packed = pack_stream(*stream, design);
+    ASSERT_FALSE(packed);
+    EXPECT_EQ(packed.error().message, read_stl(good).error().message);
+}
+
+TEST(Stream, AFileThatShrinksAndACancelledPassEndWithTheirError) {
+    const FileBytes bytes = stl_of(*sample("torus"));
+    Design design;
+    design.object.units = Unit::mm;
+    int reads = 0;
+    ByteSource shrinking = source_of(bytes);
+    const auto whole = shrinking.read;
+    shrinking.read = [&](std::uint64_t at, std::span<std::byte> into) -> Result<void> {
+        if (++reads > 2) return fail(ErrorKind::input, "the file has shrunk");
+        return whole(at, into);
+    };
+    const auto stream = TriangleStream::open(shrinking);
+    const auto packed = pack_stream(*stream, design);
+    ASSERT_FALSE(packed);
+    EXPECT_EQ(packed.error().message, "the file has shrunk");
+    const auto again = TriangleStream::open(source_of(bytes));
+    const auto cancelled = pack_stream(*again, design, [](double) { return false; });
+    ASSERT_FALSE(cancelled);
+    EXPECT_EQ(cancelled.error().kind, ErrorKind::cancelled);
+}
+
+}  // namespace
+}  // namespace snug
