@@ -6,10 +6,10 @@
 #include <fcntl.h>
 #include <sha2.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <fmt/core.h>
 
+#include "cli/descriptor.h"
 #include "cli/interrupt.h"
 
 namespace snug::cli {
@@ -20,25 +20,6 @@ namespace fs = std::filesystem;
 std::string reason(int error) {
     return std::strerror(error);
 }
-
-/// A file descriptor that closes itself.
-class Descriptor {
-  public:
-    explicit Descriptor(int fd) : fd_(fd) {}
-    ~Descriptor() {
-        if (fd_ >= 0) ::close(fd_);
-    }
-    Descriptor(const Descriptor&) = delete;
-    Descriptor& operator=(const Descriptor&) = delete;
-
-    [[nodiscard]] int get() const { return fd_; }
-    [[nodiscard]] bool ok() const { return fd_ >= 0; }
-    /// Closes now; false if the system only now says that the data was lost.
-    [[nodiscard]] bool close() { return ::close(std::exchange(fd_, -1)) == 0; }
-
-  private:
-    int fd_;
-};
 
 tl::unexpected<Error> cannot_write(const fs::path& path, int error) {
     return fail(ErrorKind::output, fmt::format("{}: cannot be written ({})", path.string(), reason(error)));

@@ -12,7 +12,6 @@
 
 #include "snug/base/stopwatch.h"
 #include "snug/design/project.h"
-#include "snug/mesh/read.h"
 #include "snug/outputs.h"
 #include "snug/pipeline.h"
 #include "snug/workshop.h"
@@ -23,6 +22,7 @@
 #include "cli/interrupt.h"
 #include "cli/make_case.h"
 #include "cli/make_fit.h"
+#include "cli/make_pack.h"
 #include "cli/make_search.h"
 #include "cli/make_workshop.h"
 #include "cli/object_file.h"
@@ -46,14 +46,18 @@ struct MakeArguments {
     SearchArguments search;
     WorkshopArguments workshop;
     FitArguments fit;
+    std::optional<double> point_radius;
     bool cap = false, quiet = false, json = false;
+    std::optional<bool> stream;
     int threads = 0;
     CaseArguments case_arguments;
 };
 
 void add_options(CLI::App& make, MakeArguments& arguments) {
     auto& a = arguments;
-    make.add_option("OBJECT", a.object, "A mesh (STL, OBJ, PLY, OFF) or a project (*.snug.json)")->required();
+    make.add_option("OBJECT", a.object,
+                    "A mesh (STL, OBJ, PLY, OFF), a point cloud (PLY, XYZ, PTS) or a project (*.snug.json)")
+        ->required();
     make.add_option("-o,--output", a.folder, "The folder for the files that are made")
         ->required()
         ->type_name("DIR");
@@ -78,6 +82,13 @@ void add_options(CLI::App& make, MakeArguments& arguments) {
     make.add_option("--parting", a.parting, "Blocks of the lower foam where the object does not touch (auto)")
         ->type_name("auto|LEVEL");
     make.add_flag("--cap", a.cap, "Close the holes of an open object before cutting");
+    make.add_option("--point-radius", a.point_radius,
+                    "Point clouds: each point counts as a ball of this radius (0: from the spacing)")
+        ->type_name("MM");
+    make.add_flag(
+        "--stream,!--no-stream", a.stream,
+        "Read the object in pieces, so that it need not fit into memory (chosen by itself for large "
+        "files)");
     add_fit_options(make, a.fit);
     add_search_options(make, a.search);
     make.add_option("--object", a.replacement_object,
@@ -122,6 +133,7 @@ Result<Design> design_from(const MakeArguments& a, Design design, bool from_proj
     if (a.scale) design.object.scale = *a.scale;
     if (a.longest) design.object.longest_mm = *a.longest;
     if (a.cap) design.object.cap = true;
+    if (a.point_radius) design.object.point_radius_mm = *a.point_radius;
     if (a.blocks && *a.blocks == "auto") {
         design.space.blocks.reset();
     } else if (a.blocks) {
@@ -163,67 +175,20 @@ Result<Design> design_from(const MakeArguments& a, Design design, bool from_proj
     return checked(design);
 }
 
-/// What is to be made, and from which file.
-struct Task {
-    fs::path object_path;
-    Project project;
-    std::string expected_sha256;  ///< of a project's object; empty otherwise
-};
-
 Result<Task> task_from(const MakeArguments& arguments) {
     auto source = find_object(arguments.object, arguments.replacement_object);
     if (!source) return tl::unexpected(source.error());
     Task task;
+    task.stream = arguments.stream;
     task.object_path = source->object;
     if (source->project) {
         task.project = std::move(*source->project);
-        task.expected_sha256 = task.project.object.sha256;
+        task.expected = task.project.object;
     }
     auto design = design_from(arguments, task.project.design, source->project.has_value());
     if (!design) return tl::unexpected(design.error());
     task.project.design = std::move(*design);
     return task;
-}
-
-/// Reads, measures and packs; adds what only the file knows to the findings.
-struct Packed {
-    Object object;
-    Packing packing;
-    std::optional<SearchReport> search;
-};
-
-Result<Packed> read_and_pack(Task& task, const SearchArguments& search_arguments, StatusLine& status) {
-    const std::string path = task.object_path.string();
-    status.show("Reading " + path);
-    Stopwatch watch;
-    const auto bytes = read_file(task.object_path);
-    if (!bytes) return tl::unexpected(bytes.error());
-    auto mesh = read_mesh(*bytes, path);
-    const double read_ms = watch.lap();
-    if (!mesh) return fail(mesh.error().kind, fmt::format("{}: {}", path, mesh.error().message));
-    task.project.object = describe(task.object_path, *bytes);
-
-    status.show("Cutting");
-    auto object = prepare(std::move(*mesh), task.project.design);
-    if (!object) return fail(object.error().kind, fmt::format("{}: {}", path, object.error().message));
-    std::optional<SearchReport> searched;
-    if (search_arguments.asked()) {
-        auto found = search(*object, task.project.design, search_arguments, status);
-        if (!found) return fail(found.error().kind, fmt::format("{}: {}", path, found.error().message));
-        searched = std::move(*found);
-    }
-    auto packing = pack(*object, task.project.design);
-    if (!packing) return tl::unexpected(packing.error());
-    packing->timing.read = read_ms;
-    if (!task.expected_sha256.empty() && task.expected_sha256 != task.project.object.sha256) {
-        packing->findings.push_back({Severity::warning,
-                                     "object_changed",
-                                     "the object " + task.project.object.name +
-                                         " is not the one that the project was made with: check the result",
-                                     {}});
-        sort_by_severity(packing->findings);
-    }
-    return Packed{std::move(*object), std::move(*packing), std::move(searched)};
 }
 
 /// Writes everything, the report last, since it tells how long the rest took.

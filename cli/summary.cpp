@@ -64,6 +64,13 @@ std::string gap_line(const GapReport& gap) {
 
 std::string object_line(const Object& object) {
     const auto& measure = object.measure;
+    if (object.kind == ObjectKind::cloud)
+        return fmt::format("{}, {} mm, a cloud", counted(object.read_vertices, "point", "points"),
+                           dimensions(measure.bounds.size()));
+    if (object.kind == ObjectKind::streamed)
+        return fmt::format("{}, {} mm, read in pieces",
+                           counted(object.read_triangles, "triangle", "triangles"),
+                           dimensions(measure.bounds.size()));
     std::string closed = "closed";
     if (!measure.holes.empty())
         closed = "open (" + counted(measure.holes.size(), "hole", "holes") + ")";
@@ -97,8 +104,8 @@ std::string summary(const Object& object, const Project& project, const Packing&
                                       number(wall[0], 1), number(wall[1], 1), number(wall[2], 1),
                                       number(wall[3], 1), number(wall[4], 1), number(wall[5], 1)));
     for (const Notch& notch : packing.notches) text += line("Notch", notch_text(notch));
-    text += line("Gaps", gap_line(*measured.gap));
-    text += line("Bears", wrapped(bearing_text(*measured.bearing, project.design), 10));
+    if (measured.gap) text += line("Gaps", gap_line(*measured.gap));
+    if (measured.bearing) text += line("Bears", wrapped(bearing_text(*measured.bearing, project.design), 10));
     text += findings_lines(packing.findings);
     text += line("Files", folder.empty() ? "none are written: a dry run"
                                          : fmt::format("in {}: look at preview.svg first", folder));

@@ -41,6 +41,22 @@ Json half_gap_json(const HalfGap& half) {
             {"widest_at_mm", array(half.widest_at)}};
 }
 
+/// What is not known of an object is null.
+Json object_json(const Object& object, const std::string& file) {
+    const MeshMeasure& measure = object.measure;
+    const bool mesh = object.kind == ObjectKind::mesh;
+    const bool vertices = object.read_vertices > 0;
+    Json json = {{"file", file},
+                 {"vertices", vertices ? Json(object.read_vertices) : Json(nullptr)},
+                 {"triangles", object.read_triangles},
+                 {"size_mm", array(measure.bounds.size())},
+                 {"watertight", mesh ? Json(measure.watertight) : Json(nullptr)},
+                 {"volume_mm3", volume(measure.volume)}};
+    if (object.kind == ObjectKind::cloud) json["points"] = object.read_vertices;
+    if (object.kind == ObjectKind::streamed) json["streamed"] = true;
+    return json;
+}
+
 Json gap_json(const GapReport& gap) {
     return {{"cut_mm3", volume(gap.cut_mm3)},
             {"hull_mm3", volume(gap.hull_mm3)},
@@ -201,6 +217,7 @@ std::string depths_csv(const FoamPair& foams) {
 Result<Measured> measure_fit(const Object& object, Packing& packing, const Design& design,
                              const Progress& progress) {
     Measured measured;
+    if (object.kind != ObjectKind::mesh) return measured;
     auto gap = gaps(object, packing, part_of(progress, 0, 0.8));
     if (!gap) return tl::unexpected(gap.error());
     measured.gap = std::move(*gap);
@@ -213,11 +230,8 @@ Result<Measured> measure_fit(const Object& object, Packing& packing, const Desig
 
 std::string report_json(const Object& object, const Project& project, const Packing& packing,
                         const Measured& measured) {
-    const MeshMeasure& measure = object.measure;
     Json json;
-    json["object"] = {{"file", project.object.name},        {"vertices", object.read_vertices},
-                      {"triangles", object.read_triangles}, {"size_mm", array(measure.bounds.size())},
-                      {"watertight", measure.watertight},   {"volume_mm3", volume(measure.volume)}};
+    json["object"] = object_json(object, project.object.name);
     json["placement"] = {{"rotation_deg", array(packing.rotation_deg)},
                          {"offset_mm", array(packing.offset_mm)}};
     json["design_space"] = {{"blocks", array(packing.space.blocks)},

@@ -29,7 +29,8 @@ struct Measured {
     const WorkshopPack* pack = nullptr;
 };
 
-/// Gaps and bearing of a packing with foams; adds to its findings. Fails only when cancelled.
+/// Gaps and bearing of a packing with foams; adds to its findings. Nothing for an object that is no mesh in
+/// memory. Fails only when cancelled.
 [[nodiscard]] Result<Measured> measure_fit(const Object& object, Packing& packing, const Design& design,
                                            const Progress& progress = {});
 

@@ -7,6 +7,7 @@
 
 #include "snug/foam/streamed_surface.h"
 #include "snug/mesh/raw_mesh.h"
+#include "snug/mesh/shell.h"
 #include "snug/pack_placed.h"
 
 namespace snug {
@@ -59,16 +60,45 @@ Result<Measured> measured(const TriangleStream& stream, const Design& design, co
     return result;
 }
 
+/// Cubes of the object in its own coordinates, in mm.
+MetCubes cubes_for(const Measured& object) {
+    const double factor = object.to_object.factor;
+    // Rounding of the box and of the corners differ by less than this.
+    const double rounding = object.box.longest_side() * factor * 1e-5;
+    const Vec3d room{rounding, rounding, rounding};
+    return {{object.box.min * factor - room, object.box.max * factor + room}, kStandInCubes};
+}
+
+Object object_of(const TriangleStream& stream, const Measured& measured, const MetCubes& cubes) {
+    Object object;
+    object.kind = ObjectKind::streamed;
+    object.read_triangles = static_cast<std::size_t>(stream.triangles());
+    object.read_vertices = static_cast<std::size_t>(stream.vertices().value_or(0));
+    object.mesh = cubes.shell();
+    const double factor = measured.to_object.factor;
+    object.measure.bounds = {measured.box.min * factor, measured.box.max * factor};
+    return object;
+}
+
 Result<HalfDepths> half_depths(const TriangleStream& stream, const FileToObject& object,
                                const Placement& placement, const DesignSpace& space, Vec3d clearance_mm,
-                               bool cut_on_touch, const Progress& progress) {
+                               bool cut_on_touch, MetCubes* cubes, const Progress& progress) {
     const Reach grown = reach(clearance_mm, cut_on_touch);
-    auto depths = depth_map(stream, object, placement, space, grown, progress);
+    auto depths = depth_map(stream, object, placement, space, grown, cubes, progress);
     if (!depths) return tl::unexpected(depths.error());
     return HalfDepths{std::move(*depths), grown};
 }
 
 }  // namespace
+
+Result<Object> stand_in(const TriangleStream& stream, const Design& design, const Progress& progress) {
+    const auto object = measured(stream, design, part_of(progress, 0, 0.5));
+    if (!object) return tl::unexpected(object.error());
+    MetCubes cubes = cubes_for(*object);
+    const auto marked = mark_cubes(stream, object->to_object, cubes, part_of(progress, 0.5, 1));
+    if (!marked) return tl::unexpected(marked.error());
+    return object_of(stream, *object, cubes);
+}
 
 Result<StreamedPacking> pack_stream(const TriangleStream& stream, const Design& design,
                                     const Progress& progress) {
@@ -77,16 +107,17 @@ Result<StreamedPacking> pack_stream(const TriangleStream& stream, const Design& 
     const auto object = measured(stream, design, part_of(progress, 0, 0.4));
     if (!object) return tl::unexpected(object.error());
     const Clearance clearance = design.cut.whole_clearance_mm();
+    MetCubes cubes = cubes_for(*object);
 
     PackSteps steps;
     steps.depths = [&](const Placement& placement, const DesignSpace& space) -> Result<ObjectDepths> {
         const bool touch = design.cut.cut_on_touch, both = clearance.same_in_both();
-        auto lower = half_depths(stream, object->to_object, placement, space, clearance.lower, touch,
+        auto lower = half_depths(stream, object->to_object, placement, space, clearance.lower, touch, &cubes,
                                  part_of(progress, 0.4, both ? 1 : 0.7));
         if (!lower) return tl::unexpected(lower.error());
         ObjectDepths depths{std::move(*lower), {}};
         if (both) return depths;
-        auto upper = half_depths(stream, object->to_object, placement, space, clearance.upper, touch,
+        auto upper = half_depths(stream, object->to_object, placement, space, clearance.upper, touch, nullptr,
                                  part_of(progress, 0.7, 1));
         if (!upper) return tl::unexpected(upper.error());
         depths.upper = std::move(*upper);
@@ -107,8 +138,7 @@ Result<StreamedPacking> pack_stream(const TriangleStream& stream, const Design& 
     const Rotation rotation = rotation_from_euler(design.placement.rotation_deg);
     auto packing = pack_placed(place(object->turned, rotation, offset), design, steps);
     if (!packing) return tl::unexpected(packing.error());
-    return StreamedPacking{stream.triangles(), object->box.size() * object->to_object.factor,
-                           std::move(*packing)};
+    return StreamedPacking{object_of(stream, *object, cubes), std::move(*packing)};
 }
 
 }  // namespace snug

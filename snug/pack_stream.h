@@ -8,20 +8,23 @@
 
 namespace snug {
 
-/// A packing of an object that was never whole in memory. What needs all of it at once is not known: whether
-/// it is closed, its parts and holes, undercuts, and so whether foam would grow inside it (the note
-/// `streamed` says so).
+/// A packing of an object that was never whole in memory; of the object, its kind says what is not known.
 struct StreamedPacking {
-    std::uint64_t triangles = 0;
-    Vec3d size_mm;
+    Object object;
     Packing packing;
 };
 
 /// The method in two passes over the file: its turned bounding box, then the depth maps; a third where the
 /// object is scaled to its longest side or lies at survey coordinates, and one more where the two halves have
-/// clearances of their own. Depths and foams are those of pack() to the byte. Fails as prepare() and pack()
-/// do, and with kind `usage` for holes to be closed.
+/// clearances of their own. Depths and foams are those of pack() to the byte; what needs all of the object at
+/// once is not known: whether it is closed, its parts and holes, undercuts, and so whether foam would grow
+/// inside it (the note `streamed` says so). Fails as prepare() and pack() do, and with kind `usage` for holes
+/// to be closed.
 [[nodiscard]] Result<StreamedPacking> pack_stream(const TriangleStream& stream, const Design& design,
                                                   const Progress& progress = {});
+
+/// The object alone, for a search: its stand-in holds all of it, so what holds the one holds the other.
+[[nodiscard]] Result<Object> stand_in(const TriangleStream& stream, const Design& design,
+                                      const Progress& progress = {});
 
 }  // namespace snug

@@ -13,6 +13,7 @@
 #include "snug/foam/parting.h"
 #include "snug/foam/ribs.h"
 #include "snug/mesh/cap.h"
+#include "snug/pack_cloud.h"
 #include "snug/pack_placed.h"
 
 namespace snug {
@@ -138,6 +139,7 @@ Result<Object> prepare(Mesh mesh, const Design& design) {
     if (std::max({size.x, size.y, size.z}) <= 0)
         return fail(ErrorKind::input, "the object has no size: all its points are one");
     if (const auto error = implausible_size(size, design)) return tl::unexpected(*error);
+    if (mesh.is_cloud()) return prepare_cloud(std::move(mesh), design);
 
     Object object;
     object.read_vertices = mesh.vertices.size();
@@ -209,6 +211,7 @@ Result<Packing> pack_placed(const Placement& placement, const Design& design, co
 }
 
 Result<Packing> pack(const Object& object, const Design& design) {
+    if (object.kind == ObjectKind::cloud) return pack_cloud(object, design);
     PackSteps steps;
     steps.depths = [&](const Placement& placement, const DesignSpace& space) -> Result<ObjectDepths> {
         return object.surface ? object_depths(*object.surface, placement, space, design.cut)

@@ -33,15 +33,24 @@
 
 namespace snug {
 
+/// What is known of an object. Of a cloud of points, and of a mesh that was read in pieces, it is not known
+/// whether it is closed, its volume, its parts, and gaps and undercuts; foams are exact all the same.
+enum class ObjectKind { mesh, cloud, streamed };
+
 /// An object ready to be packed any number of times.
 struct Object {
+    ObjectKind kind = ObjectKind::mesh;
     std::size_t read_vertices = 0;
     std::size_t read_triangles = 0;
-    Mesh mesh;            ///< in millimetres; with its caps if the design asks for them
-    MeshMeasure measure;  ///< of the mesh as it was read, in millimetres
+    /// In millimetres; with its caps if the design asks for them. Of another kind: a closed stand-in around
+    /// the object (shell.h), to look at and to search with.
+    Mesh mesh;
+    MeshMeasure measure;  ///< of the mesh as it was read, in millimetres; of another kind the bounds alone
     Mesh hole_spans;      ///< what would span the holes; empty where they are capped or there are none
     bool capped = false;
     std::optional<PreparedSurface> surface;  ///< of `mesh`, for many packings (see prepare_for_many)
+    Mesh cloud;                              ///< of kind cloud: its points in millimetres
+    std::vector<float> point_radius;         ///< of each of them, in millimetres
 };
 
 /// Milliseconds that each stage of the method took; never part of a comparison.
@@ -71,17 +80,17 @@ struct Packing {
 /// the unit was chosen.
 [[nodiscard]] std::optional<Error> implausible_size(Vec3d size, const Design& design);
 
-/// Scales the mesh to millimetres, refuses an implausible size unless the unit was chosen, measures it and
-/// looks for holes. Fails with kind `input`.
+/// Scales the mesh or cloud to millimetres, refuses an implausible size unless the unit was chosen, measures
+/// it and looks for holes. Fails with kind `input`.
 [[nodiscard]] Result<Object> prepare(Mesh mesh, const Design& design);
 
 /// Makes packings and climbs many times faster, with the same results. Takes about as long as reading the
 /// file, so it does not pay for one packing.
 void prepare_for_many(Object& object);
 
-/// The method. `design` must be checked() already. Fails with kind `usage` where a fitted space would need
-/// too many blocks, or where the parting level lies outside it, and with kind `does_not_fit` where not one
-/// block goes into the case.
+/// The method, for a mesh or a cloud. `design` must be checked() already. Fails with kind `usage` where a
+/// fitted space would need too many blocks, or where the parting level lies outside it, and with kind
+/// `does_not_fit` where not one block goes into the case.
 [[nodiscard]] Result<Packing> pack(const Object& object, const Design& design);
 
 /// The gap report of a packing that has foams. Fails only when cancelled.

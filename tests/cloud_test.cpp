@@ -21,6 +21,10 @@ namespace {
 
 using test::Random;
 
+Result<PointRadii> radii_of(const Mesh& cloud, double fixed = 0) {
+    return point_radii(cloud, CloudPlaces(cloud), fixed);
+}
+
 Vec3d random_direction(Random& random) {
     return {random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
 }
@@ -184,7 +188,7 @@ TEST(Cloud, WithARadiusOfTheSamplingDistanceCutsAllThatTheMeshCutsAndAtMostOneLa
             for (const double noise : {0.0, 0.8}) {
                 SCOPED_TRACE(std::string(name) + " " + std::to_string(spacing) + " " + std::to_string(noise));
                 const Mesh cloud = sampled(mesh, spacing, noise);
-                const auto radii = point_radii(cloud, spacing / std::sqrt(3.0) + noise + 0.001);
+                const auto radii = radii_of(cloud, spacing / std::sqrt(3.0) + noise + 0.001);
                 ASSERT_TRUE(radii.has_value());
                 const Comparison result = compare(mesh, cloud, radii->radius, {20, 30, 40});
                 EXPECT_EQ(result.missed, 0);
@@ -203,7 +207,7 @@ TEST(PointRadius, FromTheSpacingCoversAnEvenlySampledSurface) {
     for (int i = 0; i < 40; ++i)
         for (int j = 0; j < 40; ++j)
             grid.vertices.push_back({static_cast<float>(i) * 2, static_cast<float>(j) * 2, 0});
-    const auto radii = point_radii(grid);
+    const auto radii = radii_of(grid);
     ASSERT_TRUE(radii.has_value());
     const double diagonal = 2 * std::sqrt(2.0);
     EXPECT_NEAR(radii->median, diagonal, 1e-9);
@@ -222,7 +226,7 @@ TEST(PointRadius, IsTheSixthNearestDistanceOfABruteForce) {
             if (ties) p = {std::floor(p.x / 4), std::floor(p.y / 4), std::floor(p.z / 4)};
             cloud.vertices.push_back(vec_cast<float>(p));
         }
-        const auto radii = point_radii(cloud);
+        const auto radii = radii_of(cloud);
         std::vector<Vec3f> places;
         for (const Vec3f& p : cloud.vertices)
             if (std::find(places.begin(), places.end(), p) == places.end()) places.push_back(p);
@@ -245,24 +249,24 @@ TEST(PointRadius, IsTheSixthNearestDistanceOfABruteForce) {
 TEST(PointRadius, EqualAndStrayPointsTakeNoTimeAndNoFoam) {
     Mesh equal;
     equal.vertices.assign(1000000, Vec3f{1, 2, 3});
-    const auto refused = point_radii(equal, 5);
+    const auto refused = radii_of(equal, 5);
     ASSERT_FALSE(refused.has_value());
     EXPECT_NE(refused.error().message.find("all its points are one"), std::string::npos);
     equal.vertices.push_back({2, 2, 3});
-    EXPECT_EQ(point_radii(equal)->radius.back(), 1.0f);
+    EXPECT_EQ(radii_of(equal)->radius.back(), 1.0f);
 
     Mesh stray;
     for (int i = 0; i < 100; ++i)
         stray.vertices.push_back({static_cast<float>(i % 10), static_cast<float>(i / 10), 0});
     stray.vertices.push_back({500, 0, 0});
-    const auto radii = point_radii(stray);
+    const auto radii = radii_of(stray);
     ASSERT_TRUE(radii.has_value());
     EXPECT_EQ(radii->shortened, 1u);
     EXPECT_NEAR(static_cast<double>(radii->radius.back()), 4 * radii->median, 1e-5);
-    EXPECT_FALSE(point_radii(Mesh{{{0, 0, 0}}, {}, {}}).has_value());
-    EXPECT_FALSE(point_radii(Mesh{}).has_value());
-    EXPECT_EQ(point_radii(stray, -1).error().kind, ErrorKind::usage);
-    EXPECT_EQ(point_radii(stray, std::nan("")).error().kind, ErrorKind::usage);
+    EXPECT_FALSE(radii_of(Mesh{{{0, 0, 0}}, {}, {}}).has_value());
+    EXPECT_FALSE(radii_of(Mesh{}).has_value());
+    EXPECT_EQ(radii_of(stray, -1).error().kind, ErrorKind::usage);
+    EXPECT_EQ(radii_of(stray, std::nan("")).error().kind, ErrorKind::usage);
 }
 
 }  // namespace

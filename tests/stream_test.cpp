@@ -54,10 +54,10 @@ void expect_same(const FileBytes& bytes, const Design& design) {
         EXPECT_EQ(streamed.error().message, packing.error().message);
         return;
     }
-    EXPECT_EQ(streamed->triangles, object->read_triangles);
+    EXPECT_EQ(streamed->object.read_triangles, object->read_triangles);
     const Vec3d size = object->measure.bounds.size();
     for (int axis = 0; axis < 3; ++axis)
-        EXPECT_NEAR(streamed->size_mm[axis], size[axis], 1e-5 * size[axis] + 1e-9);
+        EXPECT_NEAR(streamed->object.measure.bounds.size()[axis], size[axis], 1e-5 * size[axis] + 1e-9);
     EXPECT_EQ(streamed->packing.placement.bounds, packing->placement.bounds);
     EXPECT_EQ(streamed->packing.blocks, packing->blocks);
     ASSERT_EQ(streamed->packing.foams.has_value(), packing->foams.has_value());

@@ -25,6 +25,9 @@ bool within(Vec3d v, double least, double most) {
 Problem problem(const ObjectOptions& object) {
     if (!within(object.scale, 1e-9, 1e9))
         return "the scale must be a number above 0 (1e-9 to 1e9), not " + number(object.scale, 9);
+    if (object.point_radius_mm != 0 && !within(object.point_radius_mm, 1e-6, kGreatestLength))
+        return "the radius of a point must be 0 (from the spacing) to 1000000 mm, not " +
+               number(object.point_radius_mm, 4);
     if (object.longest_mm && !within(*object.longest_mm, 1e-3, kGreatestLength))
         return "the longest side must be 0.001 to 1000000 mm, not " + number(*object.longest_mm, 4);
     return {};

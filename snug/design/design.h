@@ -36,6 +36,7 @@ struct ObjectOptions {
     double scale = 1;                  ///< on top of the unit, > 0
     std::optional<double> longest_mm;  ///< scales the longest side to this instead of units and scale
     bool cap = false;                  ///< span the holes of an open object
+    double point_radius_mm = 0;        ///< of a cloud's points; 0: from their spacing
     friend bool operator==(const ObjectOptions&, const ObjectOptions&) = default;
 };
 

@@ -64,7 +64,8 @@ Json to_json(const Design& design) {
     json["object"] = {{"units", object.units ? Json(std::string(unit_name(*object.units))) : Json(nullptr)},
                       {"scale", object.scale},
                       {"longest_mm", value_or_null(object.longest_mm)},
-                      {"cap", object.cap}};
+                      {"cap", object.cap},
+                      {"point_radius_mm", object.point_radius_mm}};
     json["space"] = {{"preset", space.preset},
                      {"blocks", space.blocks ? array(*space.blocks) : Json("auto")},
                      {"block_mm", array(space.block_mm)},
@@ -88,7 +89,8 @@ void read_object(JsonReader json, ObjectOptions& object, JsonReader& parent) {
     json.read("units", units)
         .read("scale", object.scale)
         .read("longest_mm", object.longest_mm)
-        .read("cap", object.cap);
+        .read("cap", object.cap)
+        .read("point_radius_mm", object.point_radius_mm);
     object.units = units ? unit_from_name(*units) : std::nullopt;
     if (units && !object.units) json.refuse("units", "mm, cm, m, in or null");
     parent.adopt(json);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "snug/base/result.h"
+#include "snug/foam/cloud_places.h"
 #include "snug/mesh/mesh.h"
 
 namespace snug {
@@ -21,6 +22,6 @@ struct PointRadii {
 /// Points in the same place count once, and ties cannot matter: only distances are used.
 /// With `fixed` > 0 that for every point. Fails with kind `input` where all points are one, and with kind
 /// `usage` where `fixed` is negative or not finite.
-[[nodiscard]] Result<PointRadii> point_radii(const Mesh& cloud, double fixed = 0);
+[[nodiscard]] Result<PointRadii> point_radii(const Mesh& cloud, const CloudPlaces& places, double fixed = 0);
 
 }  // namespace snug

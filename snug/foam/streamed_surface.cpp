@@ -9,6 +9,15 @@
 #include "snug/foam/depth_builder.h"
 
 namespace snug {
+namespace {
+
+void mark(std::span<const TriangleStream::Corners> piece, const FileToObject& object, MetCubes& cubes) {
+    for (const auto& corners : piece)
+        cubes.mark({vec_cast<double>(object(corners[0])), vec_cast<double>(object(corners[1])),
+                    vec_cast<double>(object(corners[2]))});
+}
+
+}  // namespace
 
 Result<StreamedBounds> streamed_bounds(const TriangleStream& stream, const FileToObject& object,
                                        const Rotation& rotation, const Progress& progress) {
@@ -34,7 +43,7 @@ Result<StreamedBounds> streamed_bounds(const TriangleStream& stream, const FileT
 }
 
 Result<DepthMap> depth_map(const TriangleStream& stream, const FileToObject& object,
-                           const Placement& placement, const DesignSpace& space, Reach reach,
+                           const Placement& placement, const DesignSpace& space, Reach reach, MetCubes* cubes,
                            const Progress& progress) {
     DepthMapBuilder whole(space, reach);
     std::vector<std::unique_ptr<DepthMapBuilder>> workers(worker_count());
@@ -52,12 +61,20 @@ Result<DepthMap> depth_map(const TriangleStream& stream, const FileToObject& obj
                 const bool one_cell = cells[0].one() && cells[0] == cells[1] && cells[0] == cells[2];
                 if (!one_cell) own.add_triangle(placed);
             }
+            if (cubes != nullptr) mark(piece, object, *cubes);
         },
         progress);
     if (!done) return tl::unexpected(done.error());
     for (const auto& own : workers)
         if (own) whole.include(*own);
     return whole.take();
+}
+
+Result<void> mark_cubes(const TriangleStream& stream, const FileToObject& object, MetCubes& cubes,
+                        const Progress& progress) {
+    return stream.pass(
+        [&](std::span<const TriangleStream::Corners> piece, std::size_t) { mark(piece, object, cubes); },
+        progress);
 }
 
 }  // namespace snug

@@ -10,6 +10,7 @@
 #include "snug/foam/depth_map.h"
 #include "snug/foam/design_space.h"
 #include "snug/foam/placement.h"
+#include "snug/mesh/shell.h"
 #include "snug/mesh/triangle_stream.h"
 
 namespace snug {
@@ -34,9 +35,14 @@ struct StreamedBounds {
 [[nodiscard]] Result<StreamedBounds> streamed_bounds(const TriangleStream& stream, const FileToObject& object,
                                                      const Rotation& rotation, const Progress& progress = {});
 
-/// As of a mesh (depth_map.h), to the bit, in one pass.
+/// As of a mesh (depth_map.h), to the bit, in one pass; the object's cubes are marked in the same pass, if
+/// wanted.
 [[nodiscard]] Result<DepthMap> depth_map(const TriangleStream& stream, const FileToObject& object,
                                          const Placement& placement, const DesignSpace& space, Reach reach,
-                                         const Progress& progress = {});
+                                         MetCubes* cubes = nullptr, const Progress& progress = {});
+
+/// Marks the cubes alone. One pass.
+[[nodiscard]] Result<void> mark_cubes(const TriangleStream& stream, const FileToObject& object,
+                                      MetCubes& cubes, const Progress& progress = {});
 
 }  // namespace snug

@@ -9,8 +9,6 @@
 namespace snug {
 namespace {
 
-constexpr std::size_t kLongestHeader = 1 << 20;
-
 std::optional<PlyType> type_named(std::string_view name) {
     static constexpr std::pair<std::string_view, PlyType> kTypes[] = {
         {"char", PlyType::int8},      {"int8", PlyType::int8},       {"uchar", PlyType::uint8},
@@ -144,8 +142,12 @@ std::size_t PlyElement::find(std::string_view property) const {
 }
 
 Result<PlyHeader> read_ply_header(Bytes file) {
+    return read_ply_header(file, file.size());
+}
+
+Result<PlyHeader> read_ply_header(Bytes file, std::uint64_t file_size) {
     const std::string_view text(reinterpret_cast<const char*>(file.data()),
-                                std::min(file.size(), kLongestHeader));
+                                std::min(file.size(), kLongestPlyHeader));
     std::size_t end = text.find("\nend_header");
     if (end == std::string_view::npos) end = text.find("\rend_header");
     if (end == std::string_view::npos)
@@ -163,16 +165,33 @@ Result<PlyHeader> read_ply_header(Bytes file) {
     if (!header) return header;
     header->bytes = data;
     header->lines += 1;
-    std::size_t left = file.size() - data + 1;
+    std::uint64_t left = file_size - data + 1;
     for (const PlyElement& element : header->elements) {
         const std::size_t size = least_size(element, header->encoding);
         if (size > 0 && element.count > left / size)
             return fail(ErrorKind::input, "the file is cut off: it says " + grouped(element.count) + " of " +
                                               quoted(element.name) + " but has room for " +
                                               grouped(left / size) + " at most; copy or export it again");
-        left -= size * static_cast<std::size_t>(element.count);
+        left -= size * element.count;
     }
     return header;
+}
+
+bool has_float_vertices(const PlyHeader& header) {
+    const auto float_holds = [](PlyType type) { return type == PlyType::float32 || size_of(type) <= 2; };
+    for (const PlyElement& element : header.elements)
+        for (const PlyProperty& property : element.properties)
+            if (element.name == "vertex" && !float_holds(property.type) &&
+                (property.name == "x" || property.name == "y" || property.name == "z"))
+                return false;
+    return true;
+}
+
+Error ply_wrong_index(std::string_view noun, std::uint64_t number, std::int64_t vertex,
+                      std::uint64_t vertices) {
+    return {ErrorKind::input, std::string(noun) + " " + grouped(number + 1) + " wants vertex " +
+                                  std::to_string(vertex) + ", but there are " +
+                                  counted(vertices, "vertex", "vertices") + ", counted from 0"};
 }
 
 }  // namespace snug

@@ -41,5 +41,15 @@ struct PlyHeader {
 
 /// Fails with the line that is wrong; counts that the file is too short for are refused.
 [[nodiscard]] Result<PlyHeader> read_ply_header(Bytes file);
+/// The same of a file's beginning, as much of it as kLongestPlyHeader or all, and the size of the whole.
+[[nodiscard]] Result<PlyHeader> read_ply_header(Bytes beginning, std::uint64_t file_size);
+inline constexpr std::size_t kLongestPlyHeader = 1 << 20;
+
+/// Whether float holds the coordinates of all vertices without rounding.
+[[nodiscard]] bool has_float_vertices(const PlyHeader& header);
+
+/// What is wrong with a face (numbered from 0, called `noun`) that names a vertex which is not there.
+[[nodiscard]] Error ply_wrong_index(std::string_view noun, std::uint64_t number, std::int64_t vertex,
+                                    std::uint64_t vertices);
 
 }  // namespace snug

@@ -164,11 +164,8 @@ class PlyReader {
             }
             if (corner < 0 || static_cast<std::uint64_t>(corner) >= mesh_.vertices.size()) {
                 has_wrong_index_ = true;
-                wrong_index_ = {ErrorKind::input, (strip ? "triangle strip " : "face ") +
-                                                      grouped(number + 1) + " wants vertex " +
-                                                      std::to_string(corner) + ", but there are " +
-                                                      counted(mesh_.vertices.size(), "vertex", "vertices") +
-                                                      ", counted from 0"};
+                wrong_index_ =
+                    ply_wrong_index(strip ? "triangle strip" : "face", number, corner, mesh_.vertices.size());
                 return;
             }
             polygon_.push_back(static_cast<std::uint32_t>(corner));
@@ -201,20 +198,6 @@ class PlyReader {
     Error wrong_index_;
     Error error_;
 };
-
-bool float_holds(PlyType type) {
-    return type == PlyType::float32 || size_of(type) <= 2;
-}
-
-/// Whether float holds the coordinates of all vertices without rounding.
-bool has_float_vertices(const PlyHeader& header) {
-    for (const PlyElement& element : header.elements)
-        for (const PlyProperty& property : element.properties)
-            if (element.name == "vertex" && !float_holds(property.type) &&
-                (property.name == "x" || property.name == "y" || property.name == "z"))
-                return false;
-    return true;
-}
 
 Result<Mesh> read(Bytes file, bool as_cloud) {
     const auto header = read_ply_header(file);
