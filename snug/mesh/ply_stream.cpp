@@ -16,6 +16,7 @@
 #include "snug/mesh/ply_header.h"
 #include "snug/mesh/ply_values.h"
 #include "snug/mesh/raw_mesh.h"
+#include "snug/mesh/stl_layout.h"
 
 namespace snug {
 namespace {
@@ -35,6 +36,11 @@ struct Layout {
     std::array<Field, 3> coordinate;
     Field corner_count;  ///< of a face
     Field corners;       ///< the first of three
+
+    /// As nearly all programs write faces: a byte and three little-endian 32-bit numbers.
+    [[nodiscard]] bool usual() const {
+        return !swapped && size_of(corner_count.type) == 1 && size_of(corners.type) == 4;
+    }
 };
 
 tl::unexpected<Error> refuse(const std::string& why) {
@@ -131,6 +137,13 @@ class PlyTriangles {
     /// The corners of one face.
     [[nodiscard]] static Result<std::array<std::uint32_t, 3>> indices(const Layout& layout, Bytes record,
                                                                       std::uint64_t number) {
+        if (layout.usual()) {
+            const std::byte* const at = record.data() + layout.corner_count.at;
+            const std::array<std::uint32_t, 3> corners = {read_u32(at + 1), read_u32(at + 5),
+                                                          read_u32(at + 9)};
+            const std::uint32_t highest = std::max({corners[0], corners[1], corners[2]});
+            if (at[0] == std::byte{3} && highest < layout.vertices.count) return corners;
+        }
         BinaryPlyValues values(record.subspan(layout.corner_count.at), layout.swapped);
         std::int64_t count = 0;
         (void)values.next_whole(layout.corner_count.type, count);

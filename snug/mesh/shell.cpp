@@ -137,6 +137,7 @@ class Net {
 MetCubes::MetCubes(const Box3d& box, int most) {
     side_ = box.longest_side() > 0 ? box.longest_side() / most : 1;
     start_ = box.min;
+    cubes_per_mm_ = 1 / side_;
     const auto cubes = [this](double length) {
         return static_cast<int>(std::floor(length / side_)) + 1 + 2 * kMargin;
     };
@@ -150,8 +151,8 @@ MetCubes::MetCubes(const Box3d& box, int most) {
 MetCubes::Cell MetCubes::cell_of(Vec3d p) const {
     const auto one = [this](double from_start, int count) {
         // Within the margin, whatever rounding makes of the box's own bounds.
-        return kMargin +
-               static_cast<int>(std::clamp(std::floor(from_start / side_), 0.0, count - 1.0 - 2 * kMargin));
+        const int cell = static_cast<int>(std::max(from_start, 0.0) * cubes_per_mm_);
+        return kMargin + std::min(cell, count - 1 - 2 * kMargin);
     };
     const Vec3d d = p - start_;
     return {one(d.x, count_.i), one(d.y, count_.j), one(d.z, count_.k)};
@@ -178,13 +179,17 @@ void MetCubes::mark(const Box3d& box) {
     mark(cell_of(box.min), cell_of(box.max));
 }
 
+bool MetCubes::mark_if_small(const Box3d& box) {
+    const Cell first = cell_of(box.min), last = cell_of(box.max);
+    if (last.i - first.i > 1 || last.j - first.j > 1 || last.k - first.k > 1) return false;
+    mark(first, last);
+    return true;
+}
+
 void MetCubes::mark(const std::array<Vec3d, 3>& corners) {
-    const auto [a, b, c] = corners;
-    const Cell first =
-        cell_of({std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})});
-    const Cell last =
-        cell_of({std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})});
-    if (last.i - first.i <= 1 && last.j - first.j <= 1 && last.k - first.k <= 1) return mark(first, last);
+    Box3d box;
+    for (const Vec3d& corner : corners) box.include(corner);
+    if (mark_if_small(box)) return;
     // In two at the middle of the longest edge.
     std::size_t longest = 0;
     double square = -1;

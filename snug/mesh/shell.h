@@ -24,6 +24,8 @@ class MetCubes {
 
     /// All cubes that a box meets.
     void mark(const Box3d& box);
+    /// The same, if those are at most 2 x 2 x 2; otherwise nothing is marked and the result is false.
+    bool mark_if_small(const Box3d& box);
     /// All cubes that a triangle meets, and some beside them.
     void mark(const std::array<Vec3d, 3>& corners);
 
@@ -44,6 +46,7 @@ class MetCubes {
 
     Vec3d start_;
     double side_;
+    double cubes_per_mm_ = 1;
     Cell count_;
     std::size_t words_;  ///< of 64 cubes each, along z
     std::vector<std::atomic<std::uint64_t>> marked_;

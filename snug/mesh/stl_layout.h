@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -28,6 +29,12 @@ constexpr std::size_t kStlFacet = 50;
     float value = 0;
     std::memcpy(&value, &bits, sizeof value);
     return value;
+}
+
+/// The three corners, each three floats, as they are in memory on every machine that Snug runs on.
+inline void copy_stl_corners(const std::byte* facet, std::array<Vec3f, 3>& corners) {
+    static_assert(std::endian::native == std::endian::little && sizeof corners == 36);
+    std::memcpy(corners.data(), facet + 12, sizeof corners);
 }
 
 /// False where a coordinate is not finite.
