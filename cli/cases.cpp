@@ -10,7 +10,6 @@
 
 #include "snug/base/rotation.h"
 #include "snug/base/text.h"
-#include "snug/mesh/read.h"
 #include "snug/pipeline.h"
 #include "snug/search/rank_cases.h"
 
@@ -19,6 +18,7 @@
 #include "cli/files.h"
 #include "cli/object_file.h"
 #include "cli/option_values.h"
+#include "cli/scene_file.h"
 #include "cli/user_cases.h"
 #include "cli/user_presets.h"
 
@@ -187,7 +187,7 @@ int rank_for(const std::vector<KnownCase>& cases, const CasesArguments& argument
     const std::string path = source->object.string();
     const auto bytes = read_file(source->object);
     if (!bytes) return report(bytes.error());
-    auto mesh = read_mesh(*bytes, path);
+    auto mesh = read_object(*bytes, path);
     if (!mesh) return report({mesh.error().kind, fmt::format("{}: {}", path, mesh.error().message)});
     const auto object = prepare(std::move(*mesh), *design);
     if (!object) return report({object.error().kind, fmt::format("{}: {}", path, object.error().message)});

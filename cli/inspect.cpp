@@ -9,11 +9,11 @@
 #include "snug/base/text.h"
 #include "snug/design/design.h"
 #include "snug/mesh/measure.h"
-#include "snug/mesh/read.h"
 
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/files.h"
+#include "cli/scene_file.h"
 
 namespace snug::cli {
 namespace {
@@ -51,6 +51,9 @@ std::string units_lines(Vec3d size) {
 std::string described(const std::string& name, const Mesh& mesh, const MeshMeasure& measure) {
     const Vec3d size = measure.bounds.size();
     std::string text = fmt::format("{}\n", name);
+    if (mesh.is_cloud())
+        return text + fmt::format("A cloud of {}\n", counted(mesh.vertices.size(), "point", "points")) +
+               "Size, if the file is in\n" + units_lines(size);
     text += fmt::format("Triangles   {} with {}\n", grouped(mesh.triangles.size()),
                         counted(mesh.vertices.size(), "vertex", "vertices"));
     text += fmt::format("Holes       {}\n", measure.holes.empty() ? "none" : grouped(measure.holes.size()));
@@ -102,7 +105,7 @@ std::string described_json(const std::string& name, const Mesh& mesh, const Mesh
 int inspect(const InspectArguments& arguments) {
     const auto bytes = read_file(arguments.object);
     if (!bytes) return report(bytes.error());
-    const auto mesh = read_mesh(*bytes, arguments.object);
+    const auto mesh = read_object(*bytes, arguments.object);
     if (!mesh)
         return report({mesh.error().kind, fmt::format("{}: {}", arguments.object, mesh.error().message)});
     const MeshMeasure measured = measure(*mesh);
@@ -116,7 +119,10 @@ int inspect(const InspectArguments& arguments) {
 void add_inspect(CLI::App& program, Command& chosen) {
     CLI::App* command = program.add_subcommand("inspect", "Tell size, holes, parts, volume and likely units");
     const auto arguments = std::make_shared<InspectArguments>();
-    command->add_option("OBJECT", arguments->object, "A mesh (STL, OBJ, PLY, OFF)")->required();
+    command
+        ->add_option("OBJECT", arguments->object,
+                     "A mesh (STL, OBJ, PLY, OFF, glTF, 3MF) or a point cloud (PLY, XYZ, PTS)")
+        ->required();
     command->add_flag("--json", arguments->json, "Print it as JSON");
     command->footer("Example: snug inspect scan.ply");
     command->callback([arguments, &chosen] { chosen = [arguments] { return inspect(*arguments); }; });

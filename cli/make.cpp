@@ -56,7 +56,8 @@ struct MakeArguments {
 void add_options(CLI::App& make, MakeArguments& arguments) {
     auto& a = arguments;
     make.add_option("OBJECT", a.object,
-                    "A mesh (STL, OBJ, PLY, OFF), a point cloud (PLY, XYZ, PTS) or a project (*.snug.json)")
+                    "A mesh (STL, OBJ, PLY, OFF, glTF, 3MF), a point cloud (PLY, XYZ, PTS) or a project "
+                    "(*.snug.json)")
         ->required();
     make.add_option("-o,--output", a.folder, "The folder for the files that are made")
         ->required()

@@ -7,11 +7,11 @@
 #include <fmt/core.h>
 
 #include "snug/base/stopwatch.h"
-#include "snug/mesh/read_cloud.h"
 #include "snug/pack_stream.h"
 
 #include "cli/file_source.h"
 #include "cli/files.h"
+#include "cli/scene_file.h"
 
 namespace snug::cli {
 namespace {
@@ -48,7 +48,7 @@ Result<Packed> pack_in_memory(Task& task, const SearchArguments& search_argument
     Stopwatch watch;
     const auto bytes = read_file(task.object_path);
     if (!bytes) return tl::unexpected(bytes.error());
-    auto mesh = read_mesh_or_cloud(*bytes, path);
+    auto mesh = read_object(*bytes, task.object_path);
     const double read_ms = watch.lap();
     if (!mesh) return in_file(task, mesh.error());
     task.project.object = describe(task.object_path, *bytes);

@@ -16,13 +16,13 @@
 #include "snug/base/text.h"
 #include "snug/design/project.h"
 #include "snug/fabricate/mesh_files.h"
-#include "snug/mesh/read.h"
 #include "snug/mesh/thin.h"
 
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/files.h"
 #include "cli/object_file.h"
+#include "cli/scene_file.h"
 #include "cli/web_server.h"
 
 namespace snug::cli {
@@ -82,7 +82,7 @@ Result<nlohmann::json> offer_object(Site& site, const StudioArguments& arguments
     auto bytes = read_file(source->object);
     if (!bytes) return tl::unexpected(bytes.error());
     const ObjectFile file = describe(source->object, *bytes);
-    const auto mesh = read_mesh(*bytes, source->object.string());
+    const auto mesh = read_object(*bytes, source->object);
     if (!mesh)
         return fail(mesh.error().kind, fmt::format("{}: {}", source->object.string(), mesh.error().message));
     const bool thin = bytes->size() > arguments.most_bytes;

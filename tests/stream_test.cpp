@@ -13,6 +13,7 @@
 #include "snug/mesh/samples.h"
 #include "snug/pack_stream.h"
 
+#include "tests/support/models.h"
 #include "tests/support/random_design.h"
 
 // Objects that are read in pieces, beside the same objects in memory.
@@ -37,8 +38,8 @@ FileBytes stl_of(const Mesh& mesh) {
 }
 
 void expect_same(const FileBytes& bytes, const Design& design) {
-    auto mesh = read_stl(bytes);
-    ASSERT_TRUE(mesh);
+    auto mesh = read_mesh(bytes, "object");
+    ASSERT_TRUE(mesh) << mesh.error().message;
     const auto object = prepare(std::move(*mesh), design);
     const auto stream = TriangleStream::open(source_of(bytes));
     ASSERT_TRUE(stream) << stream.error().message;
@@ -49,7 +50,7 @@ void expect_same(const FileBytes& bytes, const Design& design) {
         return;
     }
     const auto packing = pack(*object, design);
-    ASSERT_EQ(streamed.has_value(), packing.has_value());
+    ASSERT_EQ(streamed.has_value(), packing.has_value()) << (streamed ? "" : streamed.error().message);
     if (!packing) {
         EXPECT_EQ(streamed.error().message, packing.error().message);
         return;
@@ -94,9 +95,118 @@ TEST(Stream, RandomSoupsHaveTheFoamsThatTheyHaveInMemory) {
     }
 }
 
+/// How a PLY may hold its numbers.
+struct PlyStyle {
+    bool doubles = false, big_endian = false, more = false;
+    int index_bytes = 4;
+};
+
+class PlyBytes {
+  public:
+    explicit PlyBytes(const PlyStyle& style) : style_(style) {}
+
+    FileBytes of(const Mesh& mesh, Vec3d far) && {
+        const std::string real = style_.doubles ? "double" : "float";
+        text("ply\nformat binary_" + std::string(style_.big_endian ? "big" : "little") + "_endian 1.0\n");
+        text("element vertex " + std::to_string(mesh.vertices.size() + 1) + "\n");
+        if (style_.more) text("property uchar red\n");
+        for (const char* axis : {"x", "y", "z"}) text("property " + real + " " + axis + "\n");
+        text("element face " + std::to_string(mesh.triangles.size()) + "\n");
+        if (style_.more) text("property short flags\n");
+        text("property list uchar " + std::string(style_.index_bytes == 2 ? "ushort" : "int") +
+             " vertex_indices\n");
+        if (style_.more) text("property float quality\nelement edge 1\nproperty int vertex1\n");
+        text("end_header\n");
+        for (const Vec3f& v : mesh.vertices) vertex(vec_cast<double>(v) + far);
+        vertex({1e9, -1e9, 0});  // that no triangle uses
+        for (const Triangle& t : mesh.triangles) {
+            if (style_.more) number(std::int16_t{7});
+            number(std::uint8_t{3});
+            for (const std::uint32_t v : t)
+                style_.index_bytes == 2 ? number(static_cast<std::uint16_t>(v)) : number(v);
+            if (style_.more) number(0.5f);
+        }
+        if (style_.more) number(std::int32_t{1});
+        return std::move(bytes_);
+    }
+
+  private:
+    void text(const std::string& words) {
+        const auto* begin = reinterpret_cast<const std::byte*>(words.data());
+        bytes_.insert(bytes_.end(), begin, begin + words.size());
+    }
+    void vertex(Vec3d p) {
+        if (style_.more) number(std::uint8_t{200});
+        for (const double value : {p.x, p.y, p.z})
+            style_.doubles ? number(value) : number(static_cast<float>(value));
+    }
+    template <class T>
+    void number(T value) {
+        std::byte raw[sizeof value];
+        std::memcpy(raw, &value, sizeof value);
+        if (style_.big_endian) std::reverse(std::begin(raw), std::end(raw));
+        bytes_.insert(bytes_.end(), std::begin(raw), std::end(raw));
+    }
+
+    PlyStyle style_;
+    FileBytes bytes_;
+};
+
+TEST(Stream, RandomPlyFilesHaveTheFoamsThatTheyHaveInMemory) {
+    for (int seed = 0; seed < 120; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random(static_cast<std::uint64_t>(seed));
+        const Mesh mesh = test::random_design(random).mesh;
+        const PlyStyle style{random.chance(0.5), random.chance(0.3), random.chance(0.5),
+                             random.chance(0.3) ? 2 : 4};
+        const Vec3d far = random.chance(0.5) ? Vec3d{} : Vec3d{5e5, -3e5, 2e3};
+        expect_same(PlyBytes(style).of(mesh, far), random_design_for(random));
+    }
+}
+
+TEST(Stream, PlyFilesThatCannotBeReadInPiecesSaySo) {
+    const auto opened = [](const std::string& text) {
+        const auto* begin = reinterpret_cast<const std::byte*>(text.data());
+        const FileBytes bytes(begin, begin + text.size());
+        const auto stream = TriangleStream::open(source_of(bytes));
+        if (!stream) return stream.error().message;
+        const auto passed = stream->pass([](auto, std::size_t) {});
+        return passed ? std::string() : passed.error().message;
+    };
+    const std::string vertices = "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
+    const std::string faces = "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    const std::string binary = "ply\nformat binary_little_endian 1.0\n";
+    const std::string zeros(36, '\0');
+    EXPECT_NE(opened("ply\nformat ascii 1.0\n" + vertices + faces + zeros + zeros).find("of text"), std::string::npos);
+    const auto face = [](char count, char last) {
+        return std::string{count, 0, 0, 0, 0, 1, 0, 0, 0, last, 0, 0, 0};
+    };
+    EXPECT_EQ(opened(binary + vertices + faces + zeros + face(3, 2)), "");
+    EXPECT_NE(opened(binary + vertices + faces + zeros + face(3, 3)).find("face 1 wants vertex 3"),
+              std::string::npos);
+    EXPECT_NE(opened(binary + vertices + faces + zeros + face(4, 2) + zeros).find("4 corners"),
+              std::string::npos);
+    EXPECT_NE(opened(binary + vertices + faces + zeros).find("too short"), std::string::npos);
+    EXPECT_NE(opened(binary + vertices + "end_header\n" + zeros).find("no triangles"), std::string::npos);
+    EXPECT_NE(opened(binary + "element vertex 4294967295\nproperty uchar x\n" + faces).find("cut off"),
+              std::string::npos);
+    std::string infinite = zeros;
+    infinite[35] = 0x7f, infinite[34] = static_cast<char>(0x80);
+    EXPECT_NE(opened(binary + vertices + faces + infinite + face(3, 2)).find("vertex 3 has a coordinate"),
+              std::string::npos);
+}
+
 TEST(Stream, SamplesAndSharedObjectsHaveTheFoamsThatTheyHaveInMemory) {
     std::vector<FileBytes> objects;
     for (const std::string_view name : sample_names()) objects.push_back(stl_of(*sample(name)));
+    for (const char* name : {"armadillo.obj", "beetle-alt.obj", "camelhead.off", "cow.obj", "screwdriver.off",
+                             "spot.obj", "stanford-bunny.obj", "teapot.obj"}) {
+        const auto file = test::model_file(name);
+        if (!file) continue;
+        const auto mesh = read_mesh(*file, name);
+        ASSERT_TRUE(mesh);
+        objects.push_back(objects.size() % 2 == 0 ? stl_of(*mesh) : PlyBytes({}).of(*mesh, {}));
+    }
     Random random(7);
     for (const FileBytes& bytes : objects)
         for (int turn = 0; turn < 4; ++turn) {

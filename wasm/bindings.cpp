@@ -4,7 +4,7 @@
 #include <emscripten/bind.h>
 
 #include "snug/fabricate/mesh_files.h"
-#include "snug/mesh/read.h"
+#include "snug/mesh/read_cloud.h"
 #include "snug/mesh/samples.h"
 
 #include "wasm/session.h"
@@ -65,7 +65,7 @@ val sample_file(const std::string& name) {
 val make(const val& object_bytes, const std::string& project_text) {
     const auto project = parse_project(project_text);
     if (!project) return to_val(project.error());
-    auto mesh = read_mesh(bytes_from(object_bytes), project->object.name);
+    auto mesh = read_mesh_or_cloud(bytes_from(object_bytes), project->object.name);
     if (!mesh) return to_val(mesh.error());
     const auto object = prepare(std::move(*mesh), project->design);
     if (!object) return to_val(object.error());

@@ -6,7 +6,7 @@
 
 #include "snug/base/stopwatch.h"
 #include "snug/mesh/measure.h"
-#include "snug/mesh/read.h"
+#include "snug/mesh/read_cloud.h"
 #include "snug/search/rank_cases.h"
 #include "snug/search/search_design.h"
 #include "snug/workshop.h"
@@ -23,6 +23,8 @@ constexpr double kStepMs = 60;
 constexpr std::size_t kMostDistinct = 6;
 
 const Error kNoObject{ErrorKind::usage, "there is no object yet: open one first"};
+const Error kNotOfClouds{ErrorKind::usage,
+                         "gaps, undercuts and what the object lies on are not known of a point cloud"};
 const Error kNoFoams{ErrorKind::usage, "there are no foams yet that could be measured"};
 
 bool asks_for_unit(const Box3d& box, const Design& design) {
@@ -31,6 +33,7 @@ bool asks_for_unit(const Box3d& box, const Design& design) {
 
 Object unscaled(const Mesh& mesh) {
     Object object;
+    if (mesh.is_cloud()) object.kind = ObjectKind::cloud;
     object.read_vertices = mesh.vertices.size();
     object.read_triangles = mesh.triangles.size();
     object.measure = measure(mesh);
@@ -64,7 +67,7 @@ val make_files(const Object& object, const Project& project, const Progress& pro
 val Session::load(const val& bytes, const std::string& name, const std::string& design_text) {
     const auto design = parse_design(design_text);
     if (!design) return to_val(design.error());
-    auto mesh = read_mesh(bytes_from(bytes), name);
+    auto mesh = read_mesh_or_cloud(bytes_from(bytes), name);
     if (!mesh) return to_val(mesh.error());
     const Box3d box = bounds(*mesh);
     auto object = prepare(*mesh, *design);
@@ -126,6 +129,7 @@ val Session::pack(const std::string& design_text) {
 
 val Session::gaps(const val& progress) const {
     if (!packing_ || !packing_->foams) return to_val(kNoFoams);
+    if (object_->kind == ObjectKind::cloud) return to_val(kNotOfClouds);
     Packing packing = *packing_;
     const auto measured = measure_fit(*object_, packing, packed_, progress_from(progress));
     if (!measured) return to_val(measured.error());

@@ -162,6 +162,7 @@ val to_val(const Object& object, Vec3d file_size, const std::optional<Error>& re
     result.set("fileSize", to_val(file_size));
     result.set("size_mm", refused ? val::null() : to_val(measure.bounds.size()));
     result.set("sizeProblem", refused ? val(refused->message) : val::null());
+    result.set("cloud", object.kind == ObjectKind::cloud);
     result.set("watertight", measure.watertight);
     result.set("volume_mm3", refused ? val::null() : or_null(measure.volume));
     result.set("holes", measure.holes.size());

@@ -15,13 +15,14 @@ namespace snug {
 namespace {
 
 constexpr std::size_t kNeighbours = CloudPlaces::kMostNeighbours;
-constexpr std::size_t kChunk = 4096;                  // points that one task treats
-constexpr double kCosineOfGap = -0.8090169943749475;  // 144 degrees
+constexpr std::size_t kChunk = 4096;   // points that one task treats
+constexpr double kCosineOfGap = -0.5;  // 120 degrees
 /// Below this share of the longest extent squared the neighbours lie in a line, such as a wire's, and say
 /// nothing of a surface.
 constexpr double kLine = 0.02;
-/// Rim points are in a row where they are among this many nearest of each other.
-constexpr std::size_t kInARow = 12;
+/// Rim points are in a row where they are not farther from each other than this many times the farthest of
+/// their neighbours: a row has gaps where the points lie at random.
+constexpr double kInARow = 1.4;
 constexpr std::size_t kLeastRim = 12;  // points
 
 Vec2d seen_along(Vec3d p, const PrincipalAxes& axes) {
@@ -52,9 +53,10 @@ bool has_gap(std::vector<std::pair<double, Vec2d>>& around) {
     return false;
 }
 
-bool on_rim(const CloudPlaces& places, std::size_t place) {
+/// The squared distance to the farthest neighbour of a place on a rim; 0 for any other.
+double rim_width(const CloudPlaces& places, std::size_t place) {
     const CloudPlaces::Neighbours nearest = places.nearest(place, kNeighbours);
-    if (nearest.count < kNeighbours) return false;
+    if (nearest.count < kNeighbours) return 0;
     const Vec3d own = places.position(place);
     Vec3d middle;
     for (std::size_t n = 0; n < nearest.count; ++n) middle = middle + places.position(nearest.place[n]);
@@ -63,53 +65,65 @@ bool on_rim(const CloudPlaces& places, std::size_t place) {
     for (std::size_t n = 0; n < nearest.count; ++n)
         spread.add_square(places.position(nearest.place[n]) - middle);
     const PrincipalAxes axes = principal_axes(spread);
-    if (axes.value[1] <= kLine * axes.value[0]) return false;
+    if (axes.value[1] <= kLine * axes.value[0]) return 0;
     std::vector<std::pair<double, Vec2d>> around;
     around.reserve(nearest.count);
     for (std::size_t n = 0; n < nearest.count; ++n) {
         const Vec2d seen = seen_along(places.position(nearest.place[n]) - own, axes);
         if (seen.x != 0 || seen.y != 0) around.push_back({angle_order(seen), seen});
     }
-    return has_gap(around);
+    return has_gap(around) ? nearest.squared[kNeighbours - 1] : 0;
 }
 
-std::vector<std::uint8_t> rim_points(const CloudPlaces& places) {
-    std::vector<std::uint8_t> rim(places.size(), 0);
-    parallel_for((rim.size() + kChunk - 1) / kChunk, [&](std::size_t chunk) {
-        const std::size_t end = std::min(rim.size(), (chunk + 1) * kChunk);
-        for (std::size_t i = chunk * kChunk; i < end; ++i) rim[i] = on_rim(places, i);
+/// The places on rims alone, as a cloud, and what rim_width() says of each.
+struct RimPoints {
+    Mesh cloud;
+    std::vector<std::uint32_t> place;
+    std::vector<double> width;
+};
+
+RimPoints rim_points(const CloudPlaces& places) {
+    std::vector<double> width(places.size(), 0);
+    parallel_for((width.size() + kChunk - 1) / kChunk, [&](std::size_t chunk) {
+        const std::size_t end = std::min(width.size(), (chunk + 1) * kChunk);
+        for (std::size_t i = chunk * kChunk; i < end; ++i) width[i] = rim_width(places, i);
     });
+    RimPoints rim;
+    for (std::uint32_t i = 0; i < width.size(); ++i) {
+        if (width[i] == 0) continue;
+        rim.cloud.vertices.push_back(vec_cast<float>(places.position(i)));
+        rim.place.push_back(i);
+        rim.width.push_back(width[i]);
+    }
     return rim;
 }
 
-/// Rim points that are in a row, each row in the order of its places.
-std::vector<std::vector<std::uint32_t>> rows_of(const CloudPlaces& places,
-                                                const std::vector<std::uint8_t>& rim) {
-    std::vector<std::uint32_t> parent(rim.size());
+/// Rim points that are in a row, as places, each row in their order.
+std::vector<std::vector<std::uint32_t>> rows_of(const RimPoints& rim) {
+    std::vector<std::uint32_t> parent(rim.place.size());
     std::iota(parent.begin(), parent.end(), 0u);
     const auto root = [&parent](std::uint32_t i) {
         while (parent[i] != i) i = parent[i] = parent[parent[i]];
         return i;
     };
-    for (std::uint32_t i = 0; i < rim.size(); ++i) {
-        if (rim[i] == 0) continue;
-        const CloudPlaces::Neighbours nearest = places.nearest(i, kInARow);
+    const CloudPlaces near(rim.cloud);
+    for (std::uint32_t i = 0; i < parent.size(); ++i) {
+        const CloudPlaces::Neighbours nearest = near.nearest(near.of_vertex(i), kNeighbours);
         for (std::size_t n = 0; n < nearest.count; ++n) {
-            if (rim[nearest.place[n]] == 0) continue;
-            const std::uint32_t a = root(i), b = root(nearest.place[n]);
+            if (nearest.squared[n] > kInARow * kInARow * rim.width[i]) continue;
+            const std::uint32_t a = root(i), b = root(near.vertex_of(nearest.place[n]));
             parent[std::max(a, b)] = std::min(a, b);
         }
     }
     std::vector<std::vector<std::uint32_t>> rows;
-    std::vector<std::uint32_t> row_of(rim.size(), 0);  // number + 1, at roots
-    for (std::uint32_t i = 0; i < rim.size(); ++i) {
-        if (rim[i] == 0) continue;
+    std::vector<std::uint32_t> row_of(parent.size(), 0);  // number + 1, at roots
+    for (std::uint32_t i = 0; i < parent.size(); ++i) {
         std::uint32_t& row = row_of[root(i)];
         if (row == 0) {
             rows.emplace_back();
             row = static_cast<std::uint32_t>(rows.size());
         }
-        rows[row - 1].push_back(i);
+        rows[row - 1].push_back(rim.place[i]);
     }
     return rows;
 }
@@ -152,7 +166,7 @@ std::vector<std::uint32_t> outline(const CloudPlaces& places, const std::vector<
 
 std::vector<std::vector<std::uint32_t>> cloud_rims(const CloudPlaces& places) {
     std::vector<std::vector<std::uint32_t>> loops;
-    for (const std::vector<std::uint32_t>& row : rows_of(places, rim_points(places))) {
+    for (const std::vector<std::uint32_t>& row : rows_of(rim_points(places))) {
         if (row.size() < kLeastRim) continue;
         std::vector<std::uint32_t> loop = outline(places, row);
         if (loop.size() >= 3) loops.push_back(std::move(loop));

@@ -27,6 +27,7 @@ constexpr std::uint64_t kMostVertices = std::numeric_limits<std::uint32_t>::max(
 struct Field {
     std::size_t at = 0;
     PlyType type = PlyType::float32;
+    friend bool operator==(Field, Field) = default;
 };
 
 /// Where the two kinds of records lie and what of them is wanted.
@@ -37,6 +38,11 @@ struct Layout {
     Field corner_count;  ///< of a face
     Field corners;       ///< the first of three
 
+    /// x, y and z one after the other, as nearly all programs write vertices.
+    [[nodiscard]] bool plain_floats() const {
+        const std::size_t at = coordinate[0].at;
+        return !swapped && coordinate == std::array{Field{at}, Field{at + 4}, Field{at + 8}};
+    }
     /// As nearly all programs write faces: a byte and three little-endian 32-bit numbers.
     [[nodiscard]] bool usual() const {
         return !swapped && size_of(corner_count.type) == 1 && size_of(corners.type) == 4;
@@ -137,13 +143,6 @@ class PlyTriangles {
     /// The corners of one face.
     [[nodiscard]] static Result<std::array<std::uint32_t, 3>> indices(const Layout& layout, Bytes record,
                                                                       std::uint64_t number) {
-        if (layout.usual()) {
-            const std::byte* const at = record.data() + layout.corner_count.at;
-            const std::array<std::uint32_t, 3> corners = {read_u32(at + 1), read_u32(at + 5),
-                                                          read_u32(at + 9)};
-            const std::uint32_t highest = std::max({corners[0], corners[1], corners[2]});
-            if (at[0] == std::byte{3} && highest < layout.vertices.count) return corners;
-        }
         BinaryPlyValues values(record.subspan(layout.corner_count.at), layout.swapped);
         std::int64_t count = 0;
         (void)values.next_whole(layout.corner_count.type, count);
@@ -162,7 +161,7 @@ class PlyTriangles {
     }
 
     Result<void> operator()(const RecordPiece& piece, std::span<TriangleStream::Corners> corners) const {
-        for (std::size_t f = 0; f < piece.count; ++f) {
+        for (std::size_t f = usual_faces(piece, corners); f < piece.count; ++f) {
             const Bytes record = piece.bytes.subspan(f * layout_.faces.bytes, layout_.faces.bytes);
             const auto index = indices(layout_, record, piece.first + f);
             if (!index) return tl::unexpected(index.error());
@@ -179,11 +178,28 @@ class PlyTriangles {
     }
 
   private:
+    /// The quick way for what nearly all files hold. Ends at the first face that needs a closer look.
+    std::size_t usual_faces(const RecordPiece& piece, std::span<TriangleStream::Corners> corners) const {
+        if (!layout_.usual()) return 0;
+        const std::byte* at = piece.bytes.data() + layout_.corner_count.at;
+        for (std::size_t f = 0; f < piece.count; ++f, at += layout_.faces.bytes) {
+            const std::uint32_t a = read_u32(at + 1), b = read_u32(at + 5), c = read_u32(at + 9);
+            if (at[0] != std::byte{3} || std::max({a, b, c}) >= vertices_.size()) return f;
+            corners[f] = {vertices_[a], vertices_[b], vertices_[c]};
+            if (!all_finite(corners.subspan(f, 1))) return f;
+        }
+        return piece.count;
+    }
+
     Layout layout_;
     std::vector<Vec3f> vertices_;
 };
 
 Vec3d position(const Layout& layout, Bytes record) {
+    if (layout.plain_floats()) {
+        const std::byte* const at = record.data() + layout.coordinate[0].at;
+        return vec_cast<double>(Vec3f{read_f32(at), read_f32(at + 4), read_f32(at + 8)});
+    }
     Vec3d p;
     for (int axis = 0; axis < 3; ++axis) {
         const Field& field = layout.coordinate[static_cast<std::size_t>(axis)];

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <span>
 #include <string>
 
 #include "snug/base/result.h"
@@ -46,6 +47,19 @@ inline void copy_stl_corners(const std::byte* facet, std::array<Vec3f, 3>& corne
         at += 12;
     }
     return true;
+}
+
+/// Whether no exponent is full. Bits instead of floats, which the compiler turns into vector instructions.
+[[nodiscard]] inline bool all_finite(std::span<const std::array<Vec3f, 3>> corners) {
+    constexpr std::uint32_t kExponent = 0x7f80'0000;
+    std::uint32_t wrong = 0;
+    for (const std::array<Vec3f, 3>& triangle : corners) {
+        std::array<std::uint32_t, 9> bits;
+        static_assert(sizeof bits == sizeof triangle);
+        std::memcpy(bits.data(), &triangle, sizeof bits);
+        for (const std::uint32_t each : bits) wrong |= (each & kExponent) == kExponent;
+    }
+    return wrong == 0;
 }
 
 [[nodiscard]] inline Error stl_cut_off(std::uint64_t count, std::uint64_t held) {

@@ -19,19 +19,6 @@ bool is_text(std::span<const std::byte> bytes) {
                        [](std::byte b) { return b >= std::byte{9} && b < std::byte{127}; });
 }
 
-/// Whether no exponent is full. Bits instead of floats, which the compiler turns into vector instructions.
-bool all_finite(std::span<const TriangleStream::Corners> corners) {
-    constexpr std::uint32_t kExponent = 0x7f80'0000;
-    std::uint32_t wrong = 0;
-    for (const TriangleStream::Corners& triangle : corners) {
-        std::array<std::uint32_t, 9> bits;
-        static_assert(sizeof bits == sizeof triangle);
-        std::memcpy(bits.data(), &triangle, sizeof bits);
-        for (const std::uint32_t each : bits) wrong |= (each & kExponent) == kExponent;
-    }
-    return wrong == 0;
-}
-
 Error not_in_pieces() {
     return {ErrorKind::input,
             "only a binary STL or a binary PLY is read in pieces, and this is none: export it as one, or "

@@ -129,6 +129,8 @@ export interface ObjectInfo {
   size_mm: Triple | null;
   /** Why size_mm is null: the library's sentence. */
   sizeProblem: string | null;
+  /** Points without triangles: `vertices` counts them, and whether they are closed, volume and parts are not known. */
+  cloud: boolean;
   watertight: boolean;
   volume_mm3: number | null;
   holes: number;

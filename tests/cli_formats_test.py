@@ -1,0 +1,271 @@
+"""Objects that are no mesh files of the library's own: scenes (glTF, 3MF), point clouds, and files that are
+read in pieces, as a person hands them to the program.
+
+Usage: cli_formats_test.py SNUG [unittest arguments]
+"""
+
+import base64
+import itertools
+import json
+import random
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+import zipfile
+from pathlib import Path
+
+SNUG = Path(sys.argv.pop(1)).resolve()
+# An L of boxes, so that turning and mirroring show.
+BOXES = [((0, 0, 0), (120, 40, 30)), ((0, 40, 0), (40, 60, 30))]
+QUADS = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
+
+
+def snug(*arguments):
+    return subprocess.run([SNUG, *map(str, arguments)], capture_output=True, text=True, timeout=120)
+
+
+def l_shape():
+    vertices, triangles = [], []
+    for low, size in BOXES:
+        first = len(vertices)
+        vertices += [tuple(low[i] + size[i] * bits[2 - i] for i in range(3))
+                     for bits in itertools.product((0, 1), repeat=3)]
+        for a, b, c, d in QUADS:
+            triangles += [(first + a, first + b, first + c), (first + a, first + c, first + d)]
+    return vertices, triangles
+
+
+def write_stl(path, vertices, triangles):
+    data = bytes(80) + struct.pack("<I", len(triangles))
+    for t in triangles:
+        data += struct.pack("<12fH", 0, 0, 0, *(x for v in t for x in vertices[v]), 0)
+    path.write_bytes(data)
+
+
+def gltf(vertices, triangles, nodes, uri=None):
+    """The scene and its buffer; metres."""
+    positions = b"".join(struct.pack("<3f", *(x / 1000 for x in v)) for v in vertices)
+    indices = b"".join(struct.pack("<3I", *t) for t in triangles)
+    low = [min(v[i] for v in vertices) / 1000 for i in range(3)]
+    high = [max(v[i] for v in vertices) / 1000 for i in range(3)]
+    buffer = {"byteLength": len(positions) + len(indices)}
+    if uri:
+        buffer["uri"] = uri
+    scene = {
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": list(range(len(nodes)))}],
+        "nodes": [{"mesh": 0, **node} for node in nodes],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+        "accessors": [
+            {"bufferView": 0, "componentType": 5126, "count": len(vertices), "type": "VEC3", "min": low, "max": high},
+            {"bufferView": 1, "componentType": 5125, "count": 3 * len(triangles), "type": "SCALAR"}],
+        "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": len(positions)},
+                        {"buffer": 0, "byteOffset": len(positions), "byteLength": len(indices)}],
+        "buffers": [buffer]}
+    return scene, positions + indices
+
+
+def glb(scene, buffer):
+    text = json.dumps(scene).encode()
+    text += b" " * (-len(text) % 4)
+    body = struct.pack("<II", len(text), 0x4E4F534A) + text + struct.pack("<II", len(buffer), 0x004E4942) + buffer
+    return b"glTF" + struct.pack("<II", 2, 12 + len(body)) + body
+
+
+def write_3mf(path, vertices, triangles, unit="millimeter", transform="1 0 0 0 1 0 0 0 1 0 0 0"):
+    mesh = ("<mesh><vertices>" + "".join('<vertex x="%r" y="%r" z="%r"/>' % v for v in vertices) +
+            "</vertices><triangles>" + "".join('<triangle v1="%d" v2="%d" v3="%d"/>' % t for t in triangles) +
+            "</triangles></mesh>")
+    model = (f'<?xml version="1.0" encoding="UTF-8"?><model unit="{unit}" xml:lang="en-US" '
+             'xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02"><resources>'
+             f'<object id="1" type="model">{mesh}</object><object id="2" type="model"><components>'
+             f'<component objectid="1" transform="{transform}"/></components></object></resources>'
+             '<build><item objectid="2"/></build></model>')
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("[Content_Types].xml",
+                         '<?xml version="1.0"?><Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types">'
+                         '<Default Extension="rels" ContentType="application/vnd.openxmlformats-package.relationships+xml"/>'
+                         '<Default Extension="model" ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/></Types>')
+        archive.writestr("_rels/.rels",
+                         '<?xml version="1.0"?><Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">'
+                         '<Relationship Target="/3D/3dmodel.model" Id="r" '
+                         'Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>')
+        archive.writestr("3D/3dmodel.model", model)
+
+
+class Formats(unittest.TestCase):
+    def setUp(self):
+        self.folder = Path(self.enterContext(tempfile.TemporaryDirectory()))
+
+    def depths(self, path, *options):
+        out = self.folder / ("out-" + path.name)
+        done = snug("make", path, "-o", out, "--quiet", "--blocks", "60x50x40", "--block-size", "5x7x9", *options)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return (out / "depths.csv").read_text()
+
+    def refused(self, path, *options):
+        done = snug("make", path, "-o", self.folder / "none", *options)
+        self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+        self.assertFalse((self.folder / "none").exists())
+        self.assertIn(path.name, done.stderr)
+        return done.stderr
+
+    def plain(self, change=lambda v: v, twice=False, flip=False):
+        vertices, triangles = l_shape()
+        moved = [change(v) for v in vertices]
+        if flip:
+            triangles = [t[::-1] for t in triangles]
+        if twice:
+            triangles += [tuple(i + len(moved) for i in t) for t in triangles]
+            moved = moved + [(x + 130, y, z) for x, y, z in moved]
+        path = self.folder / "plain.stl"
+        write_stl(path, moved, triangles)
+        return self.depths(path)
+
+    def test_a_scene_is_what_its_nodes_place(self):
+        vertices, triangles = l_shape()
+        path = self.folder / "scene.glb"
+        path.write_bytes(glb(*gltf(vertices, triangles, [{}])))
+        self.assertEqual(self.depths(path), self.plain())
+        path.write_bytes(glb(*gltf(vertices, triangles, [{}, {"translation": [0.13, 0, 0]}])))
+        self.assertEqual(self.depths(path), self.plain(twice=True))
+        # A quarter turn about z, and a mirror.
+        half = 0.5 ** 0.5
+        path.write_bytes(glb(*gltf(vertices, triangles, [{"rotation": [0, 0, half, half], "scale": [1, 1, -1]}])))
+        self.assertEqual(self.depths(path), self.plain(lambda v: (-v[1], v[0], -v[2]), flip=True))
+        report = json.loads((self.folder / "out-scene.glb" / "report.json").read_text())
+        self.assertEqual(report["object"]["triangles"], 24)
+
+    def test_a_buffer_of_its_own_is_read_from_the_same_folder_only(self):
+        vertices, triangles = l_shape()
+        scene, buffer = gltf(vertices, triangles, [{}], "the buffer.bin".replace(" ", "%20"))
+        path = self.folder / "scene.gltf"
+        path.write_text(json.dumps(scene))
+        self.refused(path)
+        (self.folder / "the buffer.bin").write_bytes(buffer)
+        scene, _ = gltf(vertices, triangles, [{}], "data.bin")
+        path.write_text(json.dumps(scene))
+        (self.folder / "data.bin").write_bytes(buffer)
+        self.assertEqual(self.depths(path), self.plain())
+        inner = self.folder / "inner"
+        inner.mkdir()
+        scene, _ = gltf(vertices, triangles, [{}], "../data.bin")
+        (inner / "scene.gltf").write_text(json.dumps(scene))
+        self.refused(inner / "scene.gltf")
+        scene, _ = gltf(vertices, triangles, [{}],
+                        "data:application/octet-stream;base64," + base64.b64encode(buffer).decode())
+        path.write_text(json.dumps(scene))
+        self.assertEqual(self.depths(path), self.plain())
+
+    def test_3mf_has_units_and_components(self):
+        vertices, triangles = l_shape()
+        path = self.folder / "object.3mf"
+        write_3mf(path, vertices, triangles)
+        self.assertEqual(self.depths(path), self.plain())
+        write_3mf(path, [tuple(x / 25.4 for x in v) for v in vertices], triangles, "inch")
+        report = self.folder / "out-object.3mf" / "report.json"
+        self.depths(path)
+        for found, size in zip(json.loads(report.read_text())["object"]["size_mm"], (120, 100, 30)):
+            self.assertAlmostEqual(found, size, 3)
+        # Row vectors: x goes to y, y to -x.
+        write_3mf(path, vertices, triangles, transform="0 1 0 -1 0 0 0 0 1 7 0 0")
+        self.assertEqual(self.depths(path), self.plain(lambda v: (-v[1], v[0], v[2])))
+        write_3mf(path, vertices, triangles, "cubit")
+        self.assertIn("cubit", self.refused(path))
+
+    def test_what_is_not_read_says_what_to_export(self):
+        for name, start, word in (("a.step", b"ISO-10303-21;\nHEADER;", "STEP"), ("a.fbx", b"Kaydara FBX Binary  ", "FBX"),
+                                  ("a.blend", b"BLENDER-v300", "Blender"), ("a.zip", b"PK\x03\x04", "zip")):
+            path = self.folder / name
+            path.write_bytes(start + bytes(100))
+            sentence = self.refused(path)
+            self.assertIn(word, sentence)
+            self.assertIn("export it as STL", sentence)
+
+    def test_damaged_scenes_are_sentences(self):
+        vertices, triangles = l_shape()
+        scene = glb(*gltf(vertices, triangles, [{}]))
+        path = self.folder / "whole.3mf"
+        write_3mf(path, vertices, triangles)
+        chosen = random.Random(11)
+        for name, whole in (("a.glb", scene), ("a.3mf", path.read_bytes())):
+            for turn in range(60):
+                data = bytearray(whole)
+                for _ in range(chosen.randint(1, 8)):
+                    data[chosen.randrange(len(data))] = chosen.randrange(256)
+                if turn % 3 == 0:
+                    data = data[:chosen.randrange(4, len(data))]
+                hurt = self.folder / name
+                hurt.write_bytes(data)
+                done = snug("make", hurt, "-o", self.folder / "hurt", "--quiet", "--dry-run")
+                self.assertIn(done.returncode, (0, 1, 2, 3), (turn, done.returncode, done.stderr))
+
+    def test_a_cloud_is_packed_and_told(self):
+        path = self.folder / "cloud.xyz"
+        path.write_text("".join(f"{60 * x} {y} {z} 10 20 30\n" for x in (0, 1) for y in range(0, 101, 4)
+                                for z in range(0, 81, 4)))
+        done = snug("make", path, "-o", self.folder / "out", "--clearance", "1")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("1,092 points", done.stdout)
+        report = json.loads((self.folder / "out" / "report.json").read_text())
+        self.assertEqual(report["object"]["points"], 1092)
+        for unknown in ("watertight", "volume_mm3"):
+            self.assertIsNone(report["object"][unknown])
+        self.assertIsNone(report["gap"])
+        few = report["foam"]["cut_blocks"]
+        done = snug("make", self.folder / "out" / "project.snug.json", "--object", path, "-o", self.folder / "out",
+                    "--point-radius", "20", "--quiet")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        report = json.loads((self.folder / "out" / "report.json").read_text())
+        self.assertGreater(report["foam"]["cut_blocks"], few)
+        done = snug("inspect", path)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("1,092 points", done.stdout)
+        for text, word in (("1 2 3\n", "all its points are one"), ("1 2 3\n" * 1000, "all its points are one"),
+                           ("1 2 3\n4 inf 6\n", "three numbers"), ("1 2 3\n4 1e39 6\n", "beyond 1e30"), ("1,5 2,5 3,5\n", "decimal"), ("1 2\n", "three numbers")):
+            path.write_text(text)
+            self.assertIn(word, self.refused(path))
+
+    def test_reading_in_pieces_gives_the_same_foams(self):
+        for name in ("torus", "vase"):
+            whole = self.folder / f"{name}.stl"
+            self.assertEqual(snug("sample", name, "-o", whole).returncode, 0)
+            ply = self.folder / f"{name}.ply"
+            self.assertEqual(snug("sample", name, "-o", ply).returncode, 0)
+            for path in (whole, ply):
+                memory, pieces = self.depths(path, "--rotate", "10,20,30"), self.depths(path, "--rotate", "10,20,30", "--stream")
+                self.assertEqual(memory, pieces)
+            report = json.loads((self.folder / f"out-{name}.stl" / "report.json").read_text())
+            self.assertTrue(report["object"]["streamed"])
+            for unknown in ("vertices", "watertight", "volume_mm3"):
+                self.assertIsNone(report["object"][unknown])
+            self.assertIsNone(report["gap"])
+            self.assertIn("streamed", [finding["code"] for finding in report["findings"]])
+
+    def test_a_search_in_pieces_ends_with_the_object_itself(self):
+        path = self.folder / "vase.stl"
+        self.assertEqual(snug("sample", "vase", "-o", path).returncode, 0)
+        out = self.folder / "out"
+        done = snug("make", path, "-o", out, "--stream", "--blocks", "auto", "--fit-case", "--optimize", "--quiet",
+                    "--search-seconds", "0.5")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        found = (out / "depths.csv").read_text()
+        # The project has the placement that was found; read whole, it gives the same foams.
+        done = snug("make", out / "project.snug.json", "--object", path, "-o", self.folder / "again", "--quiet")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(found, (self.folder / "again" / "depths.csv").read_text())
+
+    def test_what_cannot_be_read_in_pieces_says_so(self):
+        path = self.folder / "a.off"
+        path.write_text("OFF\n4 4 6\n0 0 0\n60 0 0\n0 60 0\n0 0 60\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n")
+        self.assertIn("--stream", self.refused(path, "--stream"))
+        path = self.folder / "a.stl"
+        write_stl(path, *l_shape())
+        path.write_bytes(path.read_bytes()[:-20])
+        self.assertIn("cut off", self.refused(path, "--stream"))
+        self.assertEqual(snug("make", self.folder, "-o", self.folder / "none", "--stream").returncode, 2)
+
+
+if __name__ == "__main__":
+    unittest.main()
