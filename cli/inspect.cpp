@@ -8,6 +8,7 @@
 
 #include "snug/base/text.h"
 #include "snug/design/design.h"
+#include "snug/mesh/clean.h"
 #include "snug/mesh/measure.h"
 
 #include "cli/commands.h"
@@ -19,7 +20,7 @@ namespace snug::cli {
 namespace {
 
 constexpr std::array<Unit, 4> kUnits{Unit::mm, Unit::cm, Unit::m, Unit::in};
-constexpr std::size_t kPartsShown = 10;
+constexpr std::size_t kPartsShown = 20;
 
 struct InspectArguments {
     std::string object;
@@ -48,6 +49,17 @@ std::string units_lines(Vec3d size) {
     return text;
 }
 
+/// The rest of the parts in one line.
+std::string smaller_parts(const std::vector<PartShare>& shares) {
+    double share = 0, longest = 0;
+    for (std::size_t i = kPartsShown; i < shares.size(); ++i) {
+        share += shares[i].share;
+        longest = std::max(longest, shares[i].bounds.longest_side());
+    }
+    return fmt::format("  and {} more, at most {} long, {} % of the surface; --json lists all\n",
+                       grouped(shares.size() - kPartsShown), number(longest, 3), number(share * 100, 2));
+}
+
 std::string described(const std::string& name, const Mesh& mesh, const MeshMeasure& measure) {
     const Vec3d size = measure.bounds.size();
     std::string text = fmt::format("{}\n", name);
@@ -62,11 +74,13 @@ std::string described(const std::string& name, const Mesh& mesh, const MeshMeasu
                                                                     : "no");
     text += fmt::format("Parts       {}\n", grouped(measure.parts.size()));
     if (measure.parts.size() > 1) {
-        for (std::size_t i = 0; i < std::min(measure.parts.size(), kPartsShown); ++i)
-            text += fmt::format("  {:<4}{} in the file's unit, {}\n", i + 1,
-                                dimensions(measure.parts[i].bounds.size(), 3),
-                                counted(measure.parts[i].triangles, "triangle", "triangles"));
-        if (measure.parts.size() > kPartsShown) text += "  ...\n";
+        const std::vector<PartShare> shares = part_shares(mesh, measure);
+        for (std::size_t i = 0; i < std::min(shares.size(), kPartsShown); ++i)
+            text += fmt::format("  {:<4}{} in the file's unit, {}, {} % of the surface\n", shares[i].number,
+                                dimensions(shares[i].bounds.size(), 3),
+                                counted(shares[i].triangles, "triangle", "triangles"),
+                                number(shares[i].share * 100, 2));
+        if (shares.size() > kPartsShown) text += smaller_parts(shares);
     }
     text += "Size, if the file is in\n" + units_lines(size);
     if (measure.volume) {
@@ -95,9 +109,11 @@ std::string described_json(const std::string& name, const Mesh& mesh, const Mesh
               {"volume", measure.volume ? Json(*measure.volume) : Json(nullptr)},
               {"likely_unit", best ? Json(std::string(unit_name(*best))) : Json(nullptr)}};
     json["parts"] = Json::array();
-    for (const MeshPart& part : measure.parts) {
+    for (const PartShare& part : part_shares(mesh, measure)) {
         const Vec3d extent = part.bounds.size();
-        json["parts"].push_back({{"triangles", part.triangles}, {"size", {extent.x, extent.y, extent.z}}});
+        json["parts"].push_back({{"triangles", part.triangles},
+                                 {"size", {extent.x, extent.y, extent.z}},
+                                 {"surface_share", part.share}});
     }
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -21,6 +21,7 @@
 #include "cli/files.h"
 #include "cli/interrupt.h"
 #include "cli/make_case.h"
+#include "cli/make_clean.h"
 #include "cli/make_fit.h"
 #include "cli/make_pack.h"
 #include "cli/make_search.h"
@@ -46,6 +47,7 @@ struct MakeArguments {
     SearchArguments search;
     WorkshopArguments workshop;
     FitArguments fit;
+    CleanArguments clean;
     std::optional<double> point_radius;
     bool cap = false, quiet = false, json = false;
     std::optional<bool> stream;
@@ -90,6 +92,7 @@ void add_options(CLI::App& make, MakeArguments& arguments) {
         "--stream,!--no-stream", a.stream,
         "Read the object in pieces, so that it need not fit into memory (chosen by itself for large "
         "files)");
+    add_clean_options(make, a.clean);
     add_fit_options(make, a.fit);
     add_search_options(make, a.search);
     make.add_option("--object", a.replacement_object,
@@ -134,6 +137,7 @@ Result<Design> design_from(const MakeArguments& a, Design design, bool from_proj
     if (a.scale) design.object.scale = *a.scale;
     if (a.longest) design.object.longest_mm = *a.longest;
     if (a.cap) design.object.cap = true;
+    if (auto done = take_clean(a.clean, design.object.clean); !done) return tl::unexpected(done.error());
     if (a.point_radius) design.object.point_radius_mm = *a.point_radius;
     if (a.blocks && *a.blocks == "auto") {
         design.space.blocks.reset();

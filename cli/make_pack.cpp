@@ -93,7 +93,8 @@ Result<Packed> pack_in_pieces(Task& task, const ByteSource& source, const Search
 bool should_stream(const Task& task) {
     std::error_code error;
     const auto size = std::filesystem::file_size(task.object_path, error);
-    return !error && too_large_for_memory(size) && !task.project.design.object.cap;
+    return !error && too_large_for_memory(size) && !task.project.design.object.cap &&
+           task.project.design.object.clean.none();
 }
 
 }  // namespace

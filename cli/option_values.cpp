@@ -150,4 +150,41 @@ Result<Price> parse_price(const std::string& option, std::string_view text) {
     return price;
 }
 
+Result<std::vector<int>> parse_numbers(const std::string& option, std::string_view text) {
+    constexpr int kMost = 100'000;
+    const auto refuse = [&] {
+        return fail(ErrorKind::usage,
+                    fmt::format("{} takes numbers and ranges from 1 upward such as 2,5-9, not {}", option,
+                                quoted(text)));
+    };
+    std::vector<int> numbers;
+    std::string_view rest = text;
+    for (bool more = true; more;) {
+        const std::size_t end = rest.find(',');
+        more = end != std::string_view::npos;
+        const std::string_view word = rest.substr(0, end);
+        const std::size_t dash = word.find('-');
+        int first = 0, last = 0;
+        if (!parse_number(word.substr(0, dash), first)) return refuse();
+        if (dash == std::string_view::npos)
+            last = first;
+        else if (!parse_number(word.substr(dash + 1), last))
+            return refuse();
+        if (first < 1 || last < first || last - first >= kMost - static_cast<int>(numbers.size()))
+            return refuse();
+        for (int number = first; number <= last; ++number) numbers.push_back(number);
+        rest.remove_prefix(more ? end + 1 : rest.size());
+    }
+    return numbers;
+}
+
+Result<std::array<double, 4>> parse_plane(const std::string& option, std::string_view text) {
+    const std::vector<double> values = parse_list(text, ',');
+    if (values.size() != 4)
+        return fail(ErrorKind::usage,
+                    fmt::format("{} takes a direction and a distance such as 0,0,1,12, not {}", option,
+                                quoted(text)));
+    return std::array<double, 4>{values[0], values[1], values[2], values[3]};
+}
+
 }  // namespace snug::cli

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "snug/base/result.h"
 #include "snug/base/vec.h"
@@ -40,6 +42,12 @@ namespace snug::cli {
 
 /// "45" or "12.5", mm
 [[nodiscard]] Result<double> parse_length(const std::string& option, std::string_view text);
+
+/// "2,5-9": 2, 5, 6, 7, 8, 9; at most 100,000 of them
+[[nodiscard]] Result<std::vector<int>> parse_numbers(const std::string& option, std::string_view text);
+
+/// "0,0,1,12": a direction and a distance
+[[nodiscard]] Result<std::array<double, 4>> parse_plane(const std::string& option, std::string_view text);
 
 /// "7"
 [[nodiscard]] Result<int> parse_integer(const std::string& option, std::string_view text);

@@ -41,6 +41,16 @@ Json half_gap_json(const HalfGap& half) {
             {"widest_at_mm", array(half.widest_at)}};
 }
 
+Json dropped_json(const std::vector<PartShare>& dropped) {
+    Json list = Json::array();
+    for (const PartShare& part : dropped)
+        list.push_back({{"part", part.number},
+                        {"triangles", part.triangles},
+                        {"size_mm", array(part.bounds.size())},
+                        {"surface_share", rounded(part.share)}});
+    return list;
+}
+
 /// What is not known of an object is null.
 Json object_json(const Object& object, const std::string& file) {
     const MeshMeasure& measure = object.measure;
@@ -52,6 +62,8 @@ Json object_json(const Object& object, const std::string& file) {
                  {"size_mm", array(measure.bounds.size())},
                  {"watertight", mesh ? Json(measure.watertight) : Json(nullptr)},
                  {"volume_mm3", volume(measure.volume)}};
+    if (!object.clean.dropped.empty()) json["dropped"] = dropped_json(object.clean.dropped);
+    if (object.clean.plane_cut) json["cut_off"] = true;
     if (object.kind == ObjectKind::cloud) json["points"] = object.read_vertices;
     if (object.kind == ObjectKind::streamed) json["streamed"] = true;
     return json;

@@ -66,12 +66,9 @@ void note_cloud(const Object& object, std::vector<Finding>& findings) {
 
 }  // namespace
 
-Result<Object> prepare_cloud(Mesh cloud, const Design& design) {
-    Object object;
+Result<Object> prepare_cloud(Object object, Mesh cloud, const Design& design) {
     object.kind = ObjectKind::cloud;
-    object.read_vertices = cloud.vertices.size();
-    const Vec3d size = bounds(cloud).size();
-    object.cloud = scaled(std::move(cloud), millimetres_per_unit(size, design.object));
+    object.cloud = std::move(cloud);
     object.measure.bounds = bounds(object.cloud);
     const CloudPlaces places(object.cloud);
     auto radii = point_radii(object.cloud, places, design.object.point_radius_mm);
@@ -106,6 +103,7 @@ Result<Packing> pack_cloud(const Object& object, const Design& design) {
         if (depths.upper && findings.size() == before) look(*depths.upper, *cuts.upper);
     };
     steps.find_object_notes = [&](const Packing&, std::vector<Finding>& findings) {
+        find_dropped(object.clean, findings);
         note_cloud(object, findings);
     };
     const bool in_case = design.case_options.inside_mm.has_value();

@@ -10,9 +10,9 @@
 
 namespace snug {
 
-/// As prepare(), of a cloud in the file's unit. Rims of what the scanner did not see, such as the base, are
+/// The rest of prepare(), for a cloud in mm. Rims of what the scanner did not see, such as the base, are
 /// its holes; `hole_spans` are what closes them where the design wants caps (see capped()).
-[[nodiscard]] Result<Object> prepare_cloud(Mesh cloud, const Design& design);
+[[nodiscard]] Result<Object> prepare_cloud(Object object, Mesh cloud, const Design& design);
 
 /// As pack().
 [[nodiscard]] Result<Packing> pack_cloud(const Object& object, const Design& design);

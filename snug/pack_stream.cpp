@@ -36,6 +36,12 @@ Box3d relative_to(Vec3d origin, const Box3d& file) {
 }
 
 Result<Measured> measured(const TriangleStream& stream, const Design& design, const Progress& progress) {
+    if (design.object.cap)
+        return fail(ErrorKind::usage, "holes cannot be closed in an object that is read in pieces");
+    if (!design.object.clean.none())
+        return fail(
+            ErrorKind::usage,
+            "parts cannot be dropped from an object that is read in pieces, nor can it be cut by a plane");
     const Rotation rotation = rotation_from_euler(design.placement.rotation_deg);
     Measured result;
     const bool by_length = design.object.longest_mm.has_value();
@@ -102,8 +108,6 @@ Result<Object> stand_in(const TriangleStream& stream, const Design& design, cons
 
 Result<StreamedPacking> pack_stream(const TriangleStream& stream, const Design& design,
                                     const Progress& progress) {
-    if (design.object.cap)
-        return fail(ErrorKind::usage, "holes cannot be closed in an object that is read in pieces");
     const auto object = measured(stream, design, part_of(progress, 0, 0.4));
     if (!object) return tl::unexpected(object.error());
     const Clearance clearance = design.cut.whole_clearance_mm();

@@ -139,13 +139,19 @@ Result<Object> prepare(Mesh mesh, const Design& design) {
     if (std::max({size.x, size.y, size.z}) <= 0)
         return fail(ErrorKind::input, "the object has no size: all its points are one");
     if (const auto error = implausible_size(size, design)) return tl::unexpected(*error);
-    if (mesh.is_cloud()) return prepare_cloud(std::move(mesh), design);
 
     Object object;
     object.read_vertices = mesh.vertices.size();
     object.read_triangles = mesh.triangles.size();
-    object.mesh = scaled(std::move(mesh), millimetres_per_unit(size, design.object));
+    auto clean =
+        cleaned(scaled(std::move(mesh), millimetres_per_unit(size, design.object)), design.object.clean);
+    if (!clean) return tl::unexpected(clean.error());
+    object.clean = std::move(clean->report);
+    if (clean->mesh.is_cloud()) return prepare_cloud(std::move(object), std::move(clean->mesh), design);
+    object.mesh = std::move(clean->mesh);
     object.measure = measure(object.mesh);
+    object.parts =
+        object.clean.parts.empty() ? part_shares(object.mesh, object.measure) : std::move(object.clean.parts);
     object.capped = design.object.cap && !object.measure.holes.empty();
     if (object.capped)
         object.mesh = capped(object.mesh, object.measure.holes);
@@ -227,6 +233,7 @@ Result<Packing> pack(const Object& object, const Design& design) {
     };
     steps.find_object_notes = [&](const Packing& packing, std::vector<Finding>& findings) {
         find_parts(object.measure, packing.placement, findings);
+        find_dropped(object.clean, findings);
         if (object.capped)
             findings.push_back(
                 {Severity::note,

@@ -6,6 +6,7 @@
 
 #include "snug/base/progress.h"
 #include "snug/base/result.h"
+#include "snug/clean_object.h"
 #include "snug/design/design.h"
 #include "snug/foam/bearing.h"
 #include "snug/foam/block_map.h"
@@ -51,6 +52,8 @@ struct Object {
     std::optional<PreparedSurface> surface;  ///< of `mesh`, for many packings (see prepare_for_many)
     Mesh cloud;                              ///< of kind cloud: its points in millimetres
     std::vector<float> point_radius;         ///< of each of them, in millimetres
+    CleanReport clean;                       ///< what the design had taken away
+    std::vector<PartShare> parts;            ///< of the mesh as it was read, numbered as `--drop` takes them
 };
 
 /// Milliseconds that each stage of the method took; never part of a comparison.

@@ -150,10 +150,16 @@ val to_val(const ObjectFile& file) {
 val to_val(const Object& object, Vec3d file_size, const std::optional<Error>& refused) {
     const MeshMeasure& measure = object.measure;
     val parts = val::array();
-    for (std::size_t i = 0; !refused && i < std::min(measure.parts.size(), kMostParts); ++i) {
+    for (std::size_t i = 0; !refused && i < std::min(object.parts.size(), kMostParts); ++i) {
+        const PartShare& own = object.parts[i];
+        const auto& dropped = object.clean.dropped;
         val part = val::object();
-        part.set("triangles", measure.parts[i].triangles);
-        part.set("size_mm", to_val(measure.parts[i].bounds.size()));
+        part.set("number", own.number);
+        part.set("triangles", own.triangles);
+        part.set("size_mm", to_val(own.bounds.size()));
+        part.set("share", own.share);
+        part.set("dropped", std::any_of(dropped.begin(), dropped.end(),
+                                        [&](const PartShare& each) { return each.number == own.number; }));
         parts.call<void>("push", part);
     }
     val result = val::object();
@@ -167,7 +173,7 @@ val to_val(const Object& object, Vec3d file_size, const std::optional<Error>& re
     result.set("volume_mm3", refused ? val::null() : or_null(measure.volume));
     result.set("holes", measure.holes.size());
     result.set("parts", parts);
-    result.set("partCount", measure.parts.size());
+    result.set("partCount", object.parts.size());
     return result;
 }
 

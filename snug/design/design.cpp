@@ -28,6 +28,7 @@ Problem problem(const ObjectOptions& object) {
     if (object.point_radius_mm != 0 && !within(object.point_radius_mm, 1e-6, kGreatestLength))
         return "the radius of a point must be 0 (from the spacing) to 1000000 mm, not " +
                number(object.point_radius_mm, 4);
+    if (const auto wrong = problem_of(object.clean)) return wrong;
     if (object.longest_mm && !within(*object.longest_mm, 1e-3, kGreatestLength))
         return "the longest side must be 0.001 to 1000000 mm, not " + number(*object.longest_mm, 4);
     return {};

@@ -8,6 +8,7 @@
 #include "snug/base/result.h"
 #include "snug/base/vec.h"
 #include "snug/design/case_options.h"
+#include "snug/design/clean_options.h"
 #include "snug/design/clearance.h"
 #include "snug/design/fit_options.h"
 #include "snug/design/search_options.h"
@@ -37,6 +38,7 @@ struct ObjectOptions {
     std::optional<double> longest_mm;  ///< scales the longest side to this instead of units and scale
     bool cap = false;                  ///< span the holes of an open object
     double point_radius_mm = 0;        ///< of a cloud's points; 0: from their spacing
+    CleanOptions clean;
     friend bool operator==(const ObjectOptions&, const ObjectOptions&) = default;
 };
 

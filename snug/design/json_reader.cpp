@@ -51,7 +51,8 @@ bool get(const Json& value, Vec3<T>& target) {
            get(value[2], target.z);
 }
 
-bool get(const Json& value, std::vector<std::string>& target) {
+template <class T>
+bool get(const Json& value, std::vector<T>& target) {
     if (!value.is_array()) return false;
     target.assign(value.size(), {});
     for (std::size_t i = 0; i < value.size(); ++i)
@@ -105,6 +106,12 @@ JsonReader& JsonReader::read(const char* name, Vec3i& target) {
 }
 JsonReader& JsonReader::read(const char* name, std::vector<std::string>& target) {
     if (const Json* field = find(name); field && !get(*field, target)) refuse(name, "a list of texts");
+    return *this;
+}
+
+JsonReader& JsonReader::read(const char* name, std::vector<int>& target) {
+    if (const Json* field = find(name); field && !get(*field, target))
+        refuse(name, "a list of whole numbers");
     return *this;
 }
 

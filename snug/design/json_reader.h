@@ -31,6 +31,7 @@ class JsonReader {
     JsonReader& read(const char* name, Vec3d& target);
     JsonReader& read(const char* name, Vec3i& target);
     JsonReader& read(const char* name, std::vector<std::string>& target);
+    JsonReader& read(const char* name, std::vector<int>& target);
 
     /// null, a list of N numbers, or (with `one_for_all`) one number that stands for all.
     template <std::size_t N>

@@ -57,6 +57,19 @@ Json search_json(const SearchOptions& search) {
             {"seed", static_cast<int>(search.seed)}};
 }
 
+Json clean_json(const CleanOptions& clean) {
+    return {{"drop_parts", clean.drop_parts},
+            {"drop_below_mm", clean.drop_below_mm},
+            {"cut_plane", clean.cut_plane ? Json(*clean.cut_plane) : Json(nullptr)}};
+}
+
+void read_clean(JsonReader json, CleanOptions& clean, JsonReader& parent) {
+    json.read("drop_parts", clean.drop_parts)
+        .read("drop_below_mm", clean.drop_below_mm)
+        .read_list("cut_plane", clean.cut_plane, "four numbers in brackets, or null");
+    parent.adopt(json);
+}
+
 Json to_json(const Design& design) {
     const ObjectOptions& object = design.object;
     const SpaceOptions& space = design.space;
@@ -65,7 +78,8 @@ Json to_json(const Design& design) {
                       {"scale", object.scale},
                       {"longest_mm", value_or_null(object.longest_mm)},
                       {"cap", object.cap},
-                      {"point_radius_mm", object.point_radius_mm}};
+                      {"point_radius_mm", object.point_radius_mm},
+                      {"clean", clean_json(object.clean)}};
     json["space"] = {{"preset", space.preset},
                      {"blocks", space.blocks ? array(*space.blocks) : Json("auto")},
                      {"block_mm", array(space.block_mm)},
@@ -91,6 +105,7 @@ void read_object(JsonReader json, ObjectOptions& object, JsonReader& parent) {
         .read("longest_mm", object.longest_mm)
         .read("cap", object.cap)
         .read("point_radius_mm", object.point_radius_mm);
+    read_clean(json.object("clean"), object.clean, json);
     object.units = units ? unit_from_name(*units) : std::nullopt;
     if (units && !object.units) json.refuse("units", "mm, cm, m, in or null");
     parent.adopt(json);

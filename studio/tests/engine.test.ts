@@ -341,3 +341,52 @@ test('the smallest space holds the object and its walls', async () => {
   expect(volume(after)).toBeLessThan(volume(before));
   for (const wall of after.fit!.wall_mm) expect(wall).toBeGreaterThanOrEqual(30);
 });
+
+describe('raw scans', () => {
+  const cloud = () => {
+    const lines: string[] = [];
+    for (const x of [0, 60])
+      for (let y = 0; y <= 100; y += 4) for (let z = 0; z <= 80; z += 4) lines.push(`${x} ${y} ${z} 10 20 30`);
+    return new Blob([lines.join('\n')]);
+  };
+
+  test('a cloud of points is packed, and what is not known of it is said', async () => {
+    const info = await load(cloud(), 'cloud.xyz');
+    expect(info).toMatchObject({cloud: true, vertices: 2 * 26 * 21, triangles: 0, volume_mm3: null, partCount: 0});
+    const packing = await pack();
+    expect(packing.fit!.cut_blocks).toBeGreaterThan(0);
+    expect(packing.findings.map((finding) => finding.code)).toContain('cloud');
+    expect(refused(await core.gaps()).error).toContain('cloud');
+    design.object.point_radius_mm = 20;
+    expect((await pack()).fit!.cut_blocks).toBeGreaterThan(packing.fit!.cut_blocks);
+    expect(JSON.parse((await outputs()).get('report.json')!).gap).toBeNull();
+  });
+
+  test('a part is dropped and taken back, and that is said', async () => {
+    const two = new Uint8Array(await box([120, 80, 60]).arrayBuffer());
+    const speck = new Uint8Array(await box([2, 3, 1]).arrayBuffer());
+    const both = new Uint8Array(two.length + speck.length - 84);
+    both.set(two);
+    both.set(speck.subarray(84), two.length);
+    const view = new DataView(both.buffer);
+    for (let facet = 12; facet < 24; facet++)
+      for (let corner = 0; corner < 3; corner++) {
+        const at = 84 + 50 * facet + 12 + 12 * corner;
+        view.setFloat32(at, view.getFloat32(at, true) + 150, true);
+      }
+    view.setUint32(80, 24, true);
+    const info = await load(new Blob([both]));
+    expect(info.partCount).toBe(2);
+    design.object.clean.drop_parts = [2];
+    const cleaned = good(await core.reprepare(design));
+    expect(cleaned.parts.map(({number, dropped}) => ({number, dropped}))).toEqual([
+      {number: 1, dropped: false},
+      {number: 2, dropped: true},
+    ]);
+    expect((await pack()).findings.map((finding) => finding.code)).toContain('dropped');
+    design.object.clean = {drop_parts: [], drop_below_mm: 0, cut_plane: null};
+    expect(good(await core.reprepare(design)).parts.some((part) => part.dropped)).toBe(false);
+    design.object.clean.drop_parts = [3];
+    expect(refused(await core.pack(design)).error).toContain('there is no part 3');
+  });
+});

@@ -200,7 +200,14 @@ test('the command line says what was chosen and nothing else', () => {
   expect(makeLine('a.stl', design, design)).toBe('snug make a.stl -o a-foam');
   const chosen: Design = {
     ...design,
-    object: {units: 'm', scale: 0.5, longest_mm: null, cap: true},
+    object: {
+      units: 'm',
+      scale: 0.5,
+      longest_mm: null,
+      cap: true,
+      point_radius_mm: 1.5,
+      clean: {drop_parts: [2, 7], drop_below_mm: 3, cut_plane: [0, 0, 1, 12]},
+    },
     space: {preset: 'slit-10', blocks: 'auto', block_mm: [20, 10, 10], wall_mm: 40},
     placement: {rotation_deg: [-1e-7, 90, 0.1 + 0.2], offset_mm: [0, -5, 0]},
     cut: {clearance_mm: [0, 1, 1, 0, 4, 4], liner_mm: 0.5, cut_on_touch: true},
@@ -209,7 +216,7 @@ test('the command line says what was chosen and nothing else', () => {
     output: {formats: ['ply']},
   };
   expect(makeLine("it's.obj", chosen, design)).toBe(
-    "snug make 'it'\\''s.obj' --units=m --scale=0.5 --cap --preset=slit-10 --blocks=auto --block-size=20x10x10 " +
+    "snug make 'it'\\''s.obj' --units=m --scale=0.5 --cap --point-radius=1.5 --drop=2,7 --drop-below=3 --cut-plane=0,0,1,12 --preset=slit-10 --blocks=auto --block-size=20x10x10 " +
       '--clearance=0,1,1,0,4,4 --liner=0.5 --least-rib=20 --notches=80x40x25 --notch-axis=z --notch-at=-5,5 --wall=40 --rotate=-0.0000001,90,0.3 --move=0,-5,0 --cut-on-touch --parting=3 ' +
       "--formats=ply -o 'it'\\''s-foam'",
   );

@@ -6,7 +6,16 @@ export type Triple = [number, number, number];
 
 /** Everything that a user chooses: the `design` of a project file, field for field (snug/design/design.h). */
 export interface Design {
-  object: {units: Unit | null; scale: number; longest_mm: number | null; cap: boolean};
+  object: {
+    units: Unit | null;
+    scale: number;
+    longest_mm: number | null;
+    cap: boolean;
+    /** Of a cloud's points; 0: from their spacing. */
+    point_radius_mm: number;
+    /** The plane: a direction to what is kept, and how far along it the plane lies. */
+    clean: {drop_parts: number[]; drop_below_mm: number; cut_plane: [number, number, number, number] | null};
+  };
   space: {preset: string; blocks: Triple | 'auto'; block_mm: Triple; wall_mm: number | number[] | null};
   placement: {rotation_deg: Triple; offset_mm: Triple};
   /** Clearance: one number, or x, y, z of the lower foam and then of the upper. */
@@ -119,6 +128,15 @@ export interface ObjectFile {
   sha256: string;
 }
 
+/** A separate part of the object as it was read, numbered from 1; `share` of the surface's area. */
+export interface ObjectPart {
+  number: number;
+  triangles: number;
+  size_mm: Triple;
+  share: number;
+  dropped: boolean;
+}
+
 export interface ObjectInfo {
   file: ObjectFile;
   vertices: number;
@@ -135,7 +153,7 @@ export interface ObjectInfo {
   volume_mm3: number | null;
   holes: number;
   /** The largest first, at most 1000; none while size_mm is null. */
-  parts: {triangles: number; size_mm: Triple}[];
+  parts: ObjectPart[];
   partCount: number;
 }
 

@@ -15,6 +15,10 @@ export function makeLine(file: string, design: Design, defaults: Design): string
   add('scale', decimal(object.scale), '1');
   if (object.longest_mm !== null) add('longest', decimal(object.longest_mm), '');
   flag('cap', object.cap);
+  add('point-radius', decimal(object.point_radius_mm), '0');
+  add('drop', object.clean.drop_parts.join(), '');
+  add('drop-below', decimal(object.clean.drop_below_mm), '0');
+  add('cut-plane', (object.clean.cut_plane ?? []).map(decimal).join(), '');
   // A way of working implies a foam of its own unless one is named.
   add('preset', quoted(space.preset), workshop.for ? '' : quoted(defaults.space.preset));
   const blocks = (value: Triple | 'auto') => (value === 'auto' ? value : value.join('x'));

@@ -153,6 +153,21 @@ export function withCap(design: Design, cap: boolean): Design {
   return {...design, object: {...design.object, cap}};
 }
 
+/** Drops a part of the object, or takes it back. */
+export function withPart(design: Design, part: number, kept: boolean): Design {
+  const others = design.object.clean.drop_parts.filter((number) => number !== part);
+  const drop_parts = kept ? others : [...others, part].sort((a, b) => a - b);
+  return {...design, object: {...design.object, clean: {...design.object.clean, drop_parts}}};
+}
+
+export function withDropBelow(design: Design, drop_below_mm: number): Design {
+  return {...design, object: {...design.object, clean: {...design.object.clean, drop_below_mm}}};
+}
+
+export function withPointRadius(design: Design, point_radius_mm: number): Design {
+  return {...design, object: {...design.object, point_radius_mm}};
+}
+
 export function withUnits(design: Design, units: Unit): Design {
   return {...design, object: {...design.object, units, longest_mm: null}};
 }

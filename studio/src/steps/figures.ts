@@ -5,6 +5,8 @@ import type {Triple} from '../engine/api';
 export const mm = (value: number): string => `${tidy(value)} mm`;
 export const size = (value: readonly number[]): string => `${value.map((side) => tidy(side)).join(' × ')} mm`;
 export const litres = (mm3: number): string => `${(mm3 / 1e6).toFixed(mm3 < 1e7 ? 2 : 1)} L`;
+/** A share as people read it: "98.2 %"; what is there is never "0 %". */
+export const percent = (share: number): string => `${share > 0 && share < 0.0001 ? '< 0.01' : tidy(share * 100)} %`;
 export const cm3 = (mm3: number): string => `${tidy(mm3 / 1000)} cm³`;
 export const cm2 = (mm2: number): string => `${tidy(mm2 / 100)} cm²`;
 export const kpa = (value: number): string => `${tidy(value)} kPa`;
