@@ -54,8 +54,8 @@ bool write_stl(std::FILE* file, const Torus& torus) {
         row.swap(next);
         for (std::uint32_t c = 0; c <= torus.columns; ++c) next[c] = torus.at(r + 1, c);
         for (std::uint32_t c = 0; c < torus.columns; ++c)
-            for (const auto& corners : {std::array{row[c], row[c + 1], next[c + 1]},
-                                        std::array{row[c], next[c + 1], next[c]}}) {
+            for (const auto& corners :
+                 {std::array{row[c], row[c + 1], next[c + 1]}, std::array{row[c], next[c + 1], next[c]}}) {
                 put(bytes, Vec3f{});
                 for (const Vec3f& p : corners) put(bytes, p);
                 put(bytes, std::uint16_t{0});
@@ -67,11 +67,10 @@ bool write_stl(std::FILE* file, const Torus& torus) {
 
 bool write_ply(std::FILE* file, const Torus& torus) {
     const std::uint32_t count = torus.rows * torus.columns;
-    const std::string header = "ply\nformat binary_little_endian 1.0\nelement vertex " +
-                               std::to_string(count) +
-                               "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
-                               std::to_string(2 * count) +
-                               "\nproperty list uchar uint vertex_indices\nend_header\n";
+    const std::string header =
+        "ply\nformat binary_little_endian 1.0\nelement vertex " + std::to_string(count) +
+        "\nproperty float x\nproperty float y\nproperty float z\nelement face " + std::to_string(2 * count) +
+        "\nproperty list uchar uint vertex_indices\nend_header\n";
     std::vector<char> bytes(header.begin(), header.end());
     for (std::uint32_t r = 0; r < torus.rows; ++r) {
         for (std::uint32_t c = 0; c < torus.columns; ++c) put(bytes, torus.at(r, c));

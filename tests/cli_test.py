@@ -287,7 +287,7 @@ class CliTest(unittest.TestCase):
     def test_unreadable_objects(self):
         cases = {"missing.stl": (None, "no such file"), "empty.stl": (b"", "empty"),
                  "cloud.ply": (b"ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\n"
-                               b"property float z\nend_header\n0 0 0\n", "point cloud"),
+                               b"property float z\nend_header\n0 0 0\n", "all its points are one"),
                  "cut.stl": (bytes(80) + struct.pack("<I", 1000) + bytes(500), "cut off"),
                  "lying.ply": (b"ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\n"
                                b"property float y\nproperty float z\nelement face 1\n"
