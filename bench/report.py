@@ -105,6 +105,19 @@ def packs_table(packs):
                  [[run["pack"], cube(run["blocks"]), spread(run["time"]), run["files"], run["pages"]] for run in packs])
 
 
+def large_table(large):
+    rows = []
+    for ending, run in large.items():
+        for state in ("cold", "warm"):
+            if state not in run:
+                continue
+            plain, snug = run[state]["plain_s"], run[state]["snug_s"]
+            rows.append([ending.upper(), f"{run['triangles']:,}".replace(",", " "), f"{run['bytes'] / 1e9:.1f} GB", state,
+                         f"{plain:.2f} s", f"{snug:.2f} s", f"{snug / plain:.1f}", f"{run['resident_mb']:.0f} MB"])
+    return table(["file", "triangles", "size", "file was", "plain read", "`snug make --stream`", "plain reads", "resident"],
+                 rows)
+
+
 def main():
     method, wasm, readers = load("method.json"), load("wasm.json"), load("readers.json")
     search, packs = load("search.json"), load("packs.json")
@@ -139,6 +152,12 @@ def main():
     if packs:
         parts += ["## Packs for the workshop", "The camera, in the library: drawings, solids and their files, without PDF "
                   "and zip.", packs_table(packs)]
+    large = load("large.json")
+    if large:
+        parts += ["## Scans that do not fit in memory", "Read in pieces, two passes on two threads, from the start of the "
+                  "program to the written foams; the plain read is `cat` of the same file into nothing, by turns, medians "
+                  "of three. Cold: from the disk, with the system's cache emptied before; warm: from that cache. A PLY's "
+                  "vertices are kept, 12 bytes each.", large_table(large)]
     studio = FOLDER / "studio.txt"
     if studio.exists():
         parts += ["## The studio, from a slider's input to the picture", "In Chromium's software renderer.",
