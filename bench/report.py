@@ -160,7 +160,8 @@ def main():
                   "vertices are kept, 12 bytes each.", large_table(large)]
     studio = FOLDER / "studio.txt"
     if studio.exists():
-        parts += ["## The studio, from a slider's input to the picture", "In Chromium's software renderer.",
+        parts += ["## The studio: from a slider's input to the picture, and a scan of 150 MB",
+                  "In Chromium's software renderer. Memory is that of the whole browser.",
                   "```\n" + studio.read_text().rstrip() + "\n```"]
     parts += ["## Memory", f"Peak of the measuring program, with its six objects and Mesa: {method['peak_mb']:.0f} MB."]
     OUT.write_text("\n\n".join(parts) + "\n")

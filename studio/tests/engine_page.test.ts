@@ -162,7 +162,7 @@ test('an object too large for the memory leaves the last one in place and names 
   breakNext(cores.started[0]!.core, 'load');
   const answer = refused(await engine.load('huge scan.ply', box([1, 1, 1]), design.object));
   expect(answer.kind).toBe('memory');
-  expect(answer.error).toContain("snug make 'huge scan.ply' -o 'huge scan-foam'");
+  expect(answer.error).toContain("snug make 'huge scan.ply' --blocks=auto -o 'huge scan-foam'");
   good(await engine.pack(design));
   expect(await engine.projectText(design)).toContain('mine.stl');
 });

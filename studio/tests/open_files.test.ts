@@ -14,7 +14,7 @@ describe('a file that is too big for a page', () => {
     Object.defineProperty(file, 'size', {value: 4e9});
     await openFiles(studio, [file], en.files);
     expect(refused).toEqual([
-      "big scan.stl is too big for the browser. The command line makes its foams: snug make 'big scan.stl' -o 'big scan-foam'",
+      "big scan.stl is too big for the browser. The command line makes its foams: snug make 'big scan.stl' --blocks=auto -o 'big scan-foam'",
     ]);
   });
 });

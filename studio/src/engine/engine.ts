@@ -18,7 +18,7 @@ import type {
 import type {EngineCore} from './core';
 import {brokenModule, failure, isFailure} from './failure';
 import {latest} from './latest';
-import {makeLine} from './make_line';
+import {firstMakeLine} from './make_line';
 
 /** A core somewhere else, as a rule in a worker. */
 export interface CoreHandle {
@@ -201,7 +201,7 @@ class PageEngine implements Engine {
 
   #tooLarge(name: string, object: Design['object']): Failure {
     const defaults = this.#defaults;
-    const line = defaults ? makeLine(name, {...defaults, object}, defaults) : 'snug make';
+    const line = defaults ? firstMakeLine(name, defaults, object) : 'snug make';
     return failure(
       'memory',
       `${name} needs more memory than the browser gives; the command line has no such limit: ${line}`,

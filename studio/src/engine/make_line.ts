@@ -51,6 +51,11 @@ export function makeLine(file: string, design: Design, defaults: Design): string
   return ['snug make', quoted(file), ...options, '-o', quoted(`${file.replace(/\.[^.]+$/, '')}-foam`)].join(' ');
 }
 
+/** The command for a file that was never opened here: in a space that fits it, as the page would have begun. */
+export function firstMakeLine(file: string, defaults: Design, object = defaults.object): string {
+  return makeLine(file, {...defaults, object, space: {...defaults.space, blocks: 'auto'}}, defaults);
+}
+
 type Add = (name: string, value: string, usual: string) => void;
 
 function addCase(options: CaseOptions, [height, width, length]: Triple, add: Add) {

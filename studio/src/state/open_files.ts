@@ -1,7 +1,7 @@
 import type {Design, ObjectFile} from '../engine/api';
 import {convert, needsConversion} from '../engine/convert';
 import {isFailure} from '../engine/failure';
-import {makeLine} from '../engine/make_line';
+import {firstMakeLine} from '../engine/make_line';
 import type {Studio} from './studio.svelte';
 
 /** More than a page can hold as a file, as a mesh and as foams at once: WebAssembly ends at 4 GB. */
@@ -43,7 +43,7 @@ async function readProject(studio: Studio, file: File, texts: OpenTexts, objectC
 
 async function openObject(studio: Studio, file: File, texts: OpenTexts): Promise<void> {
   if (file.size > MOST_BYTES)
-    return studio.refuse('object', texts.tooBig(file.name, makeLine(file.name, studio.defaults, studio.defaults)));
+    return studio.refuse('object', texts.tooBig(file.name, firstMakeLine(file.name, studio.defaults)));
   let content: Blob = file;
   let name = file.name;
   const converted = needsConversion(name);
