@@ -16,7 +16,7 @@ void add_workshop_options(CLI::App& make, WorkshopArguments& arguments) {
     make.add_option("--for", a.work,
                     "Also make what the workshop needs; takes the usual foam of that way of working unless "
                     "--preset names one")
-        ->type_name("sponge|sheets|print");
+        ->type_name("sponge|sheets|print|bricks|mill|mould");
     make.add_option("--paper", a.paper, "Paper of what is printed (a4)")->type_name("a4|letter|a3");
     make.add_option("--price", a.price, "Price of a litre of the material, for the cost")
         ->type_name("12.50EUR");
@@ -24,9 +24,11 @@ void add_workshop_options(CLI::App& make, WorkshopArguments& arguments) {
     make.add_option("--sheet", a.sheet, "Sheets: their thickness (a block's depth)")->type_name("MM");
     make.add_option("--stock", a.stock, "Sheets: a sheet as it is sold (1000x600)")->type_name("LxW");
     make.add_option("--kerf", a.kerf, "Sheets: width that a cut takes away (0)")->type_name("MM");
-    make.add_option("--bed", a.bed, "Print: the printer's bed and height (250x210x210)")->type_name("XxYxZ");
-    make.add_option("--dowel", a.dowel, "Sheets, print: diameter of the dowels; 0: none (6)")
+    make.add_option("--bed", a.bed, "Print, mould: the printer's bed and height (250x210x210)")
+        ->type_name("XxYxZ");
+    make.add_option("--dowel", a.dowel, "Sheets, print, mould: diameter of the dowels; 0: none (6)")
         ->type_name("MM");
+    add_tool_options(make, a.tools);
     make.add_flag("--dry-run", a.dry_run, "Say what would be made and what it takes; write nothing");
 }
 
@@ -40,8 +42,8 @@ Result<std::optional<std::string>> implied_preset(const WorkshopArguments& a, co
 
 namespace {
 
-/// What belongs to one way of working.
-Result<void> apply_tools(const WorkshopArguments& a, WorkshopOptions& options) {
+/// What belongs to sheets and prints.
+Result<void> apply_sheets_and_print(const WorkshopArguments& a, WorkshopOptions& options) {
     if (a.sheet) options.sheets.thickness_mm = *a.sheet;
     if (a.kerf) options.sheets.kerf_mm = *a.kerf;
     if (a.stock) {
@@ -79,7 +81,8 @@ Result<void> apply_workshop(const WorkshopArguments& a, Design& design) {
         options.price_per_litre = price->amount;
         options.currency = price->currency;
     }
-    return apply_tools(a, options);
+    if (auto done = apply_sheets_and_print(a, options); !done) return done;
+    return apply_tools(a.tools, options);
 }
 
 std::string workshop_summary(const WorkshopPack& pack, const Design& design) {

@@ -11,6 +11,8 @@
 #include "snug/fabricate/workshop_pack.h"
 #include "snug/outputs.h"
 
+#include "cli/make_tools.h"
+
 // The workshop's part of `snug make`: its options, what is shown before anything is written, its files.
 
 namespace snug::cli {
@@ -19,6 +21,7 @@ namespace snug::cli {
 struct WorkshopArguments {
     std::optional<std::string> work, paper, price, stock, bed;
     std::optional<double> mass, sheet, kerf, dowel;
+    ToolArguments tools;
     bool dry_run = false;
 };
 

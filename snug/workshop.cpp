@@ -6,6 +6,9 @@
 
 #include "snug/base/text.h"
 #include "snug/design/presets.h"
+#include "snug/fabricate/bricks.h"
+#include "snug/fabricate/mill.h"
+#include "snug/fabricate/mould.h"
 #include "snug/fabricate/packing_sheet.h"
 #include "snug/fabricate/print.h"
 #include "snug/fabricate/sheets_pack.h"
@@ -38,7 +41,15 @@ PrintOptions print_options(const Design& design) {
     return options;
 }
 
-Result<WorkshopPack> pack_of(const FoamDesign& foams, const Design& design) {
+/// What the cutter must not leave foam in; a cloud's or a stream's object is known by its blocks alone.
+std::optional<MilledObject> milled_object(const Object& object, const Packing& packing,
+                                          const Design& design) {
+    if (object.kind != ObjectKind::mesh) return {};
+    return MilledObject{object.mesh, packing.placement, design.cut};
+}
+
+Result<WorkshopPack> pack_of(const FoamDesign& foams, const Object& object, const Packing& packing,
+                             const Design& design, const WorkshopTools& tools) {
     switch (design.workshop.work) {
         case Workshop::sponge:
             return sponge_pack(foams, design.workshop);
@@ -46,10 +57,16 @@ Result<WorkshopPack> pack_of(const FoamDesign& foams, const Design& design) {
             return sheets_pack(foams, design.workshop.sheets);
         case Workshop::print:
             return print_pack(foams, print_options(design));
+        case Workshop::bricks:
+            return brick_pack(foams, design.workshop, tools.solve_lp, tools.progress);
+        case Workshop::mill:
+            return mill_pack(foams, milled_object(object, packing, design), design.workshop.mill);
+        case Workshop::mould:
+            return mould_pack(foams, design.workshop.mould, design.workshop.print);
         case Workshop::none:
             break;
     }
-    return fail(ErrorKind::usage, "no pack was asked for: choose one with --for sponge|sheets|print");
+    return fail(ErrorKind::usage, "no pack was asked for: choose one of " + workshop_names() + " with --for");
 }
 
 void fill_material(const Packing& packing, const Design& design, WorkshopPack& pack) {
@@ -79,11 +96,12 @@ void tell_material(const Design& design, WorkshopPack& pack) {
 
 }  // namespace
 
-Result<WorkshopPack> workshop_pack(const Object& object, const Packing& packing, const Project& project) {
+Result<WorkshopPack> workshop_pack(const Object& object, const Packing& packing, const Project& project,
+                                   const WorkshopTools& tools) {
     if (!packing.foams)
         return fail(ErrorKind::does_not_fit, "the object leaves the design space, so there are no foams");
     const FoamDesign foams{packing.space, packing.blocks, *packing.foams, title_of(project.object.name)};
-    auto pack = pack_of(foams, project.design);
+    auto pack = pack_of(foams, object, packing, project.design, tools);
     if (!pack) return pack;
     fill_material(packing, project.design, *pack);
     tell_material(project.design, *pack);

@@ -1,7 +1,9 @@
 #pragma once
 
+#include "snug/base/progress.h"
 #include "snug/base/result.h"
 #include "snug/design/project.h"
+#include "snug/fabricate/linear_program.h"
 #include "snug/fabricate/workshop_pack.h"
 #include "snug/pipeline.h"
 
@@ -13,10 +15,16 @@
 
 namespace snug {
 
+/// What only some builds have, and what long work tells.
+struct WorkshopTools {
+    LpSolver solve_lp;  ///< none: the bricks' strength is not checked, and the pack says so
+    Progress progress;  ///< of that check
+};
+
 /// The pack that the project's design asks for, with the packing sheet as its last document and the
 /// material's figures filled in and, as lines for people, at the end of `figures`. Fails with kind `usage`
 /// where the design asks for no pack or for one that its foams do not allow.
 [[nodiscard]] Result<WorkshopPack> workshop_pack(const Object& object, const Packing& packing,
-                                                 const Project& project);
+                                                 const Project& project, const WorkshopTools& tools = {});
 
 }  // namespace snug

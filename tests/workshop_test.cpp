@@ -116,8 +116,8 @@ TEST(WorkshopTest, ASmallCavityLeavesNoRoomForFingersAndSaysSo) {
 TEST(WorkshopTest, WaysOfWorkingThatAreNotThereAreRefused) {
     Packed vase = packed(*sample("vase"), Workshop::none);
     EXPECT_EQ(workshop_pack(vase.object, vase.packing, vase.project).error().kind, ErrorKind::usage);
-    EXPECT_FALSE(workshop_from_name("bricks"));
-    EXPECT_NE(unknown_workshop("bricks").find("yet"), std::string::npos);
+    EXPECT_FALSE(workshop_from_name("felt"));
+    EXPECT_NE(unknown_workshop("felt").find("bricks, mill or mould"), std::string::npos);
 }
 
 TEST(WorkshopTest, OptionsSurviveTheProjectFile) {

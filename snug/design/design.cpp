@@ -134,6 +134,7 @@ Walls wanted_wall_mm(const SpaceOptions& space) {
 }
 
 Result<Design> checked(Design design) {
+    design.cut.stud_mm = design.workshop.work == Workshop::bricks ? kStudHeight : 0;
     Problem found = problem(design.object);
     if (!found) found = problem(design.space);
     if (!found) found = problem(design.placement);

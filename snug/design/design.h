@@ -61,9 +61,16 @@ struct CutOptions {
     /// The paper's literal "overlap or touch": blocks that only touch are cut too.
     bool cut_on_touch = false;
     double liner_mm = 0;  ///< of a cloth or film between object and foam, on top of the clearance, 0 or more
+    /// Of the studs that stand into the cavity from both halves, on top of the clearance along x. Follows
+    /// from the way of working: checked() sets it.
+    double stud_mm = 0;
 
-    /// With the liner; from -0.4 of the smallest block side upward.
-    [[nodiscard]] Clearance whole_clearance_mm() const { return clearance_mm + liner_mm; }
+    /// With liner and studs; from -0.4 of the smallest block side upward.
+    [[nodiscard]] Clearance whole_clearance_mm() const {
+        const Clearance lined = clearance_mm + liner_mm;
+        const Vec3d studs{stud_mm, 0, 0};
+        return {lined.lower + studs, lined.upper + studs};
+    }
     friend bool operator==(const CutOptions&, const CutOptions&) = default;
 };
 
@@ -95,7 +102,8 @@ struct Design {
 /// space is fitted to the object, or none.
 [[nodiscard]] Walls wanted_wall_mm(const SpaceOptions& space);
 
-/// The first thing that is out of range, as an Error of kind `usage`.
+/// The design with what follows from its other choices filled in, or the first thing that is out of range, as
+/// an Error of kind `usage`.
 [[nodiscard]] Result<Design> checked(Design design);
 
 }  // namespace snug

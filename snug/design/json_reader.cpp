@@ -115,6 +115,17 @@ JsonReader& JsonReader::read(const char* name, std::vector<int>& target) {
     return *this;
 }
 
+JsonReader& JsonReader::read(const char* name, std::map<std::string, int>& target) {
+    const Json* field = find(name);
+    if (!field) return *this;
+    target.clear();
+    if (!field->is_object()) refuse(name, "names with a whole number each");
+    if (field->is_object())
+        for (const auto& [key, value] : field->items())
+            if (!get(value, target[key])) refuse(name, "names with a whole number each");
+    return *this;
+}
+
 JsonReader::Numbers JsonReader::read_numbers(const char* name, std::span<double> values, bool one_for_all) {
     const Json* field = find(name);
     if (!field) return Numbers::missing;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -32,6 +33,7 @@ class JsonReader {
     JsonReader& read(const char* name, Vec3i& target);
     JsonReader& read(const char* name, std::vector<std::string>& target);
     JsonReader& read(const char* name, std::vector<int>& target);
+    JsonReader& read(const char* name, std::map<std::string, int>& target);
 
     /// null, a list of N numbers, or (with `one_for_all`) one number that stands for all.
     template <std::size_t N>

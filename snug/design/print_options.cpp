@@ -1,21 +1,8 @@
 #include "snug/design/print_options.h"
 
-#include "snug/base/text.h"
+#include "snug/base/range.h"
 
 namespace snug {
-namespace {
-
-/// False for what is no number as well.
-bool within(double value, double least, double most) {
-    return value >= least && value <= most;
-}
-
-std::string out_of_range(const std::string& what, double value, double least, double most) {
-    return what + " is " + number(value) + " mm, but must be from " + number(least) + " to " + number(most) +
-           " mm";
-}
-
-}  // namespace
 
 std::optional<std::string> problem_of(const PrintOptions& o) {
     const char* const sides[] = {"the bed's width", "the bed's depth", "the height above the bed"};

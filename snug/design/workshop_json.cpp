@@ -1,6 +1,7 @@
 #include "snug/design/workshop_json.h"
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -34,6 +35,35 @@ Json print_json(const PrintOptions& print) {
             {"joint_clearance_mm", print.joint_clearance_mm}};
 }
 
+Json bricks_json(const BrickOptions& bricks) {
+    Json stock = Json::object();
+    for (const BrickStock& each : bricks.stock) stock[each.size] = each.pieces;
+    return {{"unit", brick_unit_name(bricks.unit)},
+            {"family", bricks.family},
+            {"lower_color", bricks.lower_color},
+            {"lid_color", bricks.lid_color},
+            {"stock", stock},
+            {"rim", brick_rim_name(bricks.rim)},
+            {"capacity_n", bricks.capacity_n}};
+}
+
+Json mill_json(const MillOptions& mill) {
+    return {{"cutter_mm", mill.cutter_mm},
+            {"flute_mm", mill.flute_mm},
+            {"step_down_mm", or_null(mill.step_down_mm)},
+            {"stepover", mill.stepover},
+            {"feed_mm_min", mill.feed_mm_min},
+            {"plunge_mm_min", mill.plunge_mm_min},
+            {"spindle_rpm", mill.spindle_rpm},
+            {"safe_mm", mill.safe_mm},
+            {"pin_mm", mill.pin_mm},
+            {"origin", mill_origin_name(mill.origin)}};
+}
+
+Json mould_json(const MouldOptions& mould) {
+    return {{"wall_mm", mould.wall_mm}, {"rim_mm", mould.rim_mm}, {"draft_deg", mould.draft_deg}};
+}
+
 void read_sheets(JsonReader json, SheetOptions& sheets, JsonReader& parent) {
     std::optional<std::array<double, 2>> stock;
     json.read("thickness_mm", sheets.thickness_mm)
@@ -64,6 +94,53 @@ void read_print(JsonReader json, PrintOptions& print, JsonReader& parent) {
     parent.adopt(json);
 }
 
+/// One of a few words.
+template <class Value, class FromName>
+void read_word(JsonReader& json, const char* field, Value& value, FromName from_name, const char* expected) {
+    std::optional<std::string> word;
+    json.read(field, word);
+    if (!word) return;
+    if (const auto known = from_name(*word))
+        value = *known;
+    else
+        json.refuse(field, expected);
+}
+
+void read_bricks(JsonReader json, BrickOptions& bricks, JsonReader& parent) {
+    read_word(json, "unit", bricks.unit, brick_unit_from_name, "auto, brick or plate");
+    read_word(json, "rim", bricks.rim, brick_rim_from_name, "studs or tiles");
+    std::optional<std::map<std::string, int>> stock;
+    json.read("family", bricks.family)
+        .read("lower_color", bricks.lower_color)
+        .read("lid_color", bricks.lid_color)
+        .read("stock", stock)
+        .read("capacity_n", bricks.capacity_n);
+    if (stock) {
+        bricks.stock.clear();
+        for (const auto& [size, pieces] : *stock) bricks.stock.push_back({size, pieces});
+    }
+    parent.adopt(json);
+}
+
+void read_mill(JsonReader json, MillOptions& mill, JsonReader& parent) {
+    json.read("cutter_mm", mill.cutter_mm)
+        .read("flute_mm", mill.flute_mm)
+        .read("step_down_mm", mill.step_down_mm)
+        .read("stepover", mill.stepover)
+        .read("feed_mm_min", mill.feed_mm_min)
+        .read("plunge_mm_min", mill.plunge_mm_min)
+        .read("spindle_rpm", mill.spindle_rpm)
+        .read("safe_mm", mill.safe_mm)
+        .read("pin_mm", mill.pin_mm);
+    read_word(json, "origin", mill.origin, mill_origin_from_name, "corner or centre");
+    parent.adopt(json);
+}
+
+void read_mould(JsonReader json, MouldOptions& mould, JsonReader& parent) {
+    json.read("wall_mm", mould.wall_mm).read("rim_mm", mould.rim_mm).read("draft_deg", mould.draft_deg);
+    parent.adopt(json);
+}
+
 }  // namespace
 
 Json workshop_json(const WorkshopOptions& workshop) {
@@ -75,7 +152,10 @@ Json workshop_json(const WorkshopOptions& workshop) {
             {"mass_kg", or_null(workshop.mass_kg)},
             {"density_kg_m3", or_null(workshop.density_kg_m3)},
             {"sheets", sheets_json(workshop.sheets)},
-            {"print", print_json(workshop.print)}};
+            {"print", print_json(workshop.print)},
+            {"bricks", bricks_json(workshop.bricks)},
+            {"mill", mill_json(workshop.mill)},
+            {"mould", mould_json(workshop.mould)}};
 }
 
 void read_workshop(JsonReader json, WorkshopOptions& workshop, JsonReader& parent) {
@@ -86,10 +166,13 @@ void read_workshop(JsonReader json, WorkshopOptions& workshop, JsonReader& paren
         .read("currency", workshop.currency)
         .read("mass_kg", workshop.mass_kg)
         .read("density_kg_m3", workshop.density_kg_m3);
-    if (work && !workshop_from_name(*work)) json.refuse("for", "sponge, sheets, print or null");
+    if (work && !workshop_from_name(*work)) json.refuse("for", workshop_names() + ", or null");
     workshop.work = work ? workshop_from_name(*work).value_or(Workshop::none) : Workshop::none;
     read_sheets(json.object("sheets"), workshop.sheets, json);
     read_print(json.object("print"), workshop.print, json);
+    read_bricks(json.object("bricks"), workshop.bricks, json);
+    read_mill(json.object("mill"), workshop.mill, json);
+    read_mould(json.object("mould"), workshop.mould, json);
     parent.adopt(json);
 }
 

@@ -12,10 +12,12 @@ struct Way {
     Workshop work;
     std::string_view name, preset;
 };
-constexpr std::array<Way, 3> kWays{{{Workshop::sponge, "sponge", "slit-15"},
+constexpr std::array<Way, 6> kWays{{{Workshop::sponge, "sponge", "slit-15"},
                                     {Workshop::sheets, "sheets", "sheet-10"},
-                                    {Workshop::print, "print", "print"}}};
-constexpr std::array<std::string_view, 3> kToCome{"bricks", "mill", "mould"};
+                                    {Workshop::print, "print", "print"},
+                                    {Workshop::bricks, "bricks", "lego-brick"},
+                                    {Workshop::mill, "mill", "mill"},
+                                    {Workshop::mould, "mould", "cast"}}};
 struct Paper {
     std::string_view name;
     Vec2d mm;
@@ -53,10 +55,18 @@ std::optional<Workshop> workshop_from_name(std::string_view name) {
     return {};
 }
 
+std::string workshop_names() {
+    std::string names;
+    for (const Way& each : kWays)
+        names += (names.empty()                    ? ""
+                  : each.work == kWays.back().work ? " or "
+                                                   : ", ") +
+                 std::string(each.name);
+    return names;
+}
+
 std::string unknown_workshop(std::string_view name) {
-    const bool to_come = std::find(kToCome.begin(), kToCome.end(), name) != kToCome.end();
-    return (to_come ? "there is no pack for " + quoted(name) + " yet" : "unknown pack " + quoted(name)) +
-           ": take sponge, sheets or print";
+    return "unknown pack " + quoted(name) + ": take " + workshop_names();
 }
 
 std::string_view usual_preset(Workshop workshop) {
@@ -80,7 +90,10 @@ std::optional<std::string> problem_of(const WorkshopOptions& options) {
     if (!positive(options.density_kg_m3))
         return "the density must be a number of kg/m3 above 0, not " + number(*options.density_kg_m3, 4);
     if (auto found = problem_of(options.sheets)) return found;
-    return problem_of(options.print);
+    if (auto found = problem_of(options.print)) return found;
+    if (auto found = problem_of(options.bricks)) return found;
+    if (auto found = problem_of(options.mill)) return found;
+    return problem_of(options.mould);
 }
 
 }  // namespace snug

@@ -5,15 +5,21 @@
 #include <string_view>
 
 #include "snug/base/vec2.h"
+#include "snug/design/brick_options.h"
+#include "snug/design/mill_options.h"
+#include "snug/design/mould_options.h"
 #include "snug/design/print_options.h"
 #include "snug/design/sheet_options.h"
 
 namespace snug {
 
 /// A way of working, which decides what a maker is handed. `none`: the foams' own files only.
-enum class Workshop { none, sponge, sheets, print };
+enum class Workshop { none, sponge, sheets, print, bricks, mill, mould };
 [[nodiscard]] std::string_view workshop_name(Workshop workshop);  ///< "sponge"; empty for none
 [[nodiscard]] std::optional<Workshop> workshop_from_name(std::string_view name);
+
+/// "sponge, sheets or print": all that there are.
+[[nodiscard]] std::string workshop_names();
 
 /// Why a name is no way of working, and which ones there are.
 [[nodiscard]] std::string unknown_workshop(std::string_view name);
@@ -30,6 +36,9 @@ struct WorkshopOptions {
     std::optional<double> density_kg_m3;    ///< of the material, above 0; none: the preset's
     SheetOptions sheets;
     PrintOptions print;
+    BrickOptions bricks;
+    MillOptions mill;
+    MouldOptions mould;
     friend bool operator==(const WorkshopOptions&, const WorkshopOptions&) = default;
 };
 

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+
+#include "snug/base/result.h"
+#include "snug/design/design.h"
+#include "snug/design/mill_options.h"
+#include "snug/fabricate/workshop_pack.h"
+#include "snug/foam/placement.h"
+#include "snug/mesh/mesh.h"
+
+namespace snug {
+
+/// What foam that a round cutter leaves in corners must not reach into. References live as long as the
+/// packing.
+struct MilledObject {
+    const Mesh& mesh;
+    const Placement& placement;
+    CutOptions cut;
+};
+
+/// Both halves for a three-axis mill, each from its cavity's side, as programs for GRBL 1.1. Fails (kind
+/// usage) for options out of range, a cutter wider than every pocket or a flute shorter than a pocket is
+/// deep. Without `object` no foam is left in any corner of the blocks that are cut.
+[[nodiscard]] Result<WorkshopPack> mill_pack(const FoamDesign& design,
+                                             const std::optional<MilledObject>& object,
+                                             const MillOptions& options);
+
+}  // namespace snug
