@@ -90,20 +90,9 @@ Vec3d euler_of(const Rotation& rotation) {
     return {rounded(degrees_of(r2.y, r2.z)), rounded(theta), rounded(degrees_of(r1.x, r0.x))};
 }
 
-std::uint64_t SeededNumbers::bits() {
-    std::uint64_t z = state_ += 0x9e3779b97f4a7c15u;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-    return z ^ (z >> 31);
-}
-
-double SeededNumbers::unit() {
-    return static_cast<double>(bits() >> 11) * 0x1p-53;
-}
-
-Turn SeededNumbers::small_turn(double degrees) {
+Turn small_turn(SeededNumbers& numbers, double degrees) {
     while (true) {
-        const double x = between(-1, 1), y = between(-1, 1), z = between(-1, 1);
+        const double x = numbers.between(-1, 1), y = numbers.between(-1, 1), z = numbers.between(-1, 1);
         const double square = x * x + y * y + z * z;
         if (square > 1e-4 && square <= 1) return turn_about({x, y, z}, degrees);
     }
@@ -172,7 +161,7 @@ Turn AllowedTurns::spread(std::uint64_t i, std::uint64_t seed) const {
 }
 
 Turn AllowedTurns::small(SeededNumbers& numbers, double degrees) const {
-    if (!upright_) return numbers.small_turn(degrees);
+    if (!upright_) return snug::small_turn(numbers, degrees);
     return turn_about({1, 0, 0}, numbers.unit() < 0.5 ? degrees : -degrees);
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "snug/base/rotation.h"
+#include "snug/base/seeded_numbers.h"
 #include "snug/base/vec.h"
 #include "snug/design/search_options.h"
 #include "snug/foam/design_space.h"
@@ -34,19 +35,8 @@ struct Turn {
 /// psi, theta, phi in degrees of R = Rz(phi) Ry(theta) Rx(psi), each rounded to a millionth of a degree.
 [[nodiscard]] Vec3d euler_of(const Rotation& rotation);
 
-/// Numbers that depend on the seed alone (SplitMix64, Steele and others 2014).
-class SeededNumbers {
-  public:
-    explicit SeededNumbers(std::uint64_t seed) : state_(seed) {}
-    std::uint64_t bits();
-    double unit();  ///< in [0, 1)
-    double between(double low, double high) { return low + (high - low) * unit(); }
-    /// A rotation about an axis of any direction.
-    Turn small_turn(double degrees);
-
-  private:
-    std::uint64_t state_;
-};
+/// A rotation about an axis of any direction.
+[[nodiscard]] Turn small_turn(SeededNumbers& numbers, double degrees);
 
 /// What may be turned with the blocks without changing how many are cut: half turns about the axes, and
 /// quarter turns about x where blocks are as wide as deep and as many.
@@ -79,7 +69,7 @@ class AllowedTurns {
     [[nodiscard]] bool allows(const Turn& turn) const;
     /// As spread_turn(), among the allowed.
     [[nodiscard]] Turn spread(std::uint64_t i, std::uint64_t seed) const;
-    /// As SeededNumbers::small_turn(): what may come after an allowed turn.
+    /// As small_turn(): what may come after an allowed turn.
     [[nodiscard]] Turn small(SeededNumbers& numbers, double degrees) const;
 
   private:
