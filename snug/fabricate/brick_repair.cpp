@@ -129,10 +129,14 @@ bool lay_again(const std::vector<BrickCourse>& courses, LaidBricks& laid, const 
 
 int join_pieces(const std::vector<BrickCourse>& courses, LaidBricks& laid, BrickBox& box) {
     SeededNumbers numbers(1);
-    auto [piece, pieces] = laid.pieces();
-    for (int failures = 0; pieces > 1 && failures < kMostFailures;) {
-        const std::vector<Seam> seams = seams_between(laid, piece);
-        if (seams.empty()) break;
+    int pieces = 0, failures = 0;
+    std::vector<Seam> seams;
+    const auto look_again = [&](const std::pair<std::vector<int>, int>& found) {
+        pieces = found.second;
+        seams = pieces > 1 ? seams_between(laid, found.first) : std::vector<Seam>();
+    };
+    look_again(laid.pieces());
+    while (!seams.empty() && failures < kMostFailures) {
         const Seam seam = seams[static_cast<std::size_t>(numbers.below(static_cast<int>(seams.size())))];
         const std::vector<int> removed = neighbourhood(laid, seam, failures / kFailuresARing + 1);
         std::vector<int> course_of, added;
@@ -143,19 +147,19 @@ int join_pieces(const std::vector<BrickCourse>& courses, LaidBricks& laid, Brick
             laid.remove(brick);
         }
         const bool filled = lay_again(courses, laid, removed, course_of, seam, box, numbers, added);
-        auto next = laid.pieces();
-        if (filled && next.second < pieces) {
-            piece = std::move(next.first);
-            pieces = next.second;
-            failures = 0;
-            continue;
+        if (filled) {
+            const auto found = laid.pieces();
+            if (found.second < pieces) {
+                look_again(found);
+                failures = 0;
+                continue;
+            }
         }
         for (const int brick : added) laid.remove(brick);
         for (std::size_t i = 0; i < removed.size(); ++i) {
             const Brick brick = laid[removed[i]];
             laid.add(course_of[i], brick);
         }
-        piece = laid.pieces().first;
         box = before;
         ++failures;
     }

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "tests/support/print_design.h"
+
+namespace snug::test {
+
+/// Random height fields in blocks that bricks have.
+[[nodiscard]] inline PrintDesign random_brick_design(Random& random) {
+    const double heights[] = {9.6, 3.2, 19.2, 6.4};
+    const DesignSpace space{
+        {random.integer(2, 9), random.integer(1, 16), random.integer(1, 16)},
+        {heights[random.integer(0, 3)], 8.0 * random.integer(1, 2), 8.0 * random.integer(1, 3)}};
+    Heights lower = random_heights(random, space.blocks), upper = random_heights(random, space.blocks);
+    return {space, std::move(lower), std::move(upper)};
+}
+
+/// Lets the outer blocks of some rim columns be missing, as a case with rounded corners does.
+inline void round_corners(Random& random, PrintDesign& design) {
+    const int ny = design.foams.lower.ny(), nz = design.foams.lower.nz();
+    design.foams.lower_missing = {ny, nz};
+    design.foams.upper_missing = {ny, nz};
+    for (int j = 0; j < ny; ++j)
+        for (int k = 0; k < nz; ++k) {
+            const bool corner = (j == 0 || j == ny - 1) && (k == 0 || k == nz - 1);
+            if (!corner || !random.chance(0.7)) continue;
+            for (auto [kept, missing] : {std::pair(&design.foams.lower, &design.foams.lower_missing),
+                                         std::pair(&design.foams.upper, &design.foams.upper_missing)})
+                if ((*kept)(j, k) > 1) (*missing)(j, k) = 1;
+        }
+}
+
+}  // namespace snug::test
