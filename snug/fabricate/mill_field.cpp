@@ -1,0 +1,51 @@
+#include "snug/fabricate/mill_field.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace snug {
+namespace {
+
+constexpr double kRounding = 1e-9;  // of a step that divides a block but for rounding
+
+MillField empty_field(const FoamDesign& design, Half half, double step_down_mm) {
+    const Grid<std::uint16_t>& kept = half == Half::lower ? design.foams.lower : design.foams.upper;
+    const Vec3d block = design.space.block_mm;
+    MillField field;
+    field.height = Grid<int>(kept.ny(), kept.nz());
+    field.cell_mm = {block.z, block.y};
+    field.steps_a_block = static_cast<int>(std::ceil(block.x / step_down_mm - kRounding));
+    field.step_mm = block.x / field.steps_a_block;
+    field.top = *std::max_element(kept.begin(), kept.end()) * field.steps_a_block;
+    return field;
+}
+
+}  // namespace
+
+int MillField::lowest() const {
+    return *std::min_element(height.begin(), height.end());
+}
+
+MillField mill_field(const FoamDesign& design, Half half, double step_down_mm) {
+    const Grid<std::uint16_t>& kept = half == Half::lower ? design.foams.lower : design.foams.upper;
+    MillField field = empty_field(design, half, step_down_mm);
+    for (int j = 0; j < kept.ny(); ++j)
+        for (int k = 0; k < kept.nz(); ++k)
+            field.height(mill_row(half, j, kept.ny()), k) = kept(j, k) * field.steps_a_block;
+    return field;
+}
+
+MillField mill_outside(const FoamDesign& design, Half half, double step_down_mm) {
+    const Grid<std::uint16_t>& missing =
+        half == Half::lower ? design.foams.lower_missing : design.foams.upper_missing;
+    MillField field = empty_field(design, half, step_down_mm);
+    field.height = Grid<int>(field.height.ny(), field.height.nz(), field.top);
+    const int ny = missing.ny();
+    for (int j = 0; j < ny; ++j)
+        for (int k = 0; k < missing.nz(); ++k)
+            // Turned over about x, near and far change places.
+            field.height(ny - 1 - mill_row(half, j, ny), k) -= missing(j, k) * field.steps_a_block;
+    return field;
+}
+
+}  // namespace snug
