@@ -93,13 +93,13 @@ double widest_cutter_mm(const MillField& field) {
     if (field.lowest() >= field.top) return 0;
     // What enters any level enters the uppermost.
     double fits = 0, least_that_does_not = 2 * (field.size_mm().x + field.size_mm().y);
-    while (least_that_does_not - fits > 0.05) {
+    while (least_that_does_not - fits > 1e-4) {
         const double diameter = (fits + least_that_does_not) / 2;
         const LevelPass pass =
             level_pass(CentreLines(field, field.top - 1, diameter / 2), field.cell_mm.y / 4);
         (pass.empty() ? least_that_does_not : fits) = diameter;
     }
-    return std::floor(fits * 10 + 1e-6) / 10;
+    return std::floor(fits * 10 + 0.01) / 10;
 }
 
 }  // namespace snug

@@ -10,6 +10,7 @@ namespace {
 constexpr double kAround = 3;      // mm of foam around a hole
 constexpr double kDepth = 15;      // mm at most
 constexpr double kLeastDepth = 4;  // mm that hold a pin
+constexpr double kApart = 1.5;     // pins: as near as a turned half's holes may come
 constexpr double kRaster = 2;      // mm between places that are tried
 
 /// Where the lower half has a place, from the lid's: near and far change.
@@ -71,7 +72,7 @@ MillPins mill_pins(const MillField& lower, const MillField& lid, double pin_mm, 
     for (const double inwards : {2.0, 4.0, 8.0, 16.0}) {
         const auto second = place_near(lower, lid, radius, {size.x - inwards * pin_mm, 0});
         if (!second || length(*first - *second) < 4 * radius) continue;
-        if (!fits_one_way(*first, *second, size, pin_mm)) continue;
+        if (!fits_one_way(*first, *second, size, kApart * pin_mm)) continue;
         pins.no_room = false;
         for (const Vec2d at : {*first, *second}) {
             pins.halves[0].push_back({at, depth});

@@ -1,0 +1,376 @@
+#include "snug/fabricate/mill.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "snug/design/presets.h"
+#include "snug/fabricate/gcode.h"
+#include "snug/fabricate/mill_plan.h"
+#include "snug/mesh/read.h"
+#include "snug/mesh/samples.h"
+#include "snug/pipeline.h"
+
+#include "tests/support/gcode_stock.h"
+#include "tests/support/models.h"
+#include "tests/support/print_design.h"
+
+namespace snug {
+namespace {
+
+using test::GcodeMove;
+using test::GcodeProgram;
+using test::GcodeStock;
+using test::Random;
+
+std::string text_of(const WorkshopPack& pack, const std::string& name) {
+    for (const PackFile& file : pack.files)
+        if (file.name == name) return {reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size()};
+    return {};
+}
+
+/// What the machine does is what GRBL allows: no rapid move through foam, no sloping one, none too deep.
+void expect_sound(const GcodeProgram& program, const MillPlan& plan, const MillOptions& options) {
+    for (const std::string& problem : program.problems) ADD_FAILURE() << problem;
+    EXPECT_TRUE(program.ended);
+    const Vec2d size = plan.field.size_mm();
+    for (const GcodeMove& move : program.moves) {
+        const bool sideways = move.from.x != move.to.x || move.from.y != move.to.y;
+        if (move.rapid) {
+            if (sideways) {
+                ASSERT_NEAR(move.from.z, options.safe_mm, 1e-9);
+                ASSERT_NEAR(move.to.z, options.safe_mm, 1e-9);
+            }
+            ASSERT_GE(move.to.z, move.from.z) << "plunges at a rapid";
+            continue;
+        }
+        ASSERT_TRUE(!sideways || move.from.z == move.to.z) << "slopes";
+        ASSERT_GE(move.to.z, -options.flute_mm - 1e-3);
+        ASSERT_GE(move.to.z, -plan.field.top_mm() - 1e-3);
+        for (const Vec3d at : {move.from, move.to}) {
+            ASSERT_GE(std::min(at.x, at.y), -1e-3 - options.cutter_mm / 2);
+            ASSERT_LE(at.x, size.x + 1e-3 + options.cutter_mm / 2);
+            ASSERT_LE(at.y, size.y + 1e-3 + options.cutter_mm / 2);
+        }
+        if (move.to.z < move.from.z && move.from.z <= 1e-9) {
+            ASSERT_LE(move.feed, std::max(options.plunge_mm_min, options.feed_mm_min));
+        }
+    }
+}
+
+GcodeStock carved(const GcodeProgram& program, const MillPlan& plan, const MillOptions& options,
+                  double cell) {
+    const Vec2d size = plan.field.size_mm();
+    GcodeStock stock({size.x, size.y, plan.field.top_mm()}, cell);
+    for (const GcodeMove& move : program.moves)
+        if (!move.rapid) stock.cut(move, options.cutter_mm / 2);
+    return stock;
+}
+
+bool in_a_pin(const MillPlan& plan, Vec2d at, double radius) {
+    return std::any_of(plan.pins.begin(), plan.pins.end(),
+                       [&](const MillPin& pin) { return length(pin.at - at) <= radius; });
+}
+
+double height_of(const MillField& field, Vec2d at) {
+    const int row = std::clamp(static_cast<int>(at.y / field.cell_mm.y), 0, field.height.ny() - 1);
+    const int column = std::clamp(static_cast<int>(at.x / field.cell_mm.x), 0, field.height.nz() - 1);
+    return field.height(row, column) * field.step_mm;
+}
+
+/// Foam that the blocks keep is lost only beside a wall, as far as was told, and in the pins' holes.
+void expect_no_more_lost_than_told(const GcodeStock& stock, const MillPlan& plan,
+                                   const MillOptions& options) {
+    const double reach = plan.relief.widest_mm + 0.02;
+    const int cells = static_cast<int>(reach / stock.cell()) + 2;
+    int lost = 0;
+    for (int row = 0; row < stock.height().ny(); ++row)
+        for (int column = 0; column < stock.height().nz(); ++column) {
+            const Vec2d at = stock.middle(row, column);
+            const double height = stock.height()(row, column);
+            if (height >= height_of(plan.field, at) - 1e-3) continue;
+            if (in_a_pin(plan, at, options.pin_mm / 2 + 0.01)) continue;
+            ++lost;
+            bool beside = false;
+            for (int r = row - cells; r <= row + cells && !beside; ++r)
+                for (int c = column - cells; c <= column + cells && !beside; ++c) {
+                    if (!stock.height().contains(r, c)) continue;
+                    const Vec2d other = stock.middle(r, c);
+                    beside = length(other - at) <= reach + 1.5 * stock.cell() &&
+                             height_of(plan.field, other) <= height + 1e-3;
+                }
+            ASSERT_TRUE(beside) << at.x << " " << at.y << " " << height;
+        }
+    if (plan.relief.reliefs.empty()) {
+        EXPECT_EQ(lost, 0);
+    }
+}
+
+/// The block map at the middles of columns that are wider than the cutter.
+void expect_the_blocks(const GcodeStock& stock, const MillPlan& plan, const FoamDesign& design) {
+    const bool lid = plan.half == Half::lid;
+    const Grid<std::uint16_t>& kept = lid ? design.foams.upper : design.foams.lower;
+    const Vec3d block = design.space.block_mm;
+    for (int j = 0; j < kept.ny(); ++j)
+        for (int k = 0; k < kept.nz(); ++k) {
+            // BACK (j = 0) is far in the lower half and near in the lid; k runs to the right.
+            const double y = lid ? (j + 0.5) * block.y : (kept.ny() - j - 0.5) * block.y;
+            const Vec2d at{(k + 0.5) * block.z, y};
+            if (in_a_pin(plan, at, block.y)) continue;
+            EXPECT_NEAR(stock.at(at), kept(j, k) * block.x, 1e-3) << j << " " << k;
+        }
+}
+
+/// No foam within the clearance of any point of the object, by brute force.
+void expect_clear(const GcodeStock& stock, const MillPlan& plan, const Object& object, const Packing& packing,
+                  const Design& design, Random& random) {
+    const Vec3d e = plan.half == Half::lower ? design.cut.whole_clearance_mm().lower
+                                             : design.cut.whole_clearance_mm().upper;
+    const DesignSpace& space = packing.space;
+    const double around = e.y - 0.011;
+    const auto check = [&](Vec3d p) {
+        const double up =
+            plan.half == Half::lower ? p.x - space.face(0, 0) : space.face(0, space.blocks.x) - p.x;
+        const Vec2d at{p.z - space.face(2, 0), plan.half == Half::lower ? space.face(1, space.blocks.y) - p.y
+                                                                        : p.y - space.face(1, 0)};
+        for (double dx : {-around, 0.0, around})
+            for (double dy : {-around, 0.0, around})
+                ASSERT_LE(stock.at(at + Vec2d{dx, dy}), up - e.x + 0.011 + 1e-4) << at.x << " " << at.y;
+    };
+    const auto& triangles = object.mesh.triangles;
+    for (std::size_t i = 0; i < triangles.size(); i += 1 + triangles.size() / 60000) {
+        const Triangle& t = triangles[i];
+        double u = random.unit(), v = random.unit();
+        if (u + v > 1) {
+            u = 1 - u;
+            v = 1 - v;
+        }
+        const Vec3d a = packing.placement(object.mesh.vertices[t[0]]);
+        const Vec3d b = packing.placement(object.mesh.vertices[t[1]]);
+        const Vec3d c = packing.placement(object.mesh.vertices[t[2]]);
+        check(a);
+        check(a + (b - a) * u + (c - a) * v);
+    }
+}
+
+struct MilledCase {
+    Design design;
+    Object object;
+    Packing packing;
+    [[nodiscard]] FoamDesign foams() const { return {packing.space, packing.blocks, *packing.foams, "vase"}; }
+    [[nodiscard]] MilledObject milled() const { return {object.mesh, packing.placement, design.cut}; }
+};
+
+MilledCase packed(Mesh mesh, double longest_mm, double wall_mm) {
+    MilledCase result;
+    Design& design = result.design;
+    apply(*find_preset(built_in_presets(), "mill"), design);
+    design.space.blocks.reset();
+    design.space.wall_mm = equal_walls(wall_mm);
+    design.object.longest_mm = longest_mm;
+    design.placement.rotation_deg = {20, 30, 10};
+    design = *checked(design);
+    result.object = *prepare(std::move(mesh), design);
+    result.packing = *pack(result.object, design);
+    return result;
+}
+
+void expect_milled(const MilledCase& milled, const MillOptions& options, Random& random) {
+    ASSERT_TRUE(milled.packing.foams);
+    const auto plans = mill_plans(milled.foams(), milled.milled(), options);
+    ASSERT_TRUE(plans) << plans.error().message;
+    for (const MillPlan& plan : plans->plans) {
+        const GcodeProgram program =
+            test::read_gcode(grbl_program(plan.path, plan.field.size_mm(), options, "vase", {}));
+        expect_sound(program, plan, options);
+        const GcodeStock stock = carved(program, plan, options, 0.5);
+        expect_clear(stock, plan, milled.object, milled.packing, milled.design, random);
+        expect_no_more_lost_than_told(stock, plan, options);
+    }
+}
+
+int cases(int most) {
+    const char* text = std::getenv("SNUG_CASES");
+    return text ? std::min(most, std::max(4, std::atoi(text) / 20)) : most;
+}
+
+TEST(MillTest, NoFoamIsLeftWhereTheSamplesAreAndNoMoreIsLostThanTold) {
+    Random random(1);
+    for (const char* name : {"torus", "vase", "figurine", "camera"}) {
+        SCOPED_TRACE(name);
+        expect_milled(packed(*sample(name), 70, 12), {}, random);
+    }
+}
+
+TEST(MillTest, NoFoamIsLeftWhereRealObjectsAre) {
+    int objects = 0;
+    Random random(2);
+    for (const char* name : {"stanford-bunny.obj", "armadillo.obj", "spot.obj", "teapot.obj", "cow.obj",
+                             "beetle-alt.obj", "camelhead.off", "screwdriver.off"}) {
+        const auto bytes = test::model_file(name);
+        if (!bytes) continue;
+        ++objects;
+        SCOPED_TRACE(name);
+        MillOptions options;
+        options.cutter_mm = 4;
+        expect_milled(packed(*read_mesh(*bytes, name), 60, 12), options, random);
+    }
+    if (objects == 0) GTEST_SKIP() << "the shared models are not there";
+}
+
+TEST(MillTest, TheCarvedStockRebuildsRandomHeightFieldsAndNothingStaysInCorners) {
+    for (int seed = 0; seed < cases(40); ++seed) {
+        SCOPED_TRACE(seed);
+        Random random(static_cast<std::uint64_t>(seed));
+        const DesignSpace space{
+            {random.integer(2, 6), random.integer(2, 8), random.integer(2, 8)},
+            {random.between(3, 12), random.integer(14, 24) * 0.5, random.integer(14, 24) * 0.5}};
+        const test::PrintDesign design(space, test::random_heights(random, space.blocks),
+                                       test::random_heights(random, space.blocks));
+        MillOptions options;
+        options.cutter_mm = random.between(1.5, 3.2);
+        options.flute_mm = 200;
+        options.stepover = random.between(0.2, 0.9);
+        options.pin_mm = random.chance(0.5) ? 4 : 0;
+        if (random.chance(0.5)) options.step_down_mm = random.between(0.7, 6);
+        options.origin = random.chance(0.5) ? MillOrigin::centre : MillOrigin::corner;
+        const auto plans = mill_plans(design.view(), {}, options);
+        ASSERT_TRUE(plans) << plans.error().message;
+        MillOptions corner = options;
+        corner.origin = MillOrigin::corner;
+        const auto pack = mill_pack(design.view(), {}, corner);
+        ASSERT_TRUE(pack);
+        for (const MillPlan& plan : plans->plans) {
+            const std::string text =
+                text_of(*pack, plan.half == Half::lower ? "mill/lower.nc" : "mill/lid.nc");
+            const double steps = plan.field.steps_a_block;
+            EXPECT_NEAR(steps * plan.field.step_mm, space.block_mm.x, 1e-9);
+            EXPECT_LE(plan.field.step_mm, options.step_down_mm.value_or(options.cutter_mm / 2) + 1e-9);
+            if (plan.empty()) {
+                EXPECT_TRUE(text.empty());
+                EXPECT_EQ(plan.field.lowest(), plan.field.top);
+                continue;
+            }
+            const GcodeProgram program = test::read_gcode(text);
+            expect_sound(program, plan, corner);
+            const GcodeStock stock = carved(program, plan, corner, 0.25);
+            expect_the_blocks(stock, plan, design.view());
+            expect_no_more_lost_than_told(stock, plan, corner);
+            // Without an object nothing may stay in the blocks that are cut.
+            for (int row = 0; row < stock.height().ny(); ++row)
+                for (int column = 0; column < stock.height().nz(); ++column)
+                    ASSERT_LE(stock.height()(row, column),
+                              height_of(plan.field, stock.middle(row, column)) + 1e-3);
+        }
+    }
+}
+
+TEST(MillTest, WhatACaseLeavesOutIsMilledFromOutsideOnTheSamePins) {
+    test::PrintDesign design({{4, 8, 10}, {10, 10, 10}}, test::filled(8, 10, 2), test::filled(8, 10, 2));
+    design.foams.lower(4, 4) = 1;
+    design.blocks(4, 4) = {1, 2};
+    design.foams.lower_missing = {8, 10};
+    design.foams.upper_missing = {8, 10};
+    design.foams.lower_missing(0, 0) = 1;  // BACK, left
+    MillOptions options;
+    options.pin_mm = 6;
+    const auto plans = mill_plans(design.view(), {}, options);
+    ASSERT_TRUE(plans) << plans.error().message;
+    ASSERT_EQ(plans->plans.size(), 3u);
+    const MillPlan& outside = plans->plans[2];
+    EXPECT_EQ(outside.half, Half::lower);
+    // BACK is far in the lower half; turned over about x it comes near, and left stays left.
+    EXPECT_EQ(outside.field.height(0, 0), outside.field.top - outside.field.steps_a_block);
+    EXPECT_EQ(std::count(outside.field.height.begin(), outside.field.height.end(), outside.field.top), 79);
+    const auto pack = mill_pack(design.view(), {}, options);
+    ASSERT_TRUE(pack);
+    EXPECT_FALSE(text_of(*pack, "mill/lower-outside.nc").empty());
+    const GcodeProgram board = test::read_gcode(text_of(*pack, "mill/board.nc"));
+    for (const std::string& problem : board.problems) ADD_FAILURE() << problem;
+    // The board's pins are where the turned half has its holes.
+    const MillPlan& lower = plans->plans[0];
+    ASSERT_EQ(lower.pins.size(), 2u);
+    for (const MillPin& pin : lower.pins)
+        EXPECT_TRUE(std::any_of(board.moves.begin(), board.moves.end(), [&](const GcodeMove& move) {
+            return !move.rapid && std::abs(move.to.x - pin.at.x) < 1e-3 &&
+                   std::abs(move.to.y - (80 - pin.at.y)) < 1e-3;
+        }));
+}
+
+TEST(MillTest, PinsFitOneWayAndMeetInBothHalves) {
+    Random random(4);
+    int with_pins = 0;
+    for (int i = 0; i < 30; ++i) {
+        const DesignSpace space{{4, random.integer(5, 12), random.integer(5, 12)}, {12, 10, 10}};
+        test::Heights lower = test::filled(space.blocks.y, space.blocks.z, 2), upper = lower;
+        for (int n = 0; n < 4; ++n) {
+            lower(random.integer(1, space.blocks.y - 2), random.integer(1, space.blocks.z - 2)) = 0;
+            upper(random.integer(0, space.blocks.y - 1), random.integer(0, space.blocks.z - 1)) = 1;
+        }
+        const test::PrintDesign design(space, lower, upper);
+        const auto plans = mill_plans(design.view(), {}, {});
+        ASSERT_TRUE(plans) << plans.error().message;
+        const auto &own = plans->plans[0].pins, &other = plans->plans[1].pins;
+        ASSERT_EQ(own.size(), other.size());
+        if (own.empty()) continue;
+        ++with_pins;
+        const Vec2d size = plans->plans[0].field.size_mm();
+        for (std::size_t pin = 0; pin < own.size(); ++pin) {
+            EXPECT_NEAR(own[pin].at.x, other[pin].at.x, 1e-9);
+            EXPECT_NEAR(own[pin].at.y, size.y - other[pin].at.y, 1e-9);
+            for (const double dx : {-6.0, 0.0, 6.0})
+                for (const double dy : {-6.0, 0.0, 6.0}) {
+                    EXPECT_EQ(height_of(plans->plans[0].field, own[pin].at + Vec2d{dx, dy}), 24);
+                    EXPECT_EQ(height_of(plans->plans[1].field, other[pin].at + Vec2d{dx, dy}), 24);
+                }
+        }
+        const Vec2d turned = size - own[0].at;
+        EXPECT_GE(length(turned - own[1].at), 9);
+    }
+    EXPECT_GT(with_pins, 15);
+}
+
+TEST(MillTest, WhatTheCutterCannotDoIsSaidWithWhatWouldWork) {
+    test::Heights lower = test::filled(9, 9, 3);
+    lower(4, 4) = 0;
+    const test::PrintDesign design({{4, 9, 9}, {10, 10, 10}}, lower, test::filled(9, 9, 1));
+    MillOptions options;
+    options.cutter_mm = 12;
+    auto refused = mill_pack(design.view(), {}, options);
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().message.find("10 mm"), std::string::npos) << refused.error().message;
+    EXPECT_EQ(refused.error().kind, ErrorKind::usage);
+    options.cutter_mm = 10;
+    options.flute_mm = 29;
+    refused = mill_pack(design.view(), {}, options);
+    ASSERT_FALSE(refused);
+    EXPECT_NE(refused.error().message.find("at least 30 mm"), std::string::npos) << refused.error().message;
+    options.flute_mm = 30;
+    EXPECT_TRUE(mill_pack(design.view(), {}, options));
+    options.feed_mm_min = 0;
+    EXPECT_FALSE(mill_pack(design.view(), {}, options));
+}
+
+TEST(MillTest, FlatHalvesNeedNoProgram) {
+    const test::PrintDesign design({{4, 9, 9}, {10, 10, 10}}, test::filled(9, 9, 2), test::filled(9, 9, 2));
+    MillOptions options;
+    options.pin_mm = 0;
+    const auto pack = mill_pack(design.view(), {}, options);
+    ASSERT_TRUE(pack);
+    EXPECT_TRUE(pack->files.empty());
+    EXPECT_EQ(pack->findings.front().code, "nothing_to_mill");
+}
+
+TEST(MillTest, NamesInOtherLettersBecomeCommentsThatGrblTakes) {
+    const std::string text =
+        grbl_program({}, {10, 10}, {}, "Snug: (壺) \n G0 Z-50 " + std::string(200, 'x'), {});
+    const GcodeProgram program = test::read_gcode(text);
+    EXPECT_TRUE(program.problems.empty());
+    EXPECT_TRUE(program.moves.empty());
+}
+
+}  // namespace
+}  // namespace snug
