@@ -27,6 +27,8 @@ struct LinearProgram {
 struct LpSolution {
     bool feasible = false;  ///< false: no x satisfies all rows and bounds
     std::vector<double> x;  ///< of an optimum; empty where there is none
+    /// Of each row: how the least cost grows with its bounds. May be empty.
+    std::vector<double> price;
 };
 
 /// Solves a linear program, or fails with kind `cancelled` where the progress says so. Not every build has
