@@ -16,6 +16,7 @@
 #include "snug/pipeline.h"
 #include "snug/workshop.h"
 
+#include "cli/clp_solver.h"
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/files.h"
@@ -246,7 +247,8 @@ int make(const MakeArguments& arguments) {
     std::optional<WorkshopPack> pack;
     if (task->project.design.workshop.work != Workshop::none) {
         status->show("Drawing for the workshop");
-        auto made = workshop_pack(packed->object, packing, task->project);
+        auto made = workshop_pack(packed->object, packing, task->project,
+                                  {clp_solver(), status->progress("Checking how firmly the bricks hold")});
         if (!made) {
             status.reset();
             return report(made.error());
