@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "snug/base/progress.h"
+#include "snug/base/result.h"
+#include "snug/fabricate/brick_build.h"
+#include "snug/fabricate/brick_supports.h"
+#include "snug/fabricate/linear_program.h"
+
+// How firmly a half of bricks holds together: see brick_forces.h for the method.
+
+namespace snug {
+
+/// Above so many bricks a half is not checked: the time grows with about the square of their number, and
+/// takes minutes from here on (docs/benchmarks.md).
+constexpr int kMostBricksChecked = 6000;
+
+enum class StrengthOutcome {
+    holds,
+    overloaded,  ///< in equilibrium only where some stud holds more than it can
+    loose,       ///< some bricks are tied to no support
+    falls,       ///< no forces keep it in equilibrium: it tips over, or apart
+    no_solver,   ///< not checked: this build of Snug has no solver
+    too_large,   ///< not checked: more than kMostBricksChecked bricks
+    unsolved,    ///< not checked: the solver gave up
+};
+
+/// One half in one load case.
+struct BrickStrength {
+    BrickLoad load = BrickLoad::standing;
+    StrengthOutcome outcome = StrengthOutcome::holds;
+    /// The largest pull at a contact point over what it can hold, of the forces for which it is least; over
+    /// 1 where it is overloaded. Where nothing but upright forces was needed to see that the half holds, it
+    /// may hold even better than that. 0 for all outcomes but `holds` and `overloaded`.
+    double used = 0;
+    double left_n = 0;  ///< newtons: the smallest remaining capacity of a contact point, (1 - used) capacity
+    std::optional<BrickJoint> weakest;  ///< the joint that bears most; none where no stud pulls
+    std::vector<int> loose;             ///< the bricks that are, by number
+
+    [[nodiscard]] bool checked() const { return outcome < StrengthOutcome::no_solver; }
+    [[nodiscard]] bool holds() const { return outcome == StrengthOutcome::holds; }
+};
+
+constexpr std::array kBrickLoads{BrickLoad::standing, BrickLoad::lifted, BrickLoad::turned};
+
+/// One load case. Without a solver, and in a build of any size, what needs no linear program is told: that
+/// a brick is loose, and that a half which rests throughout holds.
+/// `capacity_n`: newtons that a contact point of a stud holds, above 0. Fails with kind `cancelled` alone.
+[[nodiscard]] Result<BrickStrength> brick_strength(const BrickBuild& build, BrickLoad load, double capacity_n,
+                                                   const LpSolver& solve, const Progress& progress = {});
+
+/// All load cases, in the order of kBrickLoads.
+using BrickStatics = std::array<BrickStrength, kBrickLoads.size()>;
+[[nodiscard]] Result<BrickStatics> brick_statics(const BrickBuild& build, double capacity_n,
+                                                 const LpSolver& solve, const Progress& progress = {});
+
+}  // namespace snug
