@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "snug/fabricate/brick_forces.h"
+#include "snug/fabricate/brick_springs.h"
 #include "snug/fabricate/brick_statics_report.h"
 
 #include "bench/random_merge.h"
@@ -56,6 +57,17 @@ bench::BrickHeights random_heights(Random& random) {
 BrickBuild random_build(Random& random) {
     return bench::random_merge(random_heights(random),
                                {BrickKind::brick, bench::luo_family(), random.bits()});
+}
+
+/// More bricks than are always given to the solver.
+BrickBuild large_bowl() {
+    const int rows = 32, columns = 24, layers = 9;
+    bench::BrickHeights heights(rows, columns, layers);
+    for (int row = 3; row + 3 < rows; ++row)
+        for (int column = 3; column + 3 < columns; ++column)
+            heights(row, column) = static_cast<std::uint16_t>(
+                std::clamp((std::abs(2 * row - rows) + std::abs(2 * column - columns)) / 6, 3, layers));
+    return bench::random_merge(heights, {BrickKind::brick, bench::luo_family(), 9});
 }
 
 /// The sums of forces and of torques about the origin on each brick, its weight included, from the raw
@@ -274,19 +286,63 @@ TEST(BrickStatics, TheOrderOfBricksAndTheMirrorImageChangeNothing) {
     }
 }
 
-TEST(BrickStatics, WithoutASolverWhatNeedsOneIsNotChecked) {
+TEST(BrickStatics, SpringsBalanceEveryBrickAndNeverClaimMoreThanTheProgram) {
+    const std::uint64_t seed = 1660;
+    Random random(seed);
+    int found = 0;
+    for (int i = 0; i < 20; ++i) {
+        const BrickBuild build = random_build(random);
+        const auto joints = brick_joints(build);
+        for (const BrickLoad load : kBrickLoads) {
+            SCOPED_TRACE("seed " + std::to_string(seed) + ", build " + std::to_string(i) + ", " +
+                         std::string(brick_load_name(load)));
+            const BrickSupports supports = brick_supports(build, joints, load);
+            if (!loose_bricks(supports, joints).empty()) continue;
+            const BrickForces forces = brick_forces(build, joints, supports, ForceModel::upright);
+            const auto x = *spring_forces(build, joints, supports, forces);
+            if (x.empty()) continue;
+            ++found;
+            expect_equilibrium(build, supports, forces, x);
+            EXPECT_GE(x.front(), grip_of(build, supports, ForceModel::upright) - kTolerance);
+        }
+    }
+    EXPECT_GT(found, 30);
+}
+
+TEST(BrickStatics, WithoutASolverAHalfThatHoldsEasilyIsKnownToAndOthersAreNotChecked) {
     Random random(3);
-    BrickBuild build = random_build(random);
-    const BrickStatics statics = *brick_statics(build, kCapacity, {});
-    EXPECT_TRUE(statics[0].holds());
-    EXPECT_FALSE(statics[1].checked());
+    const BrickBuild build = random_build(random);
+    const BrickStatics easy = *brick_statics(build, kCapacity, {});
+    const BrickStatics known = *brick_statics(build, kCapacity, clp_solver());
+    for (std::size_t i = 0; i < easy.size(); ++i) {
+        EXPECT_TRUE(easy[i].holds());
+        EXPECT_GE(easy[i].used, known[i].used - 1e-6);
+        EXPECT_TRUE(known[i].exact);
+    }
+
+    const BrickStatics hard = *brick_statics(build, 0.0001, {});
+    EXPECT_TRUE(hard[0].holds());
+    EXPECT_FALSE(hard[1].checked());
     WorkshopPack pack;
     const DesignSpace space{{9, build.rows, build.columns}, {9.6, 8, 8}};
-    tell_statics(build, space, statics, pack);
+    tell_statics(build, space, hard, pack);
     EXPECT_EQ(pack.figures.size(), 3u);
     ASSERT_FALSE(pack.findings.empty());
     EXPECT_EQ(pack.findings.front().severity, Severity::note);
     EXPECT_EQ(pack.findings.front().code, "bricks_unchecked");
+}
+
+TEST(BrickStatics, LargeBuildsAreKnownToHoldWithoutTheSolver) {
+    const BrickBuild build = large_bowl();
+    EXPECT_GT(static_cast<int>(build.bricks.size()), 2 * kFewBricks);
+    const LpSolver none = [](const LinearProgram&, const Progress&) -> Result<LpSolution> {
+        ADD_FAILURE() << "the solver was asked";
+        return LpSolution{};
+    };
+    const BrickStatics statics = *brick_statics(build, kCapacity, none);
+    for (const BrickStrength& each : statics) EXPECT_TRUE(each.holds()) << brick_load_name(each.load);
+    EXPECT_FALSE(statics[1].exact);
+    EXPECT_TRUE(statics[1].weakest);
 }
 
 TEST(BrickStatics, TheCallerCanStopIt) {
@@ -295,6 +351,11 @@ TEST(BrickStatics, TheCallerCanStopIt) {
     const auto stopped = brick_statics(build, kCapacity, clp_solver(), [](double) { return false; });
     ASSERT_FALSE(stopped);
     EXPECT_EQ(stopped.error().kind, ErrorKind::cancelled);
+    // Also where springs do it, and while the solver works.
+    const BrickBuild large = large_bowl();
+    EXPECT_FALSE(brick_statics(large, kCapacity, {}, [](double) { return false; }));
+    EXPECT_FALSE(brick_strength(large, BrickLoad::lifted, 0.01, clp_solver(),
+                                [](double fraction) { return fraction < 0.32; }));
 }
 
 TEST(BrickStatics, ProgressGrowsFromNothingToTheEnd) {

@@ -28,8 +28,9 @@ namespace snug {
 constexpr double kNewtonsPerGram = 9.81e-3;
 
 enum class ForceModel {
-    /// Upright forces, and on each brick the sums of forces and of the two tilting torques. Its solutions
-    /// are solutions of the full model, where nothing need push sideways, so its grip is never less.
+    /// Upright forces, and on each brick the sums of forces and of the two tilting torques. Its columns are
+    /// the first of the full model's, its solutions are solutions there, where nothing need push sideways,
+    /// and so its grip is never less.
     upright,
     /// Besides, bricks that snap together push each other sideways in any direction and, by more studs than
     /// one, turn each other about the upright axis (studs do not shear off); neighbours press each other at

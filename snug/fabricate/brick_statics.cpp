@@ -1,9 +1,11 @@
 #include "snug/fabricate/brick_statics.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "snug/fabricate/brick_forces.h"
+#include "snug/fabricate/brick_springs.h"
 
 namespace snug {
 namespace {
@@ -21,13 +23,47 @@ int weakest_joint(const BrickBuild& build, const std::vector<BrickJoint>& joints
     return static_cast<int>(std::max_element(shares.begin(), shares.end()) - shares.begin());
 }
 
-/// What the solver says of one model.
+/// A half that pulls at its studs with so many grams a point at most.
+BrickStrength pulled(BrickLoad load, double grip, double capacity_n) {
+    BrickStrength strength;
+    strength.load = load;
+    const double newtons = grip < kNoPull ? 0 : grip * kNewtonsPerGram;
+    strength.used = newtons / capacity_n;
+    strength.left_n = capacity_n - newtons;
+    if (strength.used > 1) strength.outcome = StrengthOutcome::overloaded;
+    return strength;
+}
+
+/// A half that uses no more than this of what its studs hold need not be known better.
+constexpr double kHoldsEasily = 0.1;
+
+/// What some forces, found quickly, say: a half that holds with them, or nothing.
+Result<std::optional<BrickStrength>> sprung(const BrickBuild& build, const std::vector<BrickJoint>& joints,
+                                            const BrickSupports& supports, double capacity_n,
+                                            const Progress& progress) {
+    const BrickForces forces = brick_forces(build, joints, supports, ForceModel::upright);
+    const auto found =
+        spring_forces(build, joints, supports, forces, kHoldsEasily * capacity_n / kNewtonsPerGram, progress);
+    if (!found) return tl::unexpected(found.error());
+    const std::vector<double>& x = *found;
+    if (x.empty()) return std::nullopt;
+    BrickStrength strength = pulled(supports.load, x.front(), capacity_n);
+    if (!strength.holds()) return std::nullopt;
+    strength.exact = strength.used == 0;
+    if (strength.used > 0) {
+        const std::vector<double> pulls = joint_pulls(build, joints, forces, x);
+        strength.weakest = joints[std::max_element(pulls.begin(), pulls.end()) - pulls.begin()];
+    }
+    return strength;
+}
+
+/// What the solver says.
 Result<BrickStrength> solved(const BrickBuild& build, const std::vector<BrickJoint>& joints,
-                             const BrickSupports& supports, ForceModel model, double capacity_n,
-                             const LpSolver& solve, const Progress& progress) {
+                             const BrickSupports& supports, double capacity_n, const LpSolver& solve,
+                             const Progress& progress) {
     BrickStrength strength;
     strength.load = supports.load;
-    const BrickForces forces = brick_forces(build, joints, supports, model);
+    const BrickForces forces = brick_forces(build, joints, supports, ForceModel::full);
     const auto solution = solve(equilibrium(build, supports, forces), progress);
     if (!solution) {
         if (solution.error().kind == ErrorKind::cancelled) return tl::unexpected(solution.error());
@@ -38,11 +74,9 @@ Result<BrickStrength> solved(const BrickBuild& build, const std::vector<BrickJoi
         strength.outcome = StrengthOutcome::falls;
         return strength;
     }
-    const double grip = solution->x.front() < kNoPull ? 0 : solution->x.front();
-    strength.used = grip * kNewtonsPerGram / capacity_n;
-    strength.left_n = capacity_n - grip * kNewtonsPerGram;
-    if (strength.used > 1) strength.outcome = StrengthOutcome::overloaded;
-    if (grip > 0) strength.weakest = joints[weakest_joint(build, joints, supports, forces, *solution)];
+    strength = pulled(supports.load, solution->x.front(), capacity_n);
+    if (strength.used > 0)
+        strength.weakest = joints[weakest_joint(build, joints, supports, forces, *solution)];
     return strength;
 }
 
@@ -62,18 +96,18 @@ Result<BrickStrength> strength_in(const BrickBuild& build, const std::vector<Bri
         strength.left_n = capacity_n;
         return strength;
     }
+    const auto bricks = static_cast<int>(build.bricks.size());
+    if (bricks > kMostBricksChecked) return ended(StrengthOutcome::too_large);
+    const bool few = bricks <= kFewBricks;
+    const double half_way = few ? 0 : 0.3;
+    if (!solve || !few) {
+        auto found = sprung(build, joints, supports, capacity_n, part_of(progress, 0, half_way));
+        if (!found) return tl::unexpected(found.error());
+        if (*found) return **found;
+    }
     if (!solve) return ended(StrengthOutcome::no_solver);
-    if (static_cast<int>(build.bricks.size()) > kMostBricksChecked) return ended(StrengthOutcome::too_large);
-
-    // The small model first: what it can hold, holds. Only the rest asks whether bricks that lean on each
-    // other do better.
-    constexpr double kShareOfUpright = 0.3;
-    auto upright = solved(build, joints, supports, ForceModel::upright, capacity_n, solve,
-                          part_of(progress, 0, kShareOfUpright));
-    if (!upright || upright->holds()) return upright;
-    auto full = solved(build, joints, supports, ForceModel::full, capacity_n, solve,
-                       part_of(progress, kShareOfUpright, 1));
-    return full;
+    if (bricks > kMostBricksSolved) return ended(StrengthOutcome::too_large);
+    return solved(build, joints, supports, capacity_n, solve, part_of(progress, half_way, 1));
 }
 
 }  // namespace

@@ -15,9 +15,11 @@
 
 namespace snug {
 
-/// Above so many bricks a half is not checked: the time grows with about the square of their number, and
-/// takes minutes from here on (docs/benchmarks.md).
-constexpr int kMostBricksChecked = 6000;
+/// A build of so many bricks at most is always given to the solver, which takes some tenths of a second and
+/// gives the exact figures. With more bricks it is asked only where brick_springs.h finds no forces that
+/// hold, and above kMostBricksSolved not even then: its time grows faster than the square of their number, to
+/// minutes. The springs take that long above kMostBricksChecked. (docs/benchmarks.md)
+constexpr int kFewBricks = 300, kMostBricksSolved = 2000, kMostBricksChecked = 20'000;
 
 enum class StrengthOutcome {
     holds,
@@ -25,7 +27,7 @@ enum class StrengthOutcome {
     loose,       ///< some bricks are tied to no support
     falls,       ///< no forces keep it in equilibrium: it tips over, or apart
     no_solver,   ///< not checked: this build of Snug has no solver
-    too_large,   ///< not checked: more than kMostBricksChecked bricks
+    too_large,   ///< not checked: bricks above the limits
     unsolved,    ///< not checked: the solver gave up
 };
 
@@ -33,10 +35,11 @@ enum class StrengthOutcome {
 struct BrickStrength {
     BrickLoad load = BrickLoad::standing;
     StrengthOutcome outcome = StrengthOutcome::holds;
-    /// The largest pull at a contact point over what it can hold, of the forces for which it is least; over
-    /// 1 where it is overloaded. Where nothing but upright forces was needed to see that the half holds, it
-    /// may hold even better than that. 0 for all outcomes but `holds` and `overloaded`.
+    /// The largest pull at a contact point over what it can hold; over 1 where it is overloaded. 0 for all
+    /// outcomes but `holds` and `overloaded`.
     double used = 0;
+    bool exact = true;  ///< the least that any forces could do with; false: some forces do with it, others
+                        ///< may do with less
     double left_n = 0;  ///< newtons: the smallest remaining capacity of a contact point, (1 - used) capacity
     std::optional<BrickJoint> weakest;  ///< the joint that bears most; none where no stud pulls
     std::vector<int> loose;             ///< the bricks that are, by number
@@ -47,8 +50,8 @@ struct BrickStrength {
 
 constexpr std::array kBrickLoads{BrickLoad::standing, BrickLoad::lifted, BrickLoad::turned};
 
-/// One load case. Without a solver, and in a build of any size, what needs no linear program is told: that
-/// a brick is loose, and that a half which rests throughout holds.
+/// One load case. In this order: bricks that are tied to nothing; a half that rests throughout; forces found
+/// with springs; the linear program. All but the last need no solver.
 /// `capacity_n`: newtons that a contact point of a stud holds, above 0. Fails with kind `cancelled` alone.
 [[nodiscard]] Result<BrickStrength> brick_strength(const BrickBuild& build, BrickLoad load, double capacity_n,
                                                    const LpSolver& solve, const Progress& progress = {});

@@ -46,8 +46,9 @@ std::string percent(double share) {
 std::string outcome_text(const BrickStrength& strength) {
     switch (strength.outcome) {
         case StrengthOutcome::holds:
-            return strength.used > 0 ? "holds, with " + percent(strength.used) + " of the studs' grip at most"
-                                     : "holds by its weight alone";
+            if (strength.used == 0) return "holds without any grip";
+            return std::string("holds, with ") + (strength.exact ? "" : "at most ") + percent(strength.used) +
+                   " of the studs' grip";
         case StrengthOutcome::overloaded:
             return "asks for " + percent(strength.used) + " of the studs' grip";
         case StrengthOutcome::loose:
@@ -124,10 +125,9 @@ std::optional<Finding> finding_of(const BrickBuild& build, const DesignSpace& sp
         case StrengthOutcome::too_large:
             return Finding{Severity::note,
                            "bricks_unchecked",
-                           "how firmly " + who + " holds " + how + " was not checked: it has " +
-                               grouped(build.bricks.size()) + " bricks, and more than " +
-                               grouped(kMostBricksChecked) +
-                               " would take too long. Lift it with both hands below",
+                           "how firmly " + who + " holds " + how + " was not checked: for its " +
+                               grouped(build.bricks.size()) +
+                               " bricks that would take too long. Lift it with both hands below",
                            {}};
         case StrengthOutcome::unsolved:
             return Finding{Severity::note,
