@@ -74,7 +74,8 @@ class BricksTest(unittest.TestCase):
 
     def test_strength_is_checked(self):
         done = self.make()
-        self.assertIn("Holds", done.stdout)
+        self.assertRegex(done.stdout, "Lower half, lifted by its rim +holds")
+        self.assertRegex(done.stdout, "Lid, cavity down on its rim +holds")
 
     def test_dry_run_counts_and_writes_nothing(self):
         done = self.make("--dry-run")

@@ -47,8 +47,8 @@ std::string outcome_text(const BrickStrength& strength) {
     switch (strength.outcome) {
         case StrengthOutcome::holds:
             if (strength.used == 0) return "holds without any grip";
-            return std::string("holds, with ") + (strength.exact ? "" : "at most ") + percent(strength.used) +
-                   " of the studs' grip";
+            return std::string("holds, with ") + (strength.exact || strength.used < 0.01 ? "" : "at most ") +
+                   percent(strength.used) + " of the studs' grip";
         case StrengthOutcome::overloaded:
             return "asks for " + percent(strength.used) + " of the studs' grip";
         case StrengthOutcome::loose:

@@ -11,6 +11,7 @@
 #include "snug/fabricate/brick_list.h"
 #include "snug/fabricate/brick_plan.h"
 #include "snug/fabricate/brick_shape.h"
+#include "snug/fabricate/brick_statics_report.h"
 #include "snug/fabricate/ldraw.h"
 
 namespace snug {
@@ -137,8 +138,13 @@ Result<WorkshopPack> brick_pack(const FoamDesign& design, const WorkshopOptions&
     tell_figures(*built, counts, pack);
     const double gap = lid_gap_mm(*built, options);
     tell_findings(*built, gap, pack);
-    static_cast<void>(solve);
-    static_cast<void>(progress);
+    for (const BrickLayout& layout : built->layouts) {
+        const double begin = layout.build.half == Half::lower ? 0 : 0.5;
+        const auto statics =
+            brick_statics(layout.build, options.capacity_n, solve, part_of(progress, begin, begin + 0.5));
+        if (!statics) return tl::unexpected(statics.error());
+        tell_statics(layout.build, design.space, *statics, pack);
+    }
     pack.files.push_back(text_file("bricks/foams.mpd", ldraw_file(halves, design.object_name)));
     pack.files.push_back(text_file("bricks/parts.csv", parts_csv(counts)));
     pack.files.push_back(text_file("bricks/wanted.xml", wanted_xml(counts)));
