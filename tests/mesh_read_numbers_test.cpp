@@ -39,8 +39,8 @@ TEST(ReadNumbers, EveryDecimalIsRoundedAsTheCLibraryDoes) {
         Random random(static_cast<std::uint64_t>(seed));
         std::string word = random.chance(0.5) ? "-" : "";
         word += digits(random, random.integer(1, 18));
-        if (random.chance(0.8)) word += "." + digits(random, random.integer(0, 18));
-        if (random.chance(0.1)) word += "e" + std::to_string(random.integer(-40, 40));
+        if (random.chance(0.8)) word.append(".").append(digits(random, random.integer(0, 18)));
+        if (random.chance(0.1)) word.append("e").append(std::to_string(random.integer(-40, 40)));
         expect_as_the_c_library_reads_it(word);
     }
     for (const char* word :
