@@ -5,29 +5,17 @@
 #include <utility>
 #include <vector>
 
-#include "snug/base/box.h"
 #include "snug/base/text.h"
 #include "snug/fabricate/fit_test.h"
-#include "snug/fabricate/print_bed.h"
 #include "snug/fabricate/print_joints.h"
 #include "snug/fabricate/print_parts.h"
 #include "snug/fabricate/print_solid.h"
-#include "snug/fabricate/threemf.h"
+#include "snug/fabricate/print_things.h"
 
 namespace snug {
 namespace {
 
-constexpr std::size_t kMostParts = 1000;  // more are printed by nobody
-constexpr double kFitTestHeight = 3;      // mm
-constexpr Color kDowelGrey{150, 150, 150};
-
-/// Something to print, so many times.
-struct PrintThing {
-    std::string name;
-    Color color;
-    Solid solid;
-    int count = 1;
-};
+constexpr double kFitTestHeight = 3;  // mm
 
 struct PrintedHalf {
     std::vector<PrintThing> parts;
@@ -36,16 +24,6 @@ struct PrintedHalf {
     long long blocks = 0;
     std::string places;  ///< lines of print/parts.csv
 };
-
-std::string two_digits(std::size_t value) {
-    return (value < 10 ? "0" : "") + std::to_string(value);
-}
-
-Vec3d size_of(const Solid& solid) {
-    Box3d box;
-    for (const Vec3f v : solid.vertices) box.include(vec_cast<double>(v));
-    return box.max;
-}
 
 int greatest(const Grid<std::uint16_t>& heights) {
     return heights.size() == 0 ? 0 : *std::max_element(heights.begin(), heights.end());
@@ -63,16 +41,9 @@ std::string csv_line(const std::string& name, const PrintPart& part) {
 /// Where each part belongs, numbered from 1: levels from the half's floor, rows from BACK, columns from the
 /// left with the cavity facing the reader.
 PackFile parts_list(const std::string& lines) {
-    const std::string text =
-        "part,first_level,last_level,first_row,last_row,first_column,last_column,blocks\n" + lines;
-    const auto* data = reinterpret_cast<const std::byte*>(text.data());
-    return {"print/parts.csv", {data, data + text.size()}};
-}
-
-Error too_many_parts(Vec3d bed) {
-    return {ErrorKind::usage, "on a bed of " + dimensions(bed) + " mm the foams would come in more than " +
-                                  grouped(kMostParts) +
-                                  " parts; take a larger bed, or blocks that make a smoother foam"};
+    return text_file(
+        "print/parts.csv",
+        "part,first_level,last_level,first_row,last_row,first_column,last_column,blocks\n" + lines);
 }
 
 /// Cut apart and meshed; `name` stands before the numbers of its parts.
@@ -80,10 +51,9 @@ Result<PrintedHalf> printed_half(const Grid<std::uint16_t>& heights, Vec3d block
                                  const PrintOptions& options, bool lid, const std::string& name) {
     const PrintCuts cuts =
         print_cuts({greatest(heights), heights.ny(), heights.nz()}, block_mm, options.bed_mm);
-    if (1LL * cuts.pieces(0) * cuts.pieces(1) * cuts.pieces(2) > static_cast<long long>(kMostParts))
-        return tl::unexpected(too_many_parts(options.bed_mm));
+    if (auto few = check_part_count(cuts, options.bed_mm); !few) return tl::unexpected(few.error());
     const PrintLayout layout = print_layout(heights, cuts);
-    if (layout.parts.size() > kMostParts) return tl::unexpected(too_many_parts(options.bed_mm));
+    if (auto few = check_part_count(layout, options.bed_mm); !few) return tl::unexpected(few.error());
 
     PrintedHalf half;
     if (options.joint == PrintJoint::dowels) {
@@ -101,34 +71,6 @@ Result<PrintedHalf> printed_half(const Grid<std::uint16_t>& heights, Vec3d block
     return half;
 }
 
-/// One 3MF for each bed, "print/bed-01.3mf"; returns how many.
-std::size_t add_beds(const std::vector<PrintThing>& things, const PrintOptions& options,
-                     const std::string& title, const std::string& name, WorkshopPack& pack) {
-    std::vector<const PrintThing*> each;
-    std::vector<Vec3d> sizes;
-    for (const PrintThing& thing : things) {
-        each.insert(each.end(), static_cast<std::size_t>(thing.count), &thing);
-        sizes.insert(sizes.end(), static_cast<std::size_t>(thing.count), size_of(thing.solid));
-    }
-    const std::vector<BedPlace> places = places_on_beds(sizes, options.bed_mm);
-    std::vector<std::vector<ThreeMfItem>> beds;
-    for (std::size_t i = 0; i < each.size(); ++i) {
-        const auto bed = static_cast<std::size_t>(places[i].bed);
-        if (beds.size() <= bed) beds.resize(bed + 1);
-        beds[bed].push_back({each[i]->name, each[i]->color, &each[i]->solid, {places[i].x, places[i].y, 0}});
-    }
-    for (std::size_t bed = 0; bed < beds.size(); ++bed)
-        pack.containers.push_back(
-            three_mf("print/" + name + "-" + two_digits(bed + 1) + ".3mf", title, beds[bed]));
-    return beds.size();
-}
-
-void add_stls(const std::vector<PrintThing>& things, WorkshopPack& pack) {
-    for (const PrintThing& thing : things)
-        pack.files.push_back({"print/" + thing.name + ".stl",
-                              write_stl(thing.solid.vertices, thing.solid.triangles, thing.name)});
-}
-
 /// The ring of the fit test, a flat piece seen as the lower foam is.
 Result<void> add_fit_test(const FoamDesign& design, const PrintOptions& options, WorkshopPack& pack) {
     const auto test = fit_test(design);
@@ -143,8 +85,8 @@ Result<void> add_fit_test(const FoamDesign& design, const PrintOptions& options,
     const auto ring = printed_half(heights, block, flat, false, "fit-test");
     if (!ring) return tl::unexpected(ring.error());
     if (ring->parts.empty()) return {};
-    add_beds(ring->parts, options, design.object_name + ": fit test", "fit-test", pack);
-    add_stls(ring->parts, pack);
+    add_beds(ring->parts, options.bed_mm, design.object_name + ": fit test", "print", "fit-test", pack);
+    add_stls(ring->parts, "print", pack);
     pack.figures.push_back({"Fit test", counted(ring->parts.size(), "flat part", "flat parts") + ", layer " +
                                             std::to_string(test->level + 1) + " from below"});
     return {};
@@ -159,15 +101,7 @@ void tell_findings(const PrintedHalf& lower, const PrintedHalf& lid, const Print
                                  "and the outer box",
                                  {}});
     const int without = lower.without_joint + lid.without_joint;
-    if (without == 0) return;
-    pack.findings.push_back(
-        {Severity::note,
-         "no_dowel",
-         "dowels of " + number(options.dowel_diameter_mm) + " x " + number(options.dowel_length_mm) +
-             " mm find too little foam around them where " +
-             counted(static_cast<unsigned long long>(without), "pair", "pairs") +
-             " of parts meet: glue them face to face, or take smaller dowels or a larger bed",
-         {}});
+    if (without > 0) pack.findings.push_back(no_dowel_finding(without, options, "foam"));
 }
 
 }  // namespace
@@ -189,9 +123,10 @@ Result<WorkshopPack> print_pack(const FoamDesign& design, const PrintOptions& op
     std::vector<PrintThing> things = lower->parts;
     things.insert(things.end(), lid->parts.begin(), lid->parts.end());
     const std::size_t bores = lower->bores.size() + lid->bores.size();
-    if (bores > 0) things.push_back({"dowel", kDowelGrey, dowel_solid(options), static_cast<int>(bores)});
-    const std::size_t beds = add_beds(things, options, design.object_name + ": foams", "bed", pack);
-    add_stls(things, pack);
+    add_dowels(bores, options, things);
+    const std::size_t beds =
+        add_beds(things, options.bed_mm, design.object_name + ": foams", "print", "bed", pack);
+    add_stls(things, "print", pack);
     pack.files.push_back(parts_list(lower->places + lid->places));
 
     const double litres = (static_cast<double>(lower->blocks + lid->blocks) * design.space.block_volume() -
@@ -199,9 +134,7 @@ Result<WorkshopPack> print_pack(const FoamDesign& design, const PrintOptions& op
                           1e-6;
     pack.figures.push_back({"Parts, lower", std::to_string(lower->parts.size())});
     pack.figures.push_back({"Parts, lid", std::to_string(lid->parts.size())});
-    if (bores > 0)
-        pack.figures.push_back({"Dowels", std::to_string(bores) + " of " + number(options.dowel_diameter_mm) +
-                                              " x " + number(options.dowel_length_mm) + " mm"});
+    if (bores > 0) pack.figures.push_back({"Dowels", dowels_text(bores, options)});
     pack.figures.push_back({"Beds to print", std::to_string(beds)});
     pack.material.pieces = static_cast<long long>(lower->parts.size() + lid->parts.size()) + bores;
     pack.material.litres = litres;  // printed solid

@@ -13,6 +13,7 @@ namespace snug {
 namespace {
 
 constexpr double kLeastWall = 2;       // mm of foam around a bore
+constexpr double kRounding = 1e-8;     // mm
 constexpr int kMostSamples = 48;       // of places along each side of a cut
 constexpr std::size_t kMostBores = 4;  // for two parts
 
@@ -35,9 +36,9 @@ std::vector<double> samples(double low, double high, double step) {
 
 class JointPlacer {
   public:
-    JointPlacer(const PrintLayout& layout, Vec3d block_mm, const PrintOptions& options)
+    JointPlacer(const PrintLayout& layout, const BlockLines& block_lines, const PrintOptions& options)
         : layout_(layout),
-          block_(block_mm),
+          block_lines_(block_lines),
           reach_(bore_corner_radius_mm(options) + kLeastWall),
           depth_(bore_depth_mm(options) + kLeastWall),
           step_(options.dowel_diameter_mm / 2),
@@ -57,7 +58,15 @@ class JointPlacer {
         return layout_.cuts.lines[static_cast<std::size_t>(axis)];
     }
     [[nodiscard]] double line_mm(int axis, int line) const {
-        return lines(axis)[static_cast<std::size_t>(line)] * block_[axis];
+        return block_lines_[static_cast<std::size_t>(axis)]
+                           [static_cast<std::size_t>(lines(axis)[static_cast<std::size_t>(line)])];
+    }
+
+    /// The block between two lines that a place lies in, from its first line onward; a line within `rounding`
+    /// of the place counts as being there.
+    [[nodiscard]] int block_at(int axis, double place, double rounding = 0) const {
+        const auto& all = block_lines_[static_cast<std::size_t>(axis)];
+        return static_cast<int>(std::upper_bound(all.begin(), all.end(), place + rounding) - all.begin()) - 1;
     }
 
     /// Every cut between pieces `piece` - 1 and `piece` along an axis.
@@ -125,7 +134,7 @@ class JointPlacer {
         const Grid<int>& parts = part_grid(piece);
         const auto column = [&](int axis, int count) {
             const int first = lines(axis)[static_cast<std::size_t>(piece[axis])];
-            return std::clamp(static_cast<int>(std::floor(at[axis] / block_[axis])) - first, 0, count - 1);
+            return std::clamp(block_at(axis, at[axis]) - first, 0, count - 1);
         };
         return parts(column(1, parts.ny()), column(2, parts.nz()));
     }
@@ -147,12 +156,8 @@ class JointPlacer {
     /// Whether the box is all foam of this part and takes no other bore's room.
     [[nodiscard]] bool holds(int index, const Box3d& box) const {
         const PrintPart& part = layout_.parts[static_cast<std::size_t>(index)];
-        const auto first = [&](int a) {
-            return static_cast<int>(std::floor(box.min[a] / block_[a] + 1e-9)) - part.first[a];
-        };
-        const auto end = [&](int a) {
-            return static_cast<int>(std::ceil(box.max[a] / block_[a] - 1e-9)) - part.first[a];
-        };
+        const auto first = [&](int a) { return block_at(a, box.min[a], kRounding) - part.first[a]; };
+        const auto end = [&](int a) { return block_at(a, box.max[a], -kRounding) + 1 - part.first[a]; };
         if (first(0) < 0) return false;
         const int top = end(0);
         for (int j = first(1); j < end(1); ++j)
@@ -193,7 +198,7 @@ class JointPlacer {
     }
 
     const PrintLayout& layout_;
-    Vec3d block_;
+    const BlockLines& block_lines_;
     double reach_, depth_, step_, spacing_;
     std::vector<std::vector<Box3d>> taken_;  // for each part
     Joints joints_;
@@ -216,8 +221,14 @@ double bore_volume_mm3(const PrintOptions& options) {
            bore_depth_mm(options);
 }
 
+Joints place_joints(const PrintLayout& layout, const BlockLines& lines, const PrintOptions& options) {
+    return JointPlacer(layout, lines, options).place();
+}
+
 Joints place_joints(const PrintLayout& layout, Vec3d block_mm, const PrintOptions& options) {
-    return JointPlacer(layout, block_mm, options).place();
+    const auto& cuts = layout.cuts.lines;
+    return place_joints(layout, block_lines({cuts[0].back(), cuts[1].back(), cuts[2].back()}, block_mm),
+                        options);
 }
 
 }  // namespace snug

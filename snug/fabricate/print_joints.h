@@ -33,6 +33,8 @@ struct Joints {
 
 /// Bores as far from each other as they can be, a few for each pair of parts that meet; none comes nearer
 /// than 2 mm to a face or to another bore.
+[[nodiscard]] Joints place_joints(const PrintLayout& layout, const BlockLines& lines,
+                                  const PrintOptions& options);
 [[nodiscard]] Joints place_joints(const PrintLayout& layout, Vec3d block_mm, const PrintOptions& options);
 
 }  // namespace snug

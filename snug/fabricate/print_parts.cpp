@@ -15,30 +15,43 @@ int blocks_within(double length_mm, double block_mm) {
     return static_cast<int>(std::min(std::floor(length_mm / block_mm + 1e-9), 1e6));
 }
 
-int pieces_of(int blocks, int most) {
-    return std::max(1, (blocks + most - 1) / most);
+/// The farthest line within `room` of line `from`; `from` itself where there is none.
+std::size_t farthest_line(const std::vector<double>& lines, std::size_t from, double room) {
+    std::size_t line = from;
+    while (line + 1 < lines.size() && lines[line + 1] - lines[from] <= room * (1 + 1e-9)) ++line;
+    return line;
 }
 
-std::vector<int> even_lines(int blocks, int most) {
-    const int pieces = pieces_of(blocks, most);
-    std::vector<int> lines;
-    for (int i = 0; i <= pieces; ++i) lines.push_back(static_cast<int>(std::int64_t{i} * blocks / pieces));
-    return lines;
+/// Pieces no longer than `room`, as long as they can be; none where two lines are farther apart.
+std::vector<int> longest_pieces(const std::vector<double>& lines, double room) {
+    std::vector<int> cuts{0};
+    for (std::size_t at = 0; at + 1 < lines.size();) {
+        const std::size_t next = farthest_line(lines, at, room);
+        if (next == at) return {};
+        cuts.push_back(static_cast<int>(at = next));
+    }
+    if (cuts.size() == 1) cuts.push_back(0);
+    return cuts;
 }
 
-/// What a piece has of a half: blocks above its floor, up to its top.
-Grid<std::uint16_t> piece_of(const Grid<std::uint16_t>& heights, Vec3i first, Vec3i end) {
-    Grid<std::uint16_t> piece(end.y - first.y, end.z - first.z);
-    for (int j = first.y; j < end.y; ++j)
-        for (int k = first.z; k < end.z; ++k)
-            piece(j - first.y, k - first.z) = static_cast<std::uint16_t>(
-                std::clamp(static_cast<int>(heights(j, k)), first.x, end.x) - first.x);
-    return piece;
+/// As many pieces, about equally long if they find room so.
+std::vector<int> evened(const std::vector<int>& longest, const std::vector<double>& lines, double room) {
+    const int pieces = static_cast<int>(longest.size()) - 1;
+    std::vector<int> cuts{0};
+    for (int i = 1; i <= pieces; ++i) {
+        const double end = lines.back() * i / pieces;
+        const auto from = static_cast<std::size_t>(cuts.back());
+        const auto line =
+            static_cast<int>(std::upper_bound(lines.begin(), lines.end(), end * (1 + 1e-9)) - lines.begin()) -
+            1;
+        if (line == cuts.back() || line > static_cast<int>(farthest_line(lines, from, room))) return longest;
+        cuts.push_back(line);
+    }
+    return cuts;
 }
 
-/// The columns that are joined to (j, k) by sides, marked in `part_at`.
-std::vector<Column> joined_columns(const Grid<std::uint16_t>& piece, Grid<int>& part_at, int j, int k,
-                                   int part) {
+/// Gives (j, k) and the columns that are joined to it by sides the number of their part.
+void fill_part(const Grid<std::uint16_t>& piece, int j, int k, int part, Grid<int>& part_at) {
     std::vector<Column> columns{{j, k}};
     part_at(j, k) = part;
     for (std::size_t next = 0; next < columns.size(); ++next) {
@@ -50,7 +63,15 @@ std::vector<Column> joined_columns(const Grid<std::uint16_t>& piece, Grid<int>& 
             columns.push_back({j2, k2});
         }
     }
-    return columns;
+}
+
+Grid<int> parts_by_sides(const Grid<std::uint16_t>& piece) {
+    Grid<int> part_at(piece.ny(), piece.nz(), -1);
+    int parts = 0;
+    for (int j = 0; j < piece.ny(); ++j)
+        for (int k = 0; k < piece.nz(); ++k)
+            if (piece(j, k) > 0 && part_at(j, k) < 0) fill_part(piece, j, k, parts++, part_at);
+    return part_at;
 }
 
 PrintPart part_of(const Grid<std::uint16_t>& piece, const std::vector<Column>& columns, Vec3i first,
@@ -67,16 +88,21 @@ PrintPart part_of(const Grid<std::uint16_t>& piece, const std::vector<Column>& c
     return part;
 }
 
-void add_parts(const Grid<std::uint16_t>& heights, Vec3i first, Vec3i end, PrintLayout& layout) {
+void add_parts(const Grid<std::uint16_t>& heights, Vec3i first, Vec3i end, const PiecePartition& partition,
+               PrintLayout& layout) {
     const Grid<std::uint16_t> piece = piece_of(heights, first, end);
-    const int tile = static_cast<int>(layout.part_at.size());
-    Grid<int> part_at(piece.ny(), piece.nz(), -1);
+    const int tile = static_cast<int>(layout.part_at.size()), before = static_cast<int>(layout.parts.size());
+    Grid<int> part_at = partition ? partition(tile, piece) : parts_by_sides(piece);
+    std::vector<std::vector<Column>> columns;
     for (int j = 0; j < piece.ny(); ++j)
         for (int k = 0; k < piece.nz(); ++k) {
-            if (piece(j, k) == 0 || part_at(j, k) >= 0) continue;
-            const auto columns = joined_columns(piece, part_at, j, k, static_cast<int>(layout.parts.size()));
-            layout.parts.push_back(part_of(piece, columns, first, tile));
+            int& part = part_at(j, k);
+            if (part < 0) continue;
+            columns.resize(std::max(columns.size(), static_cast<std::size_t>(part) + 1));
+            columns[static_cast<std::size_t>(part)].push_back({j, k});
+            part += before;
         }
+    for (const auto& own : columns) layout.parts.push_back(part_of(piece, own, first, tile));
     layout.part_at.push_back(std::move(part_at));
 }
 
@@ -96,23 +122,42 @@ bool holds_block(Vec3d bed, Vec3d block) {
            ((fits(bed.x, block.z) && fits(bed.y, block.y)) || (fits(bed.x, block.y) && fits(bed.y, block.z)));
 }
 
-PrintCuts print_cuts(Vec3i blocks, Vec3d block, Vec3d bed) {
-    const Vec3i straight{0, blocks_within(bed.y, block.y), blocks_within(bed.x, block.z)};
-    const Vec3i turned{0, blocks_within(bed.x, block.y), blocks_within(bed.y, block.z)};
-    const auto pieces = [&](Vec3i most) {
-        return most.y == 0 || most.z == 0
-                   ? std::int64_t{1} << 60
-                   : std::int64_t{pieces_of(blocks.y, most.y)} * pieces_of(blocks.z, most.z);
+Grid<std::uint16_t> piece_of(const Grid<std::uint16_t>& heights, Vec3i first, Vec3i end) {
+    Grid<std::uint16_t> piece(end.y - first.y, end.z - first.z);
+    for (int j = first.y; j < end.y; ++j)
+        for (int k = first.z; k < end.z; ++k)
+            piece(j - first.y, k - first.z) = static_cast<std::uint16_t>(
+                std::clamp(static_cast<int>(heights(j, k)), first.x, end.x) - first.x);
+    return piece;
+}
+
+BlockLines block_lines(Vec3i blocks, Vec3d block_mm) {
+    BlockLines lines;
+    for (int axis = 0; axis < 3; ++axis)
+        for (int i = 0; i <= blocks[axis]; ++i)
+            lines[static_cast<std::size_t>(axis)].push_back(i * block_mm[axis]);
+    return lines;
+}
+
+PrintCuts print_cuts(const BlockLines& lines, Vec3d bed) {
+    const auto cut = [&](std::size_t axis, double room) { return longest_pieces(lines[axis], room); };
+    const auto pieces = [](const std::vector<int>& y, const std::vector<int>& z) {
+        return y.empty() || z.empty() ? std::size_t{1} << 60 : (y.size() - 1) * (z.size() - 1);
     };
     PrintCuts cuts;
-    cuts.turned = pieces(turned) < pieces(straight);
-    const Vec3i most = cuts.turned ? turned : straight;
-    cuts.lines = {even_lines(blocks.x, blocks_within(bed.z, block.x)), even_lines(blocks.y, most.y),
-                  even_lines(blocks.z, most.z)};
+    cuts.turned = pieces(cut(1, bed.x), cut(2, bed.y)) < pieces(cut(1, bed.y), cut(2, bed.x));
+    const double rooms[] = {bed.z, cuts.turned ? bed.x : bed.y, cuts.turned ? bed.y : bed.x};
+    for (std::size_t axis = 0; axis < 3; ++axis)
+        cuts.lines[axis] = evened(cut(axis, rooms[axis]), lines[axis], rooms[axis]);
     return cuts;
 }
 
-PrintLayout print_layout(const Grid<std::uint16_t>& heights, PrintCuts cuts) {
+PrintCuts print_cuts(Vec3i blocks, Vec3d block, Vec3d bed) {
+    return print_cuts(block_lines(blocks, block), bed);
+}
+
+PrintLayout print_layout(const Grid<std::uint16_t>& heights, PrintCuts cuts,
+                         const PiecePartition& partition) {
     PrintLayout layout;
     layout.cuts = std::move(cuts);
     const auto& lines = layout.cuts.lines;
@@ -120,7 +165,7 @@ PrintLayout print_layout(const Grid<std::uint16_t>& heights, PrintCuts cuts) {
         for (std::size_t j = 0; j + 1 < lines[1].size(); ++j)
             for (std::size_t k = 0; k + 1 < lines[2].size(); ++k)
                 add_parts(heights, {lines[0][l], lines[1][j], lines[2][k]},
-                          {lines[0][l + 1], lines[1][j + 1], lines[2][k + 1]}, layout);
+                          {lines[0][l + 1], lines[1][j + 1], lines[2][k + 1]}, partition, layout);
     return layout;
 }
 

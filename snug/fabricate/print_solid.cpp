@@ -142,13 +142,6 @@ class PartBuilder {
     Vec3d block_;
 };
 
-/// From levels, y, z to the bed. Levels, y and z are a mirror image of a lid's own coordinates and, put as
-/// z, y, x, of themselves: the lower foam's y is turned round, the lid's triangles are.
-Vec3d on_bed(Vec3d p, PrintPose pose) {
-    const Vec3d seen{p.z, pose.lid ? p.y : -p.y, p.x};
-    return pose.turned ? Vec3d{-seen.y, seen.x, seen.z} : seen;
-}
-
 Solid moved_to_corner(const std::vector<Vec3d>& points, std::vector<Triangle> triangles) {
     Box3d box;
     for (const Vec3d& p : points) box.include(p);

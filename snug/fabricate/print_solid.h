@@ -18,6 +18,14 @@ struct PrintPose {
     bool turned = false;
 };
 
+/// From levels, y, z to the bed. Levels, y and z are a mirror image of a lid's own coordinates and, put as z,
+/// y, x, of themselves: the lower foam's y is turned round, the lid's triangles must be.
+template <class T>
+[[nodiscard]] Vec3<T> on_bed(Vec3<T> p, PrintPose pose) {
+    const Vec3<T> seen{p.z, pose.lid ? p.y : -p.y, p.x};
+    return pose.turned ? Vec3<T>{-seen.y, seen.x, seen.z} : seen;
+}
+
 /// The part with its bores (of all that are given, those that touch it), as closed and outward as
 /// snug/fabricate/solid.h says, from the origin into the positive octant, z upwards, in mm. No booleans: the
 /// cut faces are triangulated around the bores.
