@@ -62,7 +62,7 @@ Result<WorkshopPack> pack_of(const FoamDesign& foams, const Object& object, cons
         case Workshop::mill:
             return mill_pack(foams, milled_object(object, packing, design), design.workshop.mill);
         case Workshop::mould:
-            return mould_pack(foams, design.workshop.mould, design.workshop.print);
+            return mould_pack(foams, design.workshop);
         case Workshop::none:
             break;
     }
