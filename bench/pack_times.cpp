@@ -72,14 +72,12 @@ json pack_time(const Design& chosen) {
 int main() {
     using namespace snug;
     nlohmann::json report = nlohmann::json::array();
-    for (const Workshop work : {Workshop::sponge, Workshop::sheets, Workshop::print})
+    for (const Workshop work : {Workshop::sponge, Workshop::sheets, Workshop::print, Workshop::mould})
         for (const int finer : {1, 10}) report.push_back(bench::pack_time(bench::finer_blocks(work, finer)));
     // Bricks without the linear program, which the library leaves to others; a mill's smooth contours.
     report.push_back(bench::pack_time(bench::other_blocks(Workshop::bricks, {30, 18, 18}, {9.6, 8, 8})));
     report.push_back(bench::pack_time(bench::other_blocks(Workshop::mill, {30, 18, 18}, {15, 15, 22})));
     report.push_back(bench::pack_time(bench::other_blocks(Workshop::mill, {60, 450, 400}, {5, 1, 1})));
-    report.push_back(bench::pack_time(bench::other_blocks(Workshop::mould, {30, 18, 18}, {15, 15, 22})));
-    report.push_back(bench::pack_time(bench::other_blocks(Workshop::mould, {30, 90, 80}, {5, 5, 5})));
     std::puts(report.dump(1).c_str());
     return 0;
 }

@@ -14,8 +14,8 @@
 #include "snug/fabricate/print_joints.h"
 #include "snug/fabricate/print_parts.h"
 
-#include "tests/support/closedness.h"
 #include "tests/support/print_design.h"
+#include "tests/support/printed_checks.h"
 #include "tests/support/printed_files.h"
 
 namespace snug {
@@ -27,29 +27,6 @@ const PackContainer* find(const WorkshopPack& pack, const std::string& name) {
     for (const PackContainer& container : pack.containers)
         if (container.name == name) return &container;
     return nullptr;
-}
-
-void expect_closed(const test::PrintedItem& item) {
-    EXPECT_TRUE(test::every_edge_has_two_triangles(item.triangles)) << item.name;
-    EXPECT_TRUE(test::closed_when_welded(item.vertices, item.triangles)) << item.name;
-    EXPECT_GT(test::signed_volume(item.vertices, item.triangles), 0) << item.name;
-}
-
-void expect_on_bed(const std::vector<test::PrintedItem>& items, Vec3d bed) {
-    for (const test::PrintedItem& item : items) {
-        const Box3d box = test::bounds_of(item);
-        EXPECT_NEAR(box.min.z, 0, 1e-6) << item.name;
-        for (int axis = 0; axis < 3; ++axis) {
-            EXPECT_GE(box.min[axis], 0) << item.name;
-            EXPECT_LE(box.max[axis], bed[axis] + 1e-3) << item.name;
-        }
-        for (const test::PrintedItem& other : items) {
-            if (&item == &other) continue;
-            const Box3d b = test::bounds_of(other);
-            EXPECT_TRUE(box.max.x + 4.9 < b.min.x || b.max.x + 4.9 < box.min.x || box.max.y + 4.9 < b.min.y ||
-                        b.max.y + 4.9 < box.min.y);
-        }
-    }
 }
 
 /// Where a lattice point of a half (levels from its floor, j and k, in mm) lies on the bed by design.md.
@@ -88,8 +65,8 @@ TEST(PrintPack, AnLIsNotMirroredInEitherHalf) {
     ASSERT_EQ(items.size(), 2u);
     EXPECT_EQ(items[0].name, "lower-01");
     EXPECT_EQ(items[1].name, "lid-01");
-    expect_on_bed(items, PrintOptions{}.bed_mm);
-    for (const auto& item : items) expect_closed(item);
+    test::expect_on_bed(items, PrintOptions{}.bed_mm);
+    for (const auto& item : items) test::expect_closed(item);
     expect_blocks(items[0], design.foams.lower, space, false);
     expect_blocks(items[1], design.foams.upper, space, true);
 }
@@ -118,10 +95,10 @@ TEST(PrintPack, AnyFoamOnAnyBedIsClosedOnTheBedAndWhole) {
         for (const PackContainer& container : pack->containers) {
             if (container.name.find("bed-") == std::string::npos) continue;
             auto items = test::read_printed(container);
-            expect_on_bed(items, options.bed_mm);
+            test::expect_on_bed(items, options.bed_mm);
             all.insert(all.end(), items.begin(), items.end());
         }
-        for (const auto& item : all) expect_closed(item);
+        for (const auto& item : all) test::expect_closed(item);
         const auto dowels =
             std::count_if(all.begin(), all.end(), [](const auto& i) { return i.name == "dowel"; });
         const auto blocks = [](const Heights& h) { return std::accumulate(h.begin(), h.end(), 0); };
@@ -227,7 +204,7 @@ TEST(PrintPack, TheFitTestIsAFlatClosedRing) {
     ASSERT_NE(test, nullptr);
     const auto items = test::read_printed(*test);
     ASSERT_EQ(items.size(), 1u);
-    expect_closed(items[0]);
+    test::expect_closed(items[0]);
     EXPECT_NEAR(test::bounds_of(items[0]).max.z, 3, 1e-5);
     // Two cells around an opening of 4 x 3.
     EXPECT_NEAR(test::signed_volume(items[0].vertices, items[0].triangles), (8 * 7 - 4 * 3) * 300, 1);

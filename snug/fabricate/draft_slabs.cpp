@@ -54,15 +54,16 @@ PlanRegion closed_to_sides(const PlanRegion& region, int reach, const PlanBox& b
     }
     for (const auto& [side, end] :
          {std::pair{box.least.y, box.least.y + reach}, std::pair{box.greatest.y - reach, box.greatest.y}}) {
-        // Whatever lies near the side spreads to it: from one y to the side along z as it is.
+        // Whatever lies near the side spreads to it.
+        const bool least = side == box.least.y;
         const PlanRegion near = common(result, region_of({{side, box.least.z}, {end, box.greatest.z}}));
-        for (const PlanBand& band : near.bands)
-            for (const PlanSpan& span : band.spans) {
-                const bool least = side == box.least.y;
-                PlanRegion strip;
-                strip.append(least ? side : band.begin, least ? band.end : end, {span});
-                result = united(result, strip);
-            }
+        PlanRegion strips;
+        for (const PlanBand& band : near.bands) {
+            PlanRegion strip;
+            strip.append(least ? side : band.begin, least ? band.end : end, band.spans);
+            strips = united(strips, strip);
+        }
+        result = united(result, strips);
     }
     return result;
 }
@@ -77,12 +78,18 @@ PlanPoint outward(const std::vector<OutlineCorner>& corners, const OutlineCorner
     return {sign(at.y - before.y + at.y - after.y), sign(at.z - before.z + at.z - after.z)};
 }
 
+PlanRegion all_of(std::span<const PlanBox> boxes) {
+    if (boxes.empty()) return {};
+    if (boxes.size() == 1) return region_of(widened(boxes[0], kLeastBridge));
+    const std::size_t half = boxes.size() / 2;
+    return united(all_of(boxes.first(half)), all_of(boxes.subspan(half)));
+}
+
 /// Adds the boxes, widened, as far as they lie within `within`; false if there are none.
 bool bridged(PlanRegion& region, const std::vector<PlanBox>& gaps, const PlanBox& within) {
-    PlanRegion bridges;
-    for (const PlanBox& gap : gaps) bridges = united(bridges, region_of(widened(gap, kLeastBridge)));
-    region = united(region, common(bridges, region_of(within)));
-    return !gaps.empty();
+    if (gaps.empty()) return false;
+    region = united(region, common(all_of(gaps), region_of(within)));
+    return true;
 }
 
 /// Joins what meets in a point only. True if there was something.
