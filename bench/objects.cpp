@@ -20,17 +20,6 @@ namespace {
 constexpr double kNoise = 0.05;  // mm at kDiagonal
 constexpr std::uint64_t kSeed = 2503;
 
-std::optional<Mesh> model(const std::string& file_name) {
-    const char* models = std::getenv("SNUG_MODELS");
-    const std::string folder = models ? models : SNUG_SOURCE_DIR "/../shared/models";
-    std::ifstream file(folder + "/" + file_name, std::ios::binary);
-    const std::string text((std::istreambuf_iterator<char>(file)), {});
-    if (text.empty()) return {};
-    auto mesh = read_mesh(std::as_bytes(std::span(text)), file_name);
-    if (!mesh) return {};
-    return std::move(*mesh);
-}
-
 struct Source {
     const char* file;
     const char* instead;  ///< a sample
@@ -39,7 +28,7 @@ struct Source {
 
 NamedMesh made(const Source& source) {
     NamedMesh object;
-    auto mesh = model(source.file);
+    auto mesh = shared_model(source.file);
     object.name =
         mesh ? std::string(source.file).substr(0, std::string(source.file).find('.')) : source.instead;
     object.mesh = mesh ? std::move(*mesh) : *sample(source.instead);
@@ -54,6 +43,17 @@ NamedMesh made(const Source& source) {
 }
 
 }  // namespace
+
+std::optional<Mesh> shared_model(const std::string& file_name) {
+    const char* models = std::getenv("SNUG_MODELS");
+    const std::string folder = models ? models : SNUG_SOURCE_DIR "/../shared/models";
+    std::ifstream file(folder + "/" + file_name, std::ios::binary);
+    const std::string text((std::istreambuf_iterator<char>(file)), {});
+    if (text.empty()) return {};
+    auto mesh = read_mesh(std::as_bytes(std::span(text)), file_name);
+    if (!mesh) return {};
+    return std::move(*mesh);
+}
 
 std::vector<NamedMesh> objects() {
     const Source sources[] = {{"cow.obj", "vase", 0},

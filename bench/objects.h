@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,9 @@ struct NamedMesh {
     std::string name;
     Mesh mesh;  ///< in mm, of a diagonal of kDiagonal
 };
+
+/// A file of ../shared/models, or of the folder that SNUG_MODELS names; none where it is absent.
+[[nodiscard]] std::optional<Mesh> shared_model(const std::string& file_name);
 
 constexpr double kDiagonal = 240;  // mm
 

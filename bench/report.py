@@ -105,6 +105,54 @@ def packs_table(packs):
                  [[run["pack"], cube(run["blocks"]), spread(run["time"]), run["files"], run["pages"]] for run in packs])
 
 
+def median(values):
+    return sorted(values)[len(values) // 2]
+
+
+def share(value):
+    return f"{100 * value:.2g} %"
+
+
+def strength(runs, load):
+    """The median over the layouts of what a load case takes of the weakest joint."""
+    each = [run["loads"][load] for run in runs]
+    loose = [one for one in each if "loose" in one]
+    if loose:
+        return f"loose in {len(loose)} of {len(each)}" if len(each) > 1 else "loose"
+    return share(median([one["used"] for one in each])) if all("used" in one for one in each) else "—"
+
+
+def brick_rows(runs):
+    return [median([run["bricks"] for run in runs]), max(run["pieces"] for run in runs),
+            median([run["articulations"] for run in runs]), strength(runs, 0), strength(runs, 1),
+            ms(median([run["ms"] for run in runs]))]
+
+
+def bricks_table(layouts):
+    header = ["object", "blocks", "half", "layout", "bricks", "pieces", "articulation bricks", "lifted",
+              "turned over", "ms"]
+    rows = []
+    for thing in layouts:
+        for half in thing["halves"]:
+            place = [thing["object"], cube(thing["blocks"]), half["half"]]
+            mark = "" if half["exact"] else " †"
+            for name, runs in (("random merge", half["random"]), ("Snug", [half["snug"]])):
+                row = brick_rows(runs)
+                rows.append(place + [name] + row[:3] + [cell + mark for cell in row[3:5]] + row[5:])
+    return table(header, rows)
+
+
+def checks_table(checks):
+    rows = []
+    for check in checks:
+        for one in check["loads"]:
+            program = "program_ms" in one
+            rows.append([f"{check['bricks']:,}".replace(",", " "), one["load"], f"{one['springs_ms']:.0f}",
+                         share(one["springs_used"]), f"{one['rows']} × {one['columns']}" if program else "—",
+                         f"{one['program_ms']:.0f}" if program else "—", share(one["program_used"]) if program else "—"])
+    return table(["bricks", "load case", "springs, ms", "at most", "rows × columns", "linear programme, ms", "exactly"], rows)
+
+
 def large_table(large):
     rows = []
     for ending, run in large.items():
@@ -152,6 +200,14 @@ def main():
     if packs:
         parts += ["## Packs for the workshop", "The camera, in the library: drawings, solids and their files, without PDF "
                   "and zip.", packs_table(packs)]
+    bricks = load("bricks.json")
+    if bricks:
+        parts += ["## Bricks", "Luo et al.'s random merge (the median of five seeds, of pieces the most) beside our layout, "
+                  "both of Luo's bricks, blocks of one brick; what the weakest joint needs of what its studs hold (0.7 N a "
+                  "contact point) when a half is lifted by its rim and when it lies on it: exactly, by the linear programme, "
+                  "or, where marked †, at most, by the springs.", bricks_table(bricks["layouts"]),
+                  "How long it takes to know that a block with a bowl in it holds: by springs, which stop at a tenth of the "
+                  "capacity, and by the linear programme, which gives the least.", checks_table(bricks["checks"])]
     large = load("large.json")
     if large:
         parts += ["## Scans that do not fit in memory", "Read in pieces, two passes on two threads, from the start of the "
