@@ -67,8 +67,9 @@ bool begins_inside(const PointLoop& loop, std::size_t i, const LoopPoint& p) {
     return turn(before, at, after) > 0 ? left_of_after && left_of_before : left_of_after || left_of_before;
 }
 
-/// Makes one loop of an outer one and a hole, joined by the shortest way that meets neither nor other holes.
-void join_hole(PointLoop& outer, const PointLoop& hole, const std::vector<const PointLoop*>& others) {
+/// Makes one loop of an outer one and a hole, joined by the shortest way that meets neither nor other holes;
+/// false where others stand in every way.
+bool join_hole(PointLoop& outer, const PointLoop& hole, const std::vector<const PointLoop*>& others) {
     std::vector<std::pair<Signed, std::pair<std::size_t, std::size_t>>> ways;
     for (std::size_t h = 0; h < hole.size(); ++h)
         for (std::size_t i = 0; i < outer.size(); ++i) {
@@ -87,7 +88,22 @@ void join_hole(PointLoop& outer, const PointLoop& hole, const std::vector<const 
         for (std::size_t n = 0; n <= hole.size(); ++n) bridge.push_back(hole[(h + n) % hole.size()]);
         bridge.push_back(from);
         outer.insert(outer.begin() + static_cast<std::ptrdiff_t>(i) + 1, bridge.begin(), bridge.end());
-        return;
+        return true;
+    }
+    return false;
+}
+
+/// Joins holes until none is left: there is always one that no other hides.
+void join_holes(PointLoop& outer, std::vector<const PointLoop*> holes) {
+    for (std::size_t hidden = 0; hidden < holes.size();) {
+        const PointLoop* hole = holes.back();
+        holes.pop_back();
+        if (join_hole(outer, *hole, holes)) {
+            hidden = 0;
+        } else {
+            holes.insert(holes.begin(), hole);
+            ++hidden;
+        }
     }
 }
 
@@ -129,11 +145,7 @@ void triangulate_loops(const std::vector<PointLoop>& loops, std::vector<Triangle
         for (const PointLoop* hole : holes)
             if (inside(loop, hole->front())) own.push_back(hole);
         PointLoop whole = loop;
-        while (!own.empty()) {
-            const PointLoop* hole = own.back();
-            own.pop_back();
-            join_hole(whole, *hole, own);
-        }
+        join_holes(whole, std::move(own));
         clip_ears(std::move(whole), triangles);
     }
 }
