@@ -92,9 +92,9 @@ void tell_round_corners(const MillPlans& plans, const MillOptions& options, Work
         overcut += plan.relief.overcut_mm3;
         left += plan.relief.left_mm3;
     }
-    const std::string litres = number(overcut * 1e-6, 3) + " litres";
-    pack.figures.push_back(
-        {"Extra gap in corners", overcut > 0 ? "up to " + number(widest, 1) + " mm, " + litres : "none"});
+    const auto cm3 = [](double mm3) { return number(mm3 * 1e-3, 1) + " cm3"; };
+    pack.figures.push_back({"Extra gap in corners",
+                            overcut > 0 ? "up to " + number(widest, 1) + " mm, " + cm3(overcut) : "none"});
     if (overcut <= 0 && left <= 0) return;
     pack.findings.push_back({Severity::note,
                              "round_corners",
