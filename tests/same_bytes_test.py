@@ -22,7 +22,7 @@ SAMPLE_CASES = [
     ("vase", ["--for", "sponge", "--paper", "letter", "--mass", "2"]),
     ("camera", ["--for", "sheets", "--kerf", "0.2", "--price", "0.8EUR"]),
     ("torus", ["--for", "print", "--block-size", "5x5x5", "--bed", "180x180x180"]),
-    ("vase", ["--for", "bricks", "--longest", "90", "--brick-rim", "tiles"]),
+    ("vase", ["--for", "bricks", "--longest", "120"]),
     ("camera", ["--for", "mill", "--longest", "90", "--rotate", "10,20,30", "--flute", "100"]),
     ("vase", ["--for", "mould", "--bed", "180x180x90", "--draft", "3"]),
     ("figurine", ["--blocks", "90x54x54", "--block-size", "5x5x7.3", "--cut-on-touch", "--parting", "40"]),
