@@ -17,11 +17,6 @@
 namespace snug {
 namespace {
 
-PackFile text_file(std::string name, const std::string& text) {
-    const auto bytes = std::as_bytes(std::span(text));
-    return {std::move(name), {bytes.begin(), bytes.end()}};
-}
-
 std::string half_name(Half half) {
     return half == Half::lower ? "lower half" : "lid";
 }

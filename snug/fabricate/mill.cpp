@@ -14,11 +14,6 @@
 namespace snug {
 namespace {
 
-PackFile text_file(std::string name, const std::string& text) {
-    const auto bytes = std::as_bytes(std::span(text));
-    return {std::move(name), {bytes.begin(), bytes.end()}};
-}
-
 std::vector<std::string> remarks(const MillPlan& plan, const MillOptions& options) {
     const Vec2d size = plan.field.size_mm();
     return {
@@ -102,7 +97,7 @@ void tell_round_corners(const MillPlans& plans, const MillOptions& options, Work
                                  number(left * 1e-6, 3) +
                                  " litres of foam in inside corners where the object does not reach" +
                                  (overcut > 0 ? ", and where it does takes up to " + number(widest, 1) +
-                                                    " mm (" + litres + ") more than the blocks"
+                                                    " mm (" + cm3(overcut) + ") more than the blocks"
                                               : "") +
                                  "; a thinner cutter makes both less",
                              {}});

@@ -47,7 +47,7 @@ class PathBuilder {
     }
 
     /// There and back; or down from above, step by step.
-    void relieve(const CentreLines& lines, const Relief& relief) {
+    void relieve(const CentreLines& lines, const MillRelief& relief) {
         if (relief.from) {
             reach(lines, *relief.from);
             feed({relief.at.x, relief.at.y, at_.z});
@@ -129,10 +129,10 @@ class PathBuilder {
 };
 
 /// Ways there and back as lines, so that they are put into the order of the others.
-std::vector<Relief> in_order(std::vector<Relief> reliefs, double reach) {
+std::vector<MillRelief> in_order(std::vector<MillRelief> reliefs, double reach) {
     std::vector<CutLine> starts;
-    for (const Relief& relief : reliefs) starts.push_back({relief.from.value_or(relief.at), relief.at});
-    std::vector<Relief> ordered;
+    for (const MillRelief& relief : reliefs) starts.push_back({relief.from.value_or(relief.at), relief.at});
+    std::vector<MillRelief> ordered;
     for (const std::size_t i : nearest_first_order(starts, {0, 0}, reach)) ordered.push_back(reliefs[i]);
     return ordered;
 }
@@ -140,7 +140,7 @@ std::vector<Relief> in_order(std::vector<Relief> reliefs, double reach) {
 }  // namespace
 
 MillPath mill_path(const MillField& field, const std::vector<LevelPass>& passes,
-                   const std::vector<Relief>& reliefs, const std::vector<MillPin>& pins,
+                   const std::vector<MillRelief>& reliefs, const std::vector<MillPin>& pins,
                    const MillOptions& options) {
     PathBuilder builder(field, options);
     for (const MillPin& pin : pins) builder.drill(pin);
@@ -148,18 +148,18 @@ MillPath mill_path(const MillField& field, const std::vector<LevelPass>& passes,
         const CentreLines lines(field, pass.level, options.cutter_mm / 2);
         builder.cut(lines, pass.fill);
         builder.cut(lines, pass.walls);
-        std::vector<Relief> here;
+        std::vector<MillRelief> here;
         std::copy_if(reliefs.begin(), reliefs.end(), std::back_inserter(here),
-                     [&](const Relief& each) { return each.from && each.level == pass.level; });
-        for (const Relief& relief : in_order(std::move(here), options.cutter_mm))
+                     [&](const MillRelief& each) { return each.from && each.level == pass.level; });
+        for (const MillRelief& relief : in_order(std::move(here), options.cutter_mm))
             builder.relieve(lines, relief);
         ++builder.path().levels;
         if (builder.full()) break;
     }
-    std::vector<Relief> from_above;
+    std::vector<MillRelief> from_above;
     std::copy_if(reliefs.begin(), reliefs.end(), std::back_inserter(from_above),
-                 [](const Relief& each) { return !each.from; });
-    for (const Relief& relief : in_order(std::move(from_above), options.cutter_mm)) {
+                 [](const MillRelief& each) { return !each.from; });
+    for (const MillRelief& relief : in_order(std::move(from_above), options.cutter_mm)) {
         if (builder.full()) break;
         builder.relieve(CentreLines(field, field.top, options.cutter_mm / 2), relief);
     }

@@ -37,7 +37,7 @@ constexpr std::size_t kMostMoves = 2'000'000;
 /// lines are joined where the cutter can go straight without leaving the pocket; everything else goes over
 /// the safe height.
 [[nodiscard]] MillPath mill_path(const MillField& field, const std::vector<LevelPass>& passes,
-                                 const std::vector<Relief>& reliefs, const std::vector<MillPin>& pins,
+                                 const std::vector<MillRelief>& reliefs, const std::vector<MillPin>& pins,
                                  const MillOptions& options);
 
 }  // namespace snug

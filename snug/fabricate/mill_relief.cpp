@@ -124,7 +124,7 @@ class Reliever {
     /// Takes the foam in this cell down to the level.
     void take(const Violation& violation) {
         const Vec2d at = cheapest_place(violation);
-        Relief relief{at, violation.allowed, near_.nearest(at, violation.allowed)};
+        MillRelief relief{at, violation.allowed, near_.nearest(at, violation.allowed)};
         if (relief.from && length(*relief.from - at) > kShortWay * radius_) relief.from.reset();
         const CutLine way{relief.from.value_or(at), at};
         stock_.cut(way, violation.allowed);

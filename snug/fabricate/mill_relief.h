@@ -9,7 +9,7 @@ namespace snug {
 
 /// A place beyond the pockets' walls that the cutter goes to, so that it takes foam away that it would leave
 /// in an inside corner or a narrow place.
-struct Relief {
+struct MillRelief {
     Vec2d at;
     int level = 0;
     std::optional<Vec2d> from;  ///< on a line of that level; none: straight down from above
@@ -17,7 +17,7 @@ struct Relief {
 
 /// What all of it together does.
 struct ReliefReport {
-    std::vector<Relief> reliefs;
+    std::vector<MillRelief> reliefs;
     double widest_mm = 0;    ///< that it goes beyond a wall
     double overcut_mm3 = 0;  ///< of foam that the blocks would keep
     double left_mm3 = 0;     ///< of foam that stays in corners, where the object does not reach

@@ -88,9 +88,4 @@ void add_stls(const std::vector<PrintThing>& things, const std::string& folder, 
                               write_stl(thing.solid.vertices, thing.solid.triangles, thing.name)});
 }
 
-PackFile text_file(std::string name, const std::string& text) {
-    const auto* data = reinterpret_cast<const std::byte*>(text.data());
-    return {std::move(name), {data, data + text.size()}};
-}
-
 }  // namespace snug

@@ -44,6 +44,4 @@ std::size_t add_beds(const std::vector<PrintThing>& things, Vec3d bed_mm, const 
 /// One STL for each thing, "folder/lower-01.stl".
 void add_stls(const std::vector<PrintThing>& things, const std::string& folder, WorkshopPack& pack);
 
-[[nodiscard]] PackFile text_file(std::string name, const std::string& text);
-
 }  // namespace snug

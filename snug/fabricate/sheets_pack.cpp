@@ -21,15 +21,10 @@
 namespace snug {
 namespace {
 
-FileBytes bytes_of(const std::string& text) {
-    const auto bytes = std::as_bytes(std::span(text));
-    return {bytes.begin(), bytes.end()};
-}
-
 void add_drawing(WorkshopPack& pack, const std::string& name, const Drawing& drawing,
                  const SheetOptions& options) {
-    if (options.svg) pack.files.push_back({name + ".svg", bytes_of(drawing_svg(drawing))});
-    if (options.dxf) pack.files.push_back({name + ".dxf", bytes_of(drawing_dxf(drawing))});
+    if (options.svg) pack.files.push_back(text_file(name + ".svg", drawing_svg(drawing)));
+    if (options.dxf) pack.files.push_back(text_file(name + ".dxf", drawing_dxf(drawing)));
 }
 
 /// Both halves, and where their dowels go.
@@ -140,7 +135,7 @@ void add_stock_files(WorkshopPack& pack, const AllPieces& all, const Nesting& ne
                                   " mm thick, lengths in mm";
         add_drawing(pack, stock_name(stock), stock_drawing(all.cuts, nesting, stock, title), options);
     }
-    pack.files.push_back({"sheets/index.csv", bytes_of(index_csv(all, nesting))});
+    pack.files.push_back(text_file("sheets/index.csv", index_csv(all, nesting)));
 }
 
 }  // namespace

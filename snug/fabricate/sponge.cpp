@@ -30,9 +30,7 @@ std::string map_name(const PluckPlan& plan, const LayerRun& run) {
 }
 
 PackFile svg_file(std::string name, const Drawing& drawing) {
-    const std::string text = drawing_svg(drawing);
-    const auto* data = reinterpret_cast<const std::byte*>(text.data());
-    return {std::move(name), {data, data + text.size()}};
+    return text_file(std::move(name), drawing_svg(drawing));
 }
 
 /// The maps in the order of work: the fit test, then each half from its cavity's side.

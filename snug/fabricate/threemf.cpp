@@ -27,11 +27,6 @@ constexpr std::string_view kRelationships =
     "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/>\n"
     "</Relationships>\n";
 
-PackFile member(std::string name, std::string_view text) {
-    const auto* data = reinterpret_cast<const std::byte*>(text.data());
-    return {std::move(name), {data, data + text.size()}};
-}
-
 bool same(Color a, Color b) {
     return a.red == b.red && a.green == b.green && a.blue == b.blue;
 }
@@ -107,9 +102,9 @@ std::string model(const std::string& title, std::span<const ThreeMfItem> items) 
 PackContainer three_mf(std::string file_name, const std::string& title, std::span<const ThreeMfItem> items) {
     const std::string declaration(kDeclaration);
     return {std::move(file_name),
-            {member("[Content_Types].xml", declaration + std::string(kContentTypes)),
-             member("_rels/.rels", declaration + std::string(kRelationships)),
-             member("3D/3dmodel.model", model(title, items))}};
+            {text_file("[Content_Types].xml", declaration + std::string(kContentTypes)),
+             text_file("_rels/.rels", declaration + std::string(kRelationships)),
+             text_file("3D/3dmodel.model", model(title, items))}};
 }
 
 }  // namespace snug

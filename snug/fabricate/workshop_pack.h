@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "snug/fabricate/drawing.h"
@@ -29,6 +30,8 @@ struct PackFile {
     std::string name;
     FileBytes bytes;
 };
+
+[[nodiscard]] PackFile text_file(std::string name, std::string_view text);
 
 /// A zip file in the making: 3MF. The writer around the library packs it.
 struct PackContainer {
