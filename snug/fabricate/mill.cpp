@@ -93,9 +93,8 @@ void tell_round_corners(const MillPlans& plans, const MillOptions& options, Work
     if (overcut <= 0 && left <= 0) return;
     pack.findings.push_back({Severity::note,
                              "round_corners",
-                             "a round cutter of " + number(options.cutter_mm) + " mm leaves " +
-                                 number(left * 1e-6, 3) +
-                                 " litres of foam in inside corners where the object does not reach" +
+                             "a round cutter of " + number(options.cutter_mm) + " mm leaves " + cm3(left) +
+                                 " of foam in inside corners where the object does not reach" +
                                  (overcut > 0 ? ", and where it does takes up to " + number(widest, 1) +
                                                     " mm (" + cm3(overcut) + ") more than the blocks"
                                               : "") +
