@@ -184,7 +184,7 @@ TEST(SlabSolid, BoresAreBlindHolesInFlatFaces) {
     for (int axis = 0; axis < 3; ++axis)
         for (const bool low : {false, true})
             for (const int at : {7000, 13000}) {
-                SlabBore bore{axis, low, 3000, {}};
+                SlabBore bore{{axis, low}, 3000, {}};
                 for (const auto& [u, v] :
                      {std::pair{0, 0}, std::pair{2000, 0}, std::pair{2000, 2000}, std::pair{0, 2000}}) {
                     Vec3i p{at + u, at + u, at + u};

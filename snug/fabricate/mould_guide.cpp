@@ -6,104 +6,17 @@
 #include <utility>
 
 #include "snug/base/text.h"
-#include "snug/fabricate/block_grid.h"
+#include "snug/fabricate/mould_picture.h"
 #include "snug/fabricate/page_builder.h"
-#include "snug/fabricate/svg.h"
-#include "snug/fabricate/text_lines.h"
 
 namespace snug {
 namespace {
 
 constexpr double kNumberIndent = 8;      // mm
-constexpr double kLeastNumberCell = 4;   // mm, cells that carry a number
-constexpr double kMostShare = 0.72;      // of a page's height for a mould
 constexpr std::size_t kMostListed = 60;  // parts in the guide's table; the rest are in parts.csv
 
 std::string litres(double mm3) {
     return number(mm3 * 1e-6, 2) + " litres";
-}
-
-/// One mould from above, as a grid that lies as the other half does with its cavity up.
-struct MouldPicture {
-    const MouldForm& form;
-    BlockGrid grid;
-    double scale = 1;  ///< of the page to the mould
-
-    MouldPicture(const MouldForm& in_form, Vec2d corner, Vec2d room) : form(in_form) {
-        const Vec3d size = form.size();
-        scale = std::min((room.x - 2 * kGridMargin) / size.z, (room.y - 2 * kGridMargin) / size.y);
-        grid.half = form.half == Half::lower ? Half::lid : Half::lower;
-        grid.rows = form.heights.ny() - 2 * form.margin;
-        grid.columns = form.heights.nz() - 2 * form.margin;
-        grid.cell = {column_mm() * scale, row_mm() * scale};
-        const Vec2d outer = Vec2d{size.z, size.y} * scale;
-        grid.corner = corner + Vec2d{(room.x - outer.x) / 2, kGridMargin} + Vec2d{wall(), wall()};
-    }
-    [[nodiscard]] double wall() const { return form.mm(1, form.margin) * scale; }
-    [[nodiscard]] double column_mm() const { return form.mm(2, form.margin + 1) - form.mm(2, form.margin); }
-    [[nodiscard]] double row_mm() const { return form.mm(1, form.margin + 1) - form.mm(1, form.margin); }
-    [[nodiscard]] double level_mm() const { return form.mm(0, 2) - form.mm(0, 1); }
-    /// Blocks that the core stands high.
-    [[nodiscard]] int core(int row, int column) const {
-        return form.heights(grid.row_from_back(row) + form.margin, column + form.margin) - 1;
-    }
-    [[nodiscard]] int highest() const { return form.pour_level - 1; }
-    /// A place in the assembled mould (to the right, to the back) on the page.
-    [[nodiscard]] Vec2d at(double x, double y) const {
-        return grid.corner - Vec2d{wall(), wall()} + Vec2d{x, form.size().y - y} * scale;
-    }
-};
-
-Color shade(const MouldPicture& picture, int core) {
-    if (core == 0) return kPaper;
-    const Color color = half_color(picture.form.half);
-    return mixed(mixed(color, kPaper, 0.8), mixed(color, {0, 0, 0}, 0.35),
-                 static_cast<double>(core) / picture.highest());
-}
-
-void draw_core(PageBuilder& page, const MouldPicture& picture) {
-    for (int core = 1; core <= picture.highest(); ++core)
-        draw_cells(
-            page, picture.grid, [&](int row, int column) { return picture.core(row, column) == core; },
-            shade(picture, core));
-    draw_grid(page, picture.grid);
-    draw_borders(page, picture.grid, [&](int row, int column) { return picture.core(row, column) > 0; },
-                 {kInk, 0.35, {}});
-    const Vec2d cell = picture.grid.cell;
-    if (std::min(cell.x, cell.y) < kLeastNumberCell) return;
-    const double height = std::min({kBodyText, cell.y * 0.5, cell.x * (picture.highest() > 9 ? 0.5 : 0.6)});
-    for (int row = 0; row < picture.grid.rows; ++row)
-        for (int column = 0; column < picture.grid.columns; ++column)
-            if (const int core = picture.core(row, column); core > 0)
-                page.text(picture.grid.middle(row, column) + Vec2d{0, height * 0.36}, std::to_string(core),
-                          {height, 2 * core > picture.highest() ? kPaper : kInk, false, TextAnchor::middle});
-}
-
-/// Where the mould is cut apart, with the numbers of the parts that stand on the table.
-void draw_parts(PageBuilder& page, const MouldPicture& picture, const Mould& mould) {
-    if (mould.made.parts.size() < 2) return;
-    for (std::size_t i = 0; i < mould.made.parts.size(); ++i) {
-        const MouldPart& part = mould.made.parts[i];
-        if (part.at_mm.z > 0) continue;
-        const Vec2d corner = picture.at(part.at_mm.x, part.at_mm.y + part.size_mm.y);
-        page.rectangle(corner, Vec2d{part.size_mm.x, part.size_mm.y} * picture.scale, {},
-                       Pen{kAlarm, 0.5, {2, 1}});
-        const double width = text_width(mould.names[i], kBodyText, true) + 2.4;
-        page.rectangle(corner + Vec2d{1.2, 1.2}, {width, kBodyText + 1.6}, kPaper, Pen{kAlarm, 0.2, {}});
-        page.text(corner + Vec2d{2.4, 1.6 + kBodyText}, mould.names[i], {kBodyText, kAlarm, true});
-    }
-}
-
-void draw_scale(PageBuilder& page, const MouldPicture& picture, Vec2d at) {
-    const int steps = std::min(picture.highest(), 8);
-    page.text(at + Vec2d{0, 3.6}, "Core above the floor", {kSmallText, kSoftInk});
-    for (int step = 0; step <= steps; ++step) {
-        const int core = steps == 0 ? 0 : (picture.highest() * step + steps / 2) / steps;
-        const Vec2d corner = at + Vec2d{32.0 + 14.0 * step, 0};
-        page.rectangle(corner, {14, 5}, shade(picture, core), Pen{kHairline, 0.15, {}});
-        page.text(corner + Vec2d{7, 8.4}, number(core * picture.level_mm(), 1) + (step == 0 ? " mm" : ""),
-                  {kSmallText, kSoftInk, false, TextAnchor::middle});
-    }
 }
 
 void list_parts(PageFlow& flow, const Mould& mould) {
@@ -134,28 +47,22 @@ std::vector<Drawing> mould_pages(const FoamDesign& design, const Mould& mould, V
                   design.object_name + " · from above, as it stands on the table · " +
                       dimensions({size.z, size.y, size.x}) + " mm · pour " + litres(mould.made.pour_mm3),
                   half_ink(mould.form.half));
-    const double height =
-        std::min(kMostShare * paper.y - 2 * kPageMargin, flow.width() * size.y / size.z + 2 * kGridMargin);
-    const Vec2d corner = flow.room(height);
-    const MouldPicture picture(mould.form, corner, {flow.width(), height});
-    PageBuilder& page = flow.page();
-    const Vec2d outer = picture.at(0, size.y);
-    page.rectangle(outer, Vec2d{size.z, size.y} * picture.scale, kHairline, Pen{kInk, 0.35, {}});
-    page.rectangle(picture.grid.corner, picture.grid.size(), kPaper);
-    draw_core(page, picture);
-    draw_edge(page, picture.grid);
-    draw_parts(page, picture, mould);
-    if (mould.made.parts.size() < 2) draw_names(page, picture.grid);
+    MouldPicture picture(mould.form, flow.width());
+    picture.move_to(flow.room(picture.height()), flow.width());
+    draw_mould(flow.page(), picture, mould);
     flow.space(3);
     const Vec2d scale = flow.room(12);
-    draw_scale(flow.page(), picture, scale);
-    flow.paragraph(
-        "The foam lies in it cavity down: the core makes the cavity, white is the foam's rim on the mould's "
-        "floor. "
-        "Numbers are the core's height in blocks of " +
-            number(picture.level_mm(), 2) + " mm; the black corner is column A1" +
-            (mould.form.margin > 1 ? ", where the mould has no rim." : "."),
-        {kBodyText, kSoftInk});
+    draw_core_scale(flow.page(), picture, scale);
+    flow.paragraph(std::string("The foam lies in it cavity down: the core makes the cavity, and where it is "
+                               "white the foam's rim lies on the "
+                               "mould's floor. ") +
+                       (picture.has_numbers() ? "Numbers are the core's height in blocks of " +
+                                                    number(picture.level_mm(), 2) + " mm. "
+                                              : "") +
+                       "The black corner is column A1" +
+                       (mould.form.margin > 1 ? ", where the mould has no rim. " : ". ") +
+                       "Leaning faces are not drawn.",
+                   {kBodyText, kSoftInk});
     list_parts(flow, mould);
     return flow.finish();
 }
@@ -208,7 +115,8 @@ std::vector<std::string> order_of_work(const std::vector<Mould>& moulds, const W
     steps.push_back(
         "Pull the foam straight up, loosening it along the walls first; or take the mould apart at its "
         "joints. "
-        "Turn it over sideways, like a page: it is the half, cavity up.");
+        "Turn it over from front to back: it is the half, cavity up; BACK now lies away from you "
+        "in the lower foam, towards you in the lid.");
     steps.push_back(
         "Close the empty halves once, lid over lower foam, BACK over BACK: the rims touch all round.");
     return steps;

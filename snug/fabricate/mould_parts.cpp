@@ -172,7 +172,7 @@ class MouldMaker {
     }
 
     [[nodiscard]] SlabBore slab_bore(const Bore& bore, const Tile& tile, bool after) const {
-        SlabBore result{bore.axis, after, in_steps(bore_depth_mm(print_)), {}};
+        SlabBore result{{bore.axis, after}, in_steps(bore_depth_mm(print_)), {}};
         const int across = (bore.axis + 1) % 3, along = (bore.axis + 2) % 3;
         Vec3d from;
         for (int axis = 0; axis < 3; ++axis) from[axis] = form_.mm(axis, tile.first[axis]);

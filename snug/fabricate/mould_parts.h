@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "snug/base/result.h"
@@ -25,6 +26,13 @@ struct MouldedHalf {
     double pour_mm3 = 0;           ///< up to the pour level
     long long lost_blocks = 0;     ///< of the half, where faces that lean leave no room between them
     bool upright_at_cuts = false;  ///< a face of the core lies in a cut, where faces do not lean
+};
+
+/// A mould to print and what it came to.
+struct Mould {
+    MouldForm form;
+    MouldedHalf made;
+    std::vector<std::string> names;  ///< of its parts, as their files are called
 };
 
 /// The form with leaning faces, cut apart for the bed and joined by dowels. Faces lean by `draft_deg` below

@@ -142,7 +142,10 @@ BlockLines block_lines(Vec3i blocks, Vec3d block_mm) {
 PrintCuts print_cuts(const BlockLines& lines, Vec3d bed) {
     const auto cut = [&](std::size_t axis, double room) { return longest_pieces(lines[axis], room); };
     const auto pieces = [](const std::vector<int>& y, const std::vector<int>& z) {
-        return y.empty() || z.empty() ? std::size_t{1} << 60 : (y.size() - 1) * (z.size() - 1);
+        const auto count = [](const std::vector<int>& cuts) {
+            return static_cast<std::int64_t>(cuts.size()) - 1;
+        };
+        return y.empty() || z.empty() ? std::int64_t{1} << 60 : count(y) * count(z);
     };
     PrintCuts cuts;
     cuts.turned = pieces(cut(1, bed.x), cut(2, bed.y)) < pieces(cut(1, bed.y), cut(2, bed.x));

@@ -3,11 +3,10 @@
 #include <algorithm>
 #include <cstdint>
 #include <cstdlib>
-#include <map>
 #include <numeric>
 #include <utility>
 
-#include "snug/fabricate/holed_polygon.h"
+#include "snug/fabricate/bored_faces.h"
 #include "snug/fabricate/plan_outline.h"
 #include "snug/fabricate/triangulate.h"
 
@@ -80,21 +79,19 @@ struct SlabOutline {
 class SlabMesher {
   public:
     SlabMesher(std::span<const DraftSlab> slabs, const PlanBox& box, std::span<const SlabBore> bores)
-        : slabs_(slabs), box_(box), bores_(bores), outlines_(slabs.size()), levels_(slabs.size() + 1) {}
+        : slabs_(slabs), box_(box), outlines_(slabs.size()), levels_(slabs.size() + 1), bored_(bores) {}
 
     StepSolid mesh() {
         number_vertices();
         for (std::size_t i = 0; i + 1 < slabs_.size(); ++i) find_what_goes_on(i);
         for (std::size_t i = 0; i < slabs_.size(); ++i) add_walls(i);
         for (std::size_t i = 0; i <= slabs_.size(); ++i) add_level(i);
-        add_bored_sides();
+        bored_.add_to(solid_);
         drop_unused();
         return std::move(solid_);
     }
 
   private:
-    using Side = std::pair<int, bool>;  // axis, and whether it is the box's least one
-
     void number_vertices() {
         for (std::size_t i = 0; i < slabs_.size(); ++i) {
             SlabOutline& outline = outlines_[i];
@@ -175,27 +172,21 @@ class SlabMesher {
     }
 
     /// The side of the box that a face lies on; axis 0 for none.
-    [[nodiscard]] Side side_of(PlanPoint from, PlanPoint to) const {
+    [[nodiscard]] FaceSide side_of(PlanPoint from, PlanPoint to) const {
         if (!on_side(from, to)) return {0, false};
-        return from.y == to.y ? Side{1, from.y == box_.least.y} : Side{2, from.z == box_.least.z};
-    }
-
-    [[nodiscard]] bool is_bored(Side side) const {
-        return std::any_of(bores_.begin(), bores_.end(), [&](const SlabBore& bore) {
-            return Side{bore.axis, bore.low} == side;
-        });
+        return from.y == to.y ? FaceSide{1, from.y == box_.least.y} : FaceSide{2, from.z == box_.least.z};
     }
 
     /// Two fans with the vertices along the bottom and the top, and between them a strip: no triangle has all
     /// its corners on one side.
-    void add_wall(Side side, const std::vector<std::uint32_t>& above, const std::vector<std::uint32_t>& left,
-                  const std::vector<std::uint32_t>& right, const std::vector<std::uint32_t>& below) {
-        if (side.first != 0 && is_bored(side)) {
-            auto& edges = bored_sides_[side];
-            add_edges(below, edges);
-            add_edges({right.rbegin(), right.rend()}, edges);
-            add_edges({above.rbegin(), above.rend()}, edges);
-            add_edges(left, edges);
+    void add_wall(FaceSide side, const std::vector<std::uint32_t>& above,
+                  const std::vector<std::uint32_t>& left, const std::vector<std::uint32_t>& right,
+                  const std::vector<std::uint32_t>& below) {
+        if (side.axis != 0 && bored_.has(side)) {
+            bored_.add_edges(side, below);
+            bored_.add_edges(side, {right.rbegin(), right.rend()});
+            bored_.add_edges(side, {above.rbegin(), above.rend()});
+            bored_.add_edges(side, left);
             return;
         }
         auto& triangles = solid_.triangles;
@@ -213,17 +204,11 @@ class SlabMesher {
 
     [[nodiscard]] int height(std::uint32_t vertex) const { return solid_.points[vertex].x; }
 
-    using Edge = std::pair<std::uint32_t, std::uint32_t>;
-
-    static void add_edges(const std::vector<std::uint32_t>& chain, std::vector<Edge>& edges) {
-        for (std::size_t i = 0; i + 1 < chain.size(); ++i) edges.push_back({chain[i], chain[i + 1]});
-    }
-
     /// The faces that look up at a height, or the base.
     void add_level(std::size_t i) {
         const bool base = i == slabs_.size();
-        const Side side{0, base};
-        if ((i == 0 || base) && is_bored(side)) return add_bored_level(side);
+        const FaceSide side{0, base};
+        if ((i == 0 || base) && bored_.has(side)) return add_bored_level(side);
         const PlanRegion face = base     ? bottom_of(slabs_[i - 1], box_)
                                 : i == 0 ? slabs_[0].region
                                          : less(slabs_[i].region, bottom_of(slabs_[i - 1], box_));
@@ -257,87 +242,15 @@ class SlabMesher {
         if (!std::all_of(around.begin(), around.end(), is_outside)) corners.push_back(corner);
     }
 
-    // ---- faces with bores
-
-    void add_bored_level(Side side) {
-        const SlabOutline& outline = side.second ? outlines_.back() : outlines_.front();
-        const Level& level = side.second ? levels_.back() : levels_.front();
-        std::vector<Edge> edges;
+    void add_bored_level(FaceSide side) {
+        const SlabOutline& outline = side.low ? outlines_.back() : outlines_.front();
+        const Level& level = side.low ? levels_.back() : levels_.front();
         for (std::size_t c = 0; c < outline.top.size(); ++c) {
             const std::size_t next = outline.top[c].next;
-            const std::uint32_t a = level.vertex(side.second ? outline.bottom[c] : outline.top[c].at);
-            const std::uint32_t b = level.vertex(side.second ? outline.bottom[next] : outline.top[next].at);
-            edges.push_back(side.second ? Edge{b, a} : Edge{a, b});
+            const std::uint32_t a = level.vertex(side.low ? outline.bottom[c] : outline.top[c].at);
+            const std::uint32_t b = level.vertex(side.low ? outline.bottom[next] : outline.top[next].at);
+            bored_.add_edges(side, side.low ? std::vector{b, a} : std::vector{a, b});
         }
-        bored_sides_[side] = std::move(edges);
-    }
-
-    void add_bored_sides() {
-        for (auto& [side, edges] : bored_sides_) {
-            std::vector<PointLoop> loops = loops_of(edges, side);
-            for (const SlabBore& bore : bores_)
-                if (Side{bore.axis, bore.low} == side) loops.push_back(add_bore(bore));
-            triangulate_loops(loops, solid_.triangles);
-        }
-    }
-
-    /// In the face's plane, seen from outside.
-    [[nodiscard]] LoopPoint loop_point(std::uint32_t vertex, Side side) const {
-        const Vec3i p = solid_.points[vertex];
-        if (side.first == 0) return side.second ? LoopPoint{p.z, p.y, vertex} : LoopPoint{p.y, p.z, vertex};
-        if (side.first == 1) return {side.second ? -p.z : p.z, p.x, vertex};
-        return {side.second ? p.y : -p.y, p.x, vertex};
-    }
-
-    /// The outlines of all that the edges go round, without those between two pieces of one face.
-    [[nodiscard]] std::vector<PointLoop> loops_of(std::vector<Edge>& edges, Side side) const {
-        std::sort(edges.begin(), edges.end());
-        std::map<std::uint32_t, std::uint32_t> next;
-        for (const Edge& edge : edges)
-            if (!std::binary_search(edges.begin(), edges.end(), Edge{edge.second, edge.first}))
-                next[edge.first] = edge.second;
-        std::vector<PointLoop> loops;
-        while (!next.empty()) {
-            PointLoop loop;
-            for (auto at = next.begin(); at != next.end(); at = next.find(at->second)) {
-                if (!loop.empty()) next.erase(loop.back().vertex);
-                loop.push_back(loop_point(at->first, side));
-            }
-            next.erase(loop.back().vertex);
-            loops.push_back(std::move(loop));
-        }
-        return loops;
-    }
-
-    /// The bore's wall and end; gives its mouth as a hole.
-    PointLoop add_bore(const SlabBore& bore) {
-        const Side side{bore.axis, bore.low};
-        const auto count = static_cast<std::uint32_t>(bore.rim.size());
-        const auto mouth = static_cast<std::uint32_t>(solid_.points.size()), end = mouth + count;
-        solid_.points.insert(solid_.points.end(), bore.rim.begin(), bore.rim.end());
-        for (Vec3i p : bore.rim) {
-            p[bore.axis] += bore.low ? bore.depth : -bore.depth;
-            solid_.points.push_back(p);
-        }
-        std::int64_t twice_area = 0;
-        const LoopPoint origin = loop_point(mouth, side);
-        for (std::uint32_t i = 1; i + 1 < count; ++i) {
-            const LoopPoint a = loop_point(mouth + i, side), b = loop_point(mouth + i + 1, side);
-            twice_area += (a.u - origin.u) * (b.v - origin.v) - (a.v - origin.v) * (b.u - origin.u);
-        }
-        // Numbered counter-clockwise as seen from outside.
-        const auto round = [&](std::uint32_t i) {
-            return twice_area > 0 ? i % count : (2 * count - i) % count;
-        };
-        PointLoop hole;
-        for (std::uint32_t i = 0; i < count; ++i) {
-            const std::uint32_t a = round(i), b = round(i + 1);
-            solid_.triangles.push_back({mouth + a, mouth + b, end + b});
-            solid_.triangles.push_back({mouth + a, end + b, end + a});
-            if (i > 0 && i + 1 < count) solid_.triangles.push_back({end + round(0), end + a, end + b});
-            hole.push_back(loop_point(mouth + round(count - i), side));
-        }
-        return hole;
     }
 
     void drop_unused() {
@@ -356,10 +269,9 @@ class SlabMesher {
 
     std::span<const DraftSlab> slabs_;
     PlanBox box_;
-    std::span<const SlabBore> bores_;
     std::vector<SlabOutline> outlines_;
     std::vector<Level> levels_;
-    std::map<Side, std::vector<Edge>> bored_sides_;
+    BoredFaces bored_;
     StepSolid solid_;
 };
 
@@ -367,15 +279,6 @@ class SlabMesher {
 
 StepSolid slab_solid(std::span<const DraftSlab> slabs, const PlanBox& box, std::span<const SlabBore> bores) {
     return slabs.empty() ? StepSolid{} : SlabMesher(slabs, box, bores).mesh();
-}
-
-double volume_of(const StepSolid& solid) {
-    double six_volumes = 0;
-    for (const Triangle& t : solid.triangles) {
-        const Vec3d a = vec_cast<double>(solid.points[t[0]]), b = vec_cast<double>(solid.points[t[1]]);
-        six_volumes += dot(a, cross(b, vec_cast<double>(solid.points[t[2]])));
-    }
-    return six_volumes / 6;
 }
 
 }  // namespace snug
