@@ -90,6 +90,32 @@ class BandCursor {
     std::size_t next_ = 0;
 };
 
+/// All spans of the bands in a window that moves on, each band united with others a few times only.
+class BandWindow {
+  public:
+    void add(const Spans& spans) {
+        added_.push_back(&spans);
+        all_added_ = united(all_added_, spans);
+    }
+    void drop_first() {
+        if (first_.empty()) {
+            for (; !added_.empty(); added_.pop_back())
+                first_.push_back(first_.empty() ? *added_.back() : united(*added_.back(), first_.back()));
+            all_added_.clear();
+        }
+        first_.pop_back();
+    }
+    [[nodiscard]] Spans all() const {
+        return first_.empty() ? all_added_ : united(first_.back(), all_added_);
+    }
+
+  private:
+    std::vector<const Spans*> added_;
+    Spans all_added_;
+    std::vector<Spans>
+        first_;  ///< of each of the older bands, with all between it and `added_`; the oldest last
+};
+
 template <class Rule>
 PlanRegion combined(const PlanRegion& a, const PlanRegion& b, Rule rule) {
     const std::vector<int> lines = breaks(a, b);
@@ -153,14 +179,12 @@ PlanRegion grown(const PlanRegion& region, int by) {
     std::sort(lines.begin(), lines.end());
     lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
     PlanRegion result;
+    BandWindow window;
     std::size_t first = 0, end = 0;  // bands that reach the line
     for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
-        while (first < wide.size() && wide[first].end <= lines[i]) ++first;
-        while (end < wide.size() && wide[end].begin <= lines[i]) ++end;
-        Spans spans;
-        for (std::size_t band = first; band < end; ++band)
-            spans = spans.empty() ? wide[band].spans : united(spans, wide[band].spans);
-        result.append(lines[i], lines[i + 1], std::move(spans));
+        for (; end < wide.size() && wide[end].begin <= lines[i]; ++end) window.add(wide[end].spans);
+        for (; first < end && wide[first].end <= lines[i]; ++first) window.drop_first();
+        result.append(lines[i], lines[i + 1], window.all());
     }
     return result;
 }
