@@ -25,11 +25,12 @@ Box3d ball(const Object& object, std::size_t point) {
     return {centre - Vec3d{r, r, r}, centre + Vec3d{r, r, r}};
 }
 
-Mesh stand_in(const Object& object) {
+/// Points in the same place have the same ball.
+Mesh stand_in(const Object& object, const CloudPlaces& places) {
     Box3d box;
-    for (std::size_t i = 0; i < object.cloud.vertices.size(); ++i) box.include(ball(object, i));
+    for (std::size_t i = 0; i < places.size(); ++i) box.include(ball(object, places.vertex_of(i)));
     MetCubes cubes(box, kStandInCubes);
-    for (std::size_t i = 0; i < object.cloud.vertices.size(); ++i) cubes.mark(ball(object, i));
+    for (std::size_t i = 0; i < places.size(); ++i) cubes.mark(ball(object, places.vertex_of(i)));
     return cubes.shell();
 }
 
@@ -74,7 +75,7 @@ Result<Object> prepare_cloud(Object object, Mesh cloud, const Design& design) {
     auto radii = point_radii(object.cloud, places, design.object.point_radius_mm);
     if (!radii) return tl::unexpected(radii.error());
     object.point_radius = std::move(radii->radius);
-    object.mesh = stand_in(object);
+    object.mesh = stand_in(object, places);
     const auto rims = cloud_rims(places);
     object.capped = design.object.cap && !rims.empty();
     object.hole_spans = object.capped ? capped(object.cloud, rims) : span_of_loops(object.cloud, rims);

@@ -256,6 +256,12 @@ class Formats(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(found, (self.folder / "again" / "depths.csv").read_text())
 
+    def test_equal_points_beside_others_take_no_time(self):
+        path = self.folder / "a.xyz"
+        path.write_text("1 2 3\n" * 1000000 + "61 2 3\n")
+        done = snug("make", path, "-o", self.folder / "out", "--quiet")
+        self.assertEqual(done.returncode, 0, done.stderr)
+
     def test_what_cannot_be_read_in_pieces_says_so(self):
         path = self.folder / "a.off"
         path.write_text("OFF\n4 4 6\n0 0 0\n60 0 0\n0 60 0\n0 0 60\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n")
