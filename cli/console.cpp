@@ -1,6 +1,7 @@
 #include "cli/console.h"
 
 #include <cstdio>
+#include <new>
 #include <unistd.h>
 
 #include <fmt/core.h>
@@ -28,6 +29,17 @@ int exit_status(ErrorKind kind) {
 int report(const Error& error) {
     std::fputs(fmt::format("snug: {}\n", error.message).c_str(), stderr);
     return exit_status(error.kind);
+}
+
+int within_memory(const std::string& object, const std::function<int()>& command) {
+    try {
+        return command();
+    } catch (const std::bad_alloc&) {
+        return report({ErrorKind::input,
+                       fmt::format("{}: there is not enough memory for this object: make it smaller, or let "
+                                   "`snug make --stream` read it in pieces, as a binary STL or PLY",
+                                   object)});
+    }
 }
 
 Result<void> print(std::string_view text) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -13,6 +14,9 @@ namespace snug::cli {
 
 /// Prints "snug: sentence" to standard error and gives the exit status.
 int report(const Error& error);
+
+/// Runs a command; where memory does not suffice for an object, that is a sentence of kind `input`, too.
+int within_memory(const std::string& object, const std::function<int()>& command);
 
 /// Text to standard output; an Error of kind `output` where nobody takes it.
 [[nodiscard]] Result<void> print(std::string_view text);

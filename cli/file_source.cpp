@@ -6,7 +6,9 @@
 #include <fcntl.h>
 #include <memory>
 #include <string>
+#include <sys/resource.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <fmt/core.h>
 
@@ -39,13 +41,13 @@ Result<ByteSource> open_source(const fs::path& path) {
 
     ByteSource source;
     source.size = static_cast<std::uint64_t>(status.st_size);
-    source.read = [file, refuse, reason](std::uint64_t at, std::span<std::byte> into) -> Result<void> {
+    source.read = [file, reason](std::uint64_t at, std::span<std::byte> into) -> Result<void> {
         while (!into.empty()) {
             const ssize_t count =
                 ::pread(file->get(), into.data(), std::min(into.size(), kMostAtOnce), static_cast<off_t>(at));
             if (count < 0 && errno == EINTR) continue;
-            if (count < 0) return refuse(reason());
-            if (count == 0) return refuse("the file became shorter while it was read");
+            if (count < 0) return fail(ErrorKind::input, reason());
+            if (count == 0) return fail(ErrorKind::input, "the file became shorter while it was read");
             into = into.subspan(static_cast<std::size_t>(count));
             at += static_cast<std::uint64_t>(count);
         }
@@ -57,7 +59,11 @@ Result<ByteSource> open_source(const fs::path& path) {
 bool too_large_for_memory(std::uint64_t bytes) {
     const long pages = ::sysconf(_SC_PHYS_PAGES), page = ::sysconf(_SC_PAGESIZE);
     if (pages <= 0 || page <= 0) return false;
-    return bytes > static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page) / kShareOfMemory;
+    std::uint64_t memory = static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(page);
+    rlimit limit{};
+    if (::getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+        memory = std::min<std::uint64_t>(memory, limit.rlim_cur);
+    return bytes > memory / kShareOfMemory;
 }
 
 }  // namespace snug::cli

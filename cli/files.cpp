@@ -62,6 +62,9 @@ Result<std::vector<std::byte>> read_file(const fs::path& path) {
         used += static_cast<std::size_t>(count);
         if (used == bytes.size()) bytes.resize(bytes.size() * 2);
     }
+    // Some formats read well up to any line: what is missing would be missing from the object.
+    if (S_ISREG(status.st_mode) && used < static_cast<std::size_t>(status.st_size))
+        return refuse("the file became shorter while it was read");
     bytes.resize(used);
     return bytes;
 }

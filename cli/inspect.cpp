@@ -141,7 +141,11 @@ void add_inspect(CLI::App& program, Command& chosen) {
         ->required();
     command->add_flag("--json", arguments->json, "Print it as JSON");
     command->footer("Example: snug inspect scan.ply");
-    command->callback([arguments, &chosen] { chosen = [arguments] { return inspect(*arguments); }; });
+    command->callback([arguments, &chosen] {
+        chosen = [arguments] {
+            return within_memory(arguments->object, [&] { return inspect(*arguments); });
+        };
+    });
 }
 
 }  // namespace snug::cli

@@ -51,7 +51,7 @@ struct MakeArguments {
     CleanArguments clean;
     std::optional<double> point_radius;
     bool cap = false, quiet = false, json = false;
-    std::optional<bool> stream;
+    bool stream = false, no_stream = false;
     int threads = 0;
     CaseArguments case_arguments;
 };
@@ -89,10 +89,12 @@ void add_options(CLI::App& make, MakeArguments& arguments) {
     make.add_option("--point-radius", a.point_radius,
                     "Point clouds: each point counts as a ball of this radius (0: from the spacing)")
         ->type_name("MM");
+    CLI::Option* whole = make.add_flag("--no-stream", a.no_stream, "Read even a large file whole");
     make.add_flag(
-        "--stream,!--no-stream", a.stream,
-        "Read the object in pieces, so that it need not fit into memory (chosen by itself for large "
-        "files)");
+            "--stream", a.stream,
+            "Read the object in pieces, so that it need not fit into memory (chosen by itself for large "
+            "files)")
+        ->excludes(whole);
     add_clean_options(make, a.clean);
     add_fit_options(make, a.fit);
     add_search_options(make, a.search);
@@ -185,7 +187,7 @@ Result<Task> task_from(const MakeArguments& arguments) {
     auto source = find_object(arguments.object, arguments.replacement_object);
     if (!source) return tl::unexpected(source.error());
     Task task;
-    task.stream = arguments.stream;
+    if (arguments.stream || arguments.no_stream) task.stream = arguments.stream;
     task.object_path = source->object;
     if (source->project) {
         task.project = std::move(*source->project);
@@ -293,7 +295,9 @@ void add_make(CLI::App& program, Command& chosen) {
     CLI::App* command = program.add_subcommand("make", "Make foams from an object, or from a project file");
     const auto arguments = std::make_shared<MakeArguments>();
     add_options(*command, *arguments);
-    command->callback([arguments, &chosen] { chosen = [arguments] { return make(*arguments); }; });
+    command->callback([arguments, &chosen] {
+        chosen = [arguments] { return within_memory(arguments->object, [&] { return make(*arguments); }); };
+    });
 }
 
 }  // namespace snug::cli

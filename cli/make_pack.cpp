@@ -1,5 +1,6 @@
 #include "cli/make_pack.h"
 
+#include <cstdint>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -69,27 +70,25 @@ Result<Packed> pack_in_memory(Task& task, const SearchArguments& search_argument
     return Packed{std::move(*object), std::move(*packing), std::move(searched)};
 }
 
-Result<Packed> pack_in_pieces(Task& task, const ByteSource& source, const SearchArguments& search_arguments,
-                              StatusLine& status) {
-    const auto stream = TriangleStream::open(source, status.progress("Reading"));
-    if (!stream) return in_file(task, stream.error());
+Result<Packed> pack_in_pieces(Task& task, const TriangleStream& stream, std::uint64_t file_size,
+                              const SearchArguments& search_arguments, StatusLine& status) {
     // No hash: it would take longer than all the rest.
-    task.project.object = {task.object_path.filename().string(), source.size, ""};
+    task.project.object = {task.object_path.filename().string(), file_size, ""};
     std::optional<SearchReport> searched;
     if (search_arguments.asked()) {
-        auto object = stand_in(*stream, task.project.design, status.progress("Thinning"));
+        auto object = stand_in(stream, task.project.design, status.progress("Thinning"));
         if (!object) return in_file(task, object.error());
         auto found = search(*object, task.project.design, search_arguments, status);
         if (!found) return in_file(task, found.error());
         searched = std::move(*found);
     }
-    auto packed = pack_stream(*stream, task.project.design, status.progress("Cutting"));
+    auto packed = pack_stream(stream, task.project.design, status.progress("Cutting"));
     if (!packed) return in_file(task, packed.error());
     if (searched) note_stand_in(packed->packing);
     return Packed{std::move(packed->object), std::move(packed->packing), std::move(searched)};
 }
 
-/// A file that is too large for memory, and of a kind that can be read in pieces.
+/// Whether to try: a file that is too large for memory, and nothing asked that needs the whole object.
 bool should_stream(const Task& task) {
     std::error_code error;
     const auto size = std::filesystem::file_size(task.object_path, error);
@@ -104,7 +103,13 @@ Result<Packed> read_and_pack(Task& task, const SearchArguments& search, StatusLi
         if (!task.stream.value_or(should_stream(task))) return pack_in_memory(task, search, status);
         const auto source = open_source(task.object_path);
         if (!source) return tl::unexpected(source.error());
-        return pack_in_pieces(task, *source, search, status);
+        const auto stream = TriangleStream::open(*source, status.progress("Reading"));
+        if (stream) return pack_in_pieces(task, *stream, source->size, search, status);
+        // What nobody wanted in pieces may be of a kind that is only read whole, and says itself what is
+        // wrong.
+        const bool asked = task.stream.has_value();
+        if (asked || stream.error().kind != ErrorKind::input) return in_file(task, stream.error());
+        return pack_in_memory(task, search, status);
     }();
     if (packed) look_for_change(task, packed->packing);
     return packed;

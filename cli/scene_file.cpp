@@ -120,7 +120,11 @@ Result<Mesh> read_in_a_process(Bytes file, SceneFormat format, const fs::path& p
         const rlimit none{0, 0}, seconds{kMostSeconds, kMostSeconds};
         (void)::setrlimit(RLIMIT_CORE, &none);
         (void)::setrlimit(RLIMIT_CPU, &seconds);
-        tell(ends[1], read_scene_here(file, format, path));
+        try {
+            tell(ends[1], read_scene_here(file, format, path));
+        } catch (...) {
+            ::_exit(1);
+        }
     }
     (void)writing.close();
     auto mesh = hear(reading.get());

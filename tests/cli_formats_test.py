@@ -1,13 +1,15 @@
 """Objects that are no mesh files of the library's own: scenes (glTF, 3MF), point clouds, and files that are
 read in pieces, as a person hands them to the program.
 
-Usage: cli_formats_test.py SNUG [unittest arguments]
+Usage: cli_formats_test.py SNUG FAILING_DISK [unittest arguments]
 """
 
 import base64
 import itertools
 import json
+import os
 import random
+import resource
 import struct
 import subprocess
 import sys
@@ -17,6 +19,7 @@ import zipfile
 from pathlib import Path
 
 SNUG = Path(sys.argv.pop(1)).resolve()
+FAILING_DISK = Path(sys.argv.pop(1)).resolve()  # tests/support/failing_disk.cpp
 # An L of boxes, so that turning and mirroring show.
 BOXES = [((0, 0, 0), (120, 40, 30)), ((0, 40, 0), (40, 60, 30))]
 QUADS = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)]
@@ -24,6 +27,26 @@ QUADS = [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (
 
 def snug(*arguments):
     return subprocess.run([SNUG, *map(str, arguments)], capture_output=True, text=True, timeout=120)
+
+
+def snug_within(megabytes, *arguments):
+    """With so much memory only."""
+    def limit():
+        resource.setrlimit(resource.RLIMIT_AS, (megabytes << 20, megabytes << 20))
+    # Threads reserve memory that they do not use.
+    return subprocess.run([SNUG, *map(str, arguments), *(["--threads", "1"] if arguments[0] == "make" else [])],
+                          capture_output=True, text=True, timeout=120, preexec_fn=limit)
+
+
+def write_sparse_stl(path, megabytes):
+    """A few triangles and very many that lie in one point, which take no room on the disk."""
+    vertices, triangles = l_shape()
+    write_stl(path, vertices, triangles)
+    count = (megabytes << 20) // 50
+    with open(path, "r+b") as file:
+        file.truncate(84 + 50 * count)
+        file.seek(80)
+        file.write(struct.pack("<I", count))
 
 
 def l_shape():
@@ -175,7 +198,7 @@ class Formats(unittest.TestCase):
         self.assertIn("cubit", self.refused(path))
 
     def test_what_is_not_read_says_what_to_export(self):
-        for name, start, word in (("a.step", b"ISO-10303-21;\nHEADER;", "STEP"), ("a.fbx", b"Kaydara FBX Binary  ", "FBX"),
+        for name, start, word in (("a.step", b"ISO-10303-21;\nHEADER;", "STEP"), ("a.e57", b"ASTM-E57", "E57"), ("a.las", b"LASF", "LAS"), ("a.fbx", b"Kaydara FBX Binary  ", "FBX"),
                                   ("a.blend", b"BLENDER-v300", "Blender"), ("a.zip", b"PK\x03\x04", "zip")):
             path = self.folder / name
             path.write_bytes(start + bytes(100))
@@ -256,6 +279,56 @@ class Formats(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(found, (self.folder / "again" / "depths.csv").read_text())
 
+    def limited(self):
+        """Under sanitizers a program cannot start at all in little memory."""
+        if snug_within(400, "presets").returncode != 0:
+            self.skipTest("this program needs more memory than the test leaves it")
+
+    def test_a_file_of_more_than_a_share_of_memory_is_read_in_pieces_by_itself(self):
+        self.limited()
+        path = self.folder / "large.stl"
+        write_sparse_stl(path, 120)
+        report = self.folder / "out" / "report.json"
+        for options, streamed in (((), True), (("--no-stream",), False)):
+            done = snug_within(400, "make", path, "-o", self.folder / "out", "--quiet", *options)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(json.loads(report.read_text())["object"].get("streamed", False), streamed)
+        # Nothing else is read in pieces, so it is read whole as long as there is memory for it.
+        path = self.folder / "large.xyz"
+        path.write_text("".join(f"{60 * x} {y} {z}" + " " * 30000 + "\n" for x in (0, 1) for y in range(0, 101, 2)
+                                for z in range(0, 81, 2)))
+        done = snug_within(400, "make", path, "-o", self.folder / "out", "--quiet")
+        self.assertNotIn("pieces", done.stderr)
+
+    def test_an_object_that_memory_does_not_hold_is_a_sentence(self):
+        self.limited()
+        path = self.folder / "large.stl"
+        write_sparse_stl(path, 600)
+        for command in (("make", path, "-o", self.folder / "none", "--no-stream"), ("inspect", path)):
+            done = snug_within(400, *command)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertRegex(done.stderr, r"large\.stl: there is not enough memory.*--stream")
+        self.assertFalse((self.folder / "none").exists())
+
+    def test_a_disk_that_fails_and_a_file_that_shrinks_are_sentences(self):
+        path = self.folder / "a.stl"
+        self.assertEqual(snug("sample", "vase", "-o", path).returncode, 0)
+        cloud = self.folder / "a.xyz"
+        cloud.write_text("".join(f"{60 * x} {y} {z}\n" for x in (0, 1) for y in range(0, 101, 2) for z in range(0, 81, 2)))
+        for file, options in ((path, ["--stream"]), (path, []), (cloud, [])):
+            for shrinks, word in ((False, "cannot be read (Input/output error)"), (True, "shorter while it was read")):
+                environment = {**os.environ, "LD_PRELOAD": str(FAILING_DISK), "FAILING_FILE": str(file),
+                               "FAILS_AT": str(file.stat().st_size // 2), **({"SHRINKS": "1"} if shrinks else {})}
+                whole = file.read_bytes()
+                done = subprocess.run([SNUG, "make", file, "-o", self.folder / "none", *options], capture_output=True,
+                                      text=True, timeout=120, env=environment)
+                self.assertEqual(done.returncode, 2, done.stderr)
+                self.assertIn(word, done.stderr)
+                self.assertEqual(done.stderr.count(file.name), 1, done.stderr)
+                self.assertFalse((self.folder / "none").exists())
+                self.assertEqual(file.stat().st_size < len(whole), shrinks)
+                file.write_bytes(whole)
+
     def test_equal_points_beside_others_take_no_time(self):
         path = self.folder / "a.xyz"
         path.write_text("1 2 3\n" * 1000000 + "61 2 3\n")
@@ -265,7 +338,10 @@ class Formats(unittest.TestCase):
     def test_what_cannot_be_read_in_pieces_says_so(self):
         path = self.folder / "a.off"
         path.write_text("OFF\n4 4 6\n0 0 0\n60 0 0\n0 60 0\n0 0 60\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n")
-        self.assertIn("--stream", self.refused(path, "--stream"))
+        self.assertIn("--no-stream", self.refused(path, "--stream"))
+        step = self.folder / "a.step"
+        step.write_bytes(b"ISO-10303-21;\nHEADER;" + bytes(100))
+        self.assertIn("STEP", self.refused(step, "--stream"))
         path = self.folder / "a.stl"
         write_stl(path, *l_shape())
         path.write_bytes(path.read_bytes()[:-20])

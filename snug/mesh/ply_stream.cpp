@@ -101,8 +101,8 @@ Result<void> take_faces(const PlyElement& element, std::size_t corners, const Re
 Result<Layout> layout_of(const PlyHeader& header, std::uint64_t file_size) {
     if (header.encoding == PlyEncoding::ascii)
         return refuse(
-            "a PLY of text is not read in pieces: export it in binary form, or leave --stream out where "
-            "there is memory for it");
+            "a PLY of text is not read in pieces: export it in binary form, or read it whole with "
+            "--no-stream where there is memory for it");
     Layout layout;
     layout.swapped = header.encoding == PlyEncoding::big_endian;
     std::uint64_t at = header.bytes;
@@ -130,8 +130,8 @@ Result<Layout> layout_of(const PlyHeader& header, std::uint64_t file_size) {
     if (layout.vertices.count > kMostVertices) return refuse("there are more than 2^32 - 2 vertices");
     if (layout.faces.count == 0)
         return refuse(
-            "there are no triangles in this file; a point cloud is read without --stream, thinned to what "
-            "memory holds");
+            "there are no triangles in this file; a point cloud is not read in pieces: read it whole with "
+            "--no-stream, thinned before where memory does not hold it");
     return layout;
 }
 
@@ -148,7 +148,9 @@ class PlyTriangles {
         (void)values.next_whole(layout.corner_count.type, count);
         if (count != 3)
             return refuse("face " + grouped(number + 1) + " has " + std::to_string(count) +
-                          " corners: only triangles are read in pieces; export the mesh with triangles");
+                          " corners: only triangles are read in pieces; export the mesh with triangles, or "
+                          "read it whole with "
+                          "--no-stream");
         std::array<std::uint32_t, 3> corners;
         for (std::uint32_t& corner : corners) {
             std::int64_t value = 0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string_view>
 
@@ -33,6 +34,10 @@ enum class MeshFormat { stl, obj, ply, off };
 
 /// OFF and its relatives COFF, NOFF, CNOFF, STOFF in ASCII; colours and comments skipped.
 [[nodiscard]] Result<Mesh> read_off(Bytes file);
+
+/// What to do with a file of a kind that is known and not read here, such as STEP; none for any other. The
+/// first bytes suffice.
+[[nodiscard]] std::optional<Error> foreign_format(Bytes beginning);
 
 /// Which of the formats this is, by content first and by the name's ending second.
 [[nodiscard]] Result<MeshFormat> mesh_format(Bytes file, std::string_view name);

@@ -8,7 +8,8 @@
 namespace snug {
 namespace {
 
-constexpr const char* kUnderstood = "Snug reads STL, OBJ, PLY and OFF";
+constexpr const char* kUnderstood =
+    "Snug reads STL, OBJ, PLY, OFF, glTF, 3MF and points as PLY, XYZ or PTS: export it as one of these";
 
 std::string_view text_of(Bytes bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
@@ -19,12 +20,14 @@ bool starts_with(std::string_view text, std::string_view start) {
 }
 
 /// The name of a format that is known but not read; empty otherwise.
-std::string_view foreign_format(std::string_view text) {
+std::string_view foreign_name(std::string_view text) {
     if (starts_with(text, "PK\x03\x04")) return "a zip or 3MF file";
     if (starts_with(text, "glTF")) return "a glTF file";
     if (starts_with(text, "ISO-10303-21")) return "a STEP file";
     if (starts_with(text, "Kaydara FBX")) return "an FBX file";
     if (starts_with(text, "BLENDER")) return "a Blender file";
+    if (starts_with(text, "ASTM-E57")) return "an E57 scan";
+    if (starts_with(text, "LASF")) return "a LAS or LAZ scan";
     return {};
 }
 
@@ -48,14 +51,18 @@ bool ends_with(std::string_view name, std::string_view lower) {
 
 }  // namespace
 
+std::optional<Error> foreign_format(Bytes beginning) {
+    const auto name = foreign_name(text_of(beginning));
+    if (name.empty()) return {};
+    return Error{ErrorKind::input, "this is " + std::string(name) + ": export it as STL, OBJ or PLY instead"};
+}
+
 Result<MeshFormat> mesh_format(Bytes file, std::string_view name) {
     const std::string_view text = text_of(file);
     if (text.empty()) return fail(ErrorKind::input, "the file is empty");
     if (looks_like_ply(file)) return MeshFormat::ply;
     if (is_whole_binary_stl(file) || is_ascii_stl(file)) return MeshFormat::stl;
-    if (const auto foreign = foreign_format(text); !foreign.empty())
-        return fail(ErrorKind::input,
-                    "this is " + std::string(foreign) + ": export it as STL, OBJ or PLY instead");
+    if (const auto foreign = foreign_format(file)) return tl::unexpected(*foreign);
     TextScan scan(file.first(std::min<std::size_t>(file.size(), 1 << 12)));
     if (const auto word = scan.word_anywhere();
         word.size() >= 3 && word.size() <= 8 && ends_with(word, "off"))

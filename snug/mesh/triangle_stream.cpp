@@ -8,6 +8,7 @@
 
 #include "snug/base/parallel.h"
 #include "snug/mesh/ply_stream.h"
+#include "snug/mesh/read.h"
 #include "snug/mesh/stl_layout.h"
 
 namespace snug {
@@ -19,22 +20,26 @@ bool is_text(std::span<const std::byte> bytes) {
                        [](std::byte b) { return b >= std::byte{9} && b < std::byte{127}; });
 }
 
-Error not_in_pieces() {
+Error not_in_pieces(std::span<const std::byte> beginning) {
+    if (const auto foreign = foreign_format(beginning)) return *foreign;
     return {ErrorKind::input,
             "only a binary STL or a binary PLY is read in pieces, and this is none: export it as one, or "
-            "leave --stream out where there is memory for it"};
+            "read it whole with --no-stream where there is memory for it"};
 }
 
 Result<TriangleStream> open_stl(ByteSource source) {
-    std::array<std::byte, kStlHeader> header;
-    if (source.size < header.size()) return tl::unexpected(not_in_pieces());
+    std::array<std::byte, kStlHeader> room;
+    const std::span header = std::span(room).first(std::min<std::uint64_t>(source.size, room.size()));
     if (auto done = source.read(0, header); !done) return tl::unexpected(done.error());
+    if (header.size() < room.size()) return tl::unexpected(not_in_pieces(header));
     const std::uint64_t count = read_u32(header.data() + 80);
     const std::uint64_t held = (source.size - kStlHeader) / kStlFacet;
     if (held < count) {
-        if (is_text(std::span(header).last(4))) return tl::unexpected(not_in_pieces());
+        if (is_text(header.last(4))) return tl::unexpected(not_in_pieces(header));
         return tl::unexpected(stl_cut_off(count, held));
     }
+    if (const auto foreign = count == 0 ? foreign_format(header) : std::nullopt)
+        return tl::unexpected(*foreign);
     if (count == 0) return fail(ErrorKind::input, "there are no triangles in this file");
     const auto decode = [count](const RecordPiece& piece,
                                 std::span<TriangleStream::Corners> corners) -> Result<void> {
