@@ -37,7 +37,9 @@ TEST(ReadMesh, OtherFormatsAreNamedWithWhatToDo) {
     expect_holds(refused("glTF\x02"), "glTF");
     expect_holds(refused("ISO-10303-21;"), "STEP");
     expect_holds(refused("Kaydara FBX Binary  "), "FBX");
-    expect_holds(refused("Dear diary,", "diary.txt"), "STL, OBJ, PLY and OFF");
+    expect_holds(refused("Dear diary,", "diary.txt"), "STL, OBJ, PLY, OFF, glTF, 3MF");
+    expect_holds(refused("ASTM-E57"), "E57");
+    expect_holds(refused("LASF"), "LAS");
 }
 
 TEST(ReadMesh, UnusedVerticesDoNotCount) {

@@ -243,7 +243,7 @@ TEST(Stream, BadFilesAreSentences) {
         "solid thing\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n   vertex 1 0 0\n"
         "   vertex 0 1 0\n  endloop\n endfacet\nendsolid thing\n";
     const auto* begin = reinterpret_cast<const std::byte*>(text.data());
-    EXPECT_NE(opened(FileBytes(begin, begin + text.size())).find("--stream"), std::string::npos);
+    EXPECT_NE(opened(FileBytes(begin, begin + text.size())).find("--no-stream"), std::string::npos);
 
     // The first wrong triangle of the file is named, whoever meets it first.
     const float infinite = std::numeric_limits<float>::infinity();
