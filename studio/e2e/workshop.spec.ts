@@ -1,7 +1,17 @@
 import {readFileSync} from 'node:fs';
 import {unzipSync} from 'fflate';
+import type {Page} from '@playwright/test';
 import {sample} from './support/command_line';
 import {expect, open, set, status, test} from './support/studio';
+
+/** The files of the zip that Export saves. */
+async function exported(page: Page): Promise<Record<string, Uint8Array>> {
+  const [file] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', {name: 'Export', exact: true}).click(),
+  ]);
+  return unzipSync(readFileSync(await file.path()));
+}
 
 test('slit sponge: what it takes is shown first, then the pack comes as one zip', async ({studio: page}) => {
   await open(page, sample('camera'));
@@ -14,16 +24,76 @@ test('slit sponge: what it takes is shown first, then the pack comes as one zip'
   await expect(figures).toContainText('litres', {timeout: 20_000});
   await expect(figures).toContainText('at 2 EUR a litre');
   await expect(page.locator('code')).toContainText('--for=sponge --price=2EUR');
-  const [download] = await Promise.all([
-    page.waitForEvent('download'),
-    page.getByRole('button', {name: 'Export', exact: true}).click(),
-  ]);
-  const members = unzipSync(readFileSync(await download.path()));
+  const members = await exported(page);
   for (const name of ['lower.stl', 'depths.csv', 'report.json', 'packing-sheet.pdf'])
     expect(Object.keys(members)).toContain(name);
   const pdf = Object.keys(members).filter((name) => name.endsWith('.pdf'));
   expect(pdf.length).toBeGreaterThan(1);
   for (const name of pdf) expect(new TextDecoder().decode(members[name]!.slice(0, 5))).toBe('%PDF-');
+});
+
+test('toy bricks: sizes, colours and a stock are chosen, and built by', async ({studio: page}) => {
+  await open(page, sample('torus'));
+  await page.getByRole('radio', {name: /Toy bricks/}).check();
+  await expect(page.getByLabel('Foam', {exact: true})).toHaveValue('lego-brick');
+  await page.getByLabel('Rims meet').selectOption('tiles');
+  await page.getByLabel('Lower half').selectOption('dark blue');
+  for (const size of ['1x1', '1x2', '2x4']) await page.getByRole('button', {name: size, exact: true}).press('Enter');
+  await expect(page.getByRole('button', {name: '2x4', exact: true, pressed: true})).toBeVisible();
+  const stock = page.getByLabel('Pieces that you have');
+  await stock.fill('2x4=many');
+  await stock.press('Enter');
+  await expect(page.getByRole('alert')).toHaveText('Write sizes and pieces: 2x4=100, 1x1=40');
+  await expect(stock).toHaveValue('2x4=many');
+  await stock.fill('4x2=200');
+  await stock.press('Enter');
+  await expect(page.getByRole('alert')).toHaveCount(0);
+  await expect(stock).toHaveValue('2x4=200');
+  await expect(page.locator('code')).toContainText(
+    "--for=bricks --brick-sizes=1x1,1x2,2x4 --brick-colors='dark blue,orange' --brick-stock=2x4=200 --brick-rim=tiles",
+  );
+  await expect(page.getByTestId('figures')).toContainText('Bricks, lid', {timeout: 30_000});
+  await stock.fill('2x4=2, 1x2=3, 1x1=4');
+  await stock.press('Enter');
+  await expect(page.getByRole('alert').filter({hasText: 'stock'})).toBeVisible({timeout: 30_000});
+  await stock.fill('');
+  await stock.press('Enter');
+  await expect(page.getByTestId('figures')).toContainText('Bricks, lid', {timeout: 30_000});
+  expect(Object.keys(await exported(page))).toEqual(expect.arrayContaining(['bricks/foams.mpd', 'bricks/parts.csv', 'bricks/wanted.xml', 'bricks-plan.pdf']));
+});
+
+test('a mill: the cutter and how it moves are chosen, and its programs come', async ({studio: page}) => {
+  await open(page, sample('torus'));
+  await page.getByRole('radio', {name: /Mill/}).check();
+  await expect(page.getByLabel('Foam', {exact: true})).toHaveValue('mill');
+  await set(page, 'spinbutton', 'Cutter', 8);
+  await expect(page.getByRole('spinbutton', {name: 'Step down'})).toHaveValue('4');
+  await set(page, 'spinbutton', 'Step down', 2.5);
+  await set(page, 'spinbutton', 'Flute', 90);
+  await set(page, 'spinbutton', 'Stepover', 35);
+  await page.getByLabel('X0 Y0 at').selectOption('centre');
+  await expect(page.locator('code')).toContainText('--for=mill --cutter=8 --flute=90 --step-down=2.5 --stepover=0.35 --origin=centre');
+  await set(page, 'spinbutton', 'Step down', 0);
+  await page.getByRole('spinbutton', {name: 'Step down'}).blur();
+  await expect(page.getByRole('spinbutton', {name: 'Step down'})).toHaveValue('4');
+  await expect(page.getByTestId('figures')).toContainText('Material', {timeout: 60_000});
+  const names = Object.keys(await exported(page));
+  expect(names.filter((name) => name.startsWith('mill/')).length).toBeGreaterThan(1);
+  await set(page, 'spinbutton', 'Flute', 5);
+  await expect(page.getByRole('alert').filter({hasText: 'flute'})).toBeVisible({timeout: 60_000});
+});
+
+test('moulds: walls and the printer are chosen, and boxes to print come', async ({studio: page}) => {
+  await open(page, sample('torus'));
+  await page.getByRole('radio', {name: /Moulds/}).check();
+  await expect(page.getByLabel('Foam', {exact: true})).toHaveValue('cast');
+  await set(page, 'spinbutton', 'Mould wall', 4);
+  await set(page, 'spinbutton', 'Draft', 3);
+  await set(page, 'spinbutton', 'Bed, up', 180);
+  await page.getByRole('checkbox', {name: /Dowels/}).uncheck();
+  await expect(page.locator('code')).toContainText('--for=mould --bed=250x210x180 --dowel=0 --mould-wall=4 --draft=3');
+  await expect(page.getByTestId('figures')).toContainText('To pour, lid', {timeout: 60_000});
+  expect(Object.keys(await exported(page))).toEqual(expect.arrayContaining(['mould/bed-01.3mf', 'mould/lower-01.stl', 'mould-guide.pdf']));
 });
 
 test('each way of working brings its foam, unless another was chosen', async ({studio: page}) => {

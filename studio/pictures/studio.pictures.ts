@@ -31,6 +31,22 @@ test('each step, light and dark', async ({studio: page}) => {
   }
 });
 
+test('the ways of working with tools of their own', async ({studio: page}) => {
+  await withSample(page, 'Ring');
+  await page.setViewportSize({width: 1280, height: 1350});
+  for (const work of ['bricks', 'mill', 'mould']) {
+    await page.locator(`input[type=radio][value=${work}]`).check();
+    await expect(page.getByTestId('figures')).toBeVisible({timeout: 60_000});
+    for (const [language, theme] of [['en', 'light'], ['en', 'dark'], ['ja', 'light']] as const) {
+      await page.locator('header select').first().selectOption(theme);
+      await page.locator('header select').last().selectOption(language);
+      await page.locator('nav a[href="#step-make"]').click();
+      await shoot(page, `build/pictures/make-${work}-${theme}-${language}`);
+    }
+    await page.locator('header select').last().selectOption('en');
+  }
+});
+
 test('Japanese, a tablet and a telephone', async ({studio: page}) => {
   await withSample(page, 'Figurine');
   for (const [name, width, height] of [['tablet', 1024, 768], ['upright', 820, 1180], ['telephone', 390, 844]] as const) {

@@ -47,7 +47,7 @@ export interface CaseOptions {
   division: 'none' | 'across' | 'all';
 }
 
-export type Work = 'sponge' | 'sheets' | 'print';
+export type Work = 'sponge' | 'sheets' | 'print' | 'bricks' | 'mill' | 'mould';
 export interface WorkshopOptions {
   /** The way of working; null: the foams' own files alone. */
   for: Work | null;
@@ -65,6 +65,40 @@ export interface WorkshopOptions {
     [more: string]: unknown;
   };
   print: {bed_mm: Triple; dowels: boolean; dowel_diameter_mm: number; [more: string]: unknown};
+  bricks: BrickOptions;
+  mill: MillOptions;
+  mould: {wall_mm: number; rim_mm: number; draft_deg: number};
+}
+
+/** Toy bricks on a pitch of 8 mm (snug/design/brick_options.h). */
+export interface BrickOptions {
+  unit: 'auto' | 'brick' | 'plate';
+  /** Sizes to build with, "2x4"; none: all. */
+  family: string[];
+  lower_color: string;
+  lid_color: string;
+  /** Pieces that there are by size; sizes that are not named do not run out. */
+  stock: Record<string, number>;
+  rim: 'studs' | 'tiles';
+  /** Newtons that one contact point of a stud holds. */
+  capacity_n: number;
+}
+
+/** A flat cutter (snug/design/mill_options.h). */
+export interface MillOptions {
+  cutter_mm: number;
+  flute_mm: number;
+  /** null: half the cutter. */
+  step_down_mm: number | null;
+  /** Share of the cutter's diameter. */
+  stepover: number;
+  feed_mm_min: number;
+  plunge_mm_min: number;
+  spindle_rpm: number;
+  safe_mm: number;
+  /** 0: no registration pins. */
+  pin_mm: number;
+  origin: 'corner' | 'centre';
 }
 
 /** A known case and how the object goes in. */

@@ -1,4 +1,4 @@
-import type {CaseOptions, Design, Triple, Work, WorkshopOptions} from './api';
+import type {BrickOptions, CaseOptions, Design, MillOptions, Triple, Work, WorkshopOptions} from './api';
 
 /** The command that makes the same foams from the same file: what differs from the defaults, and nothing else. */
 export function makeLine(file: string, design: Design, defaults: Design): string {
@@ -70,20 +70,56 @@ function addCase(options: CaseOptions, [height, width, length]: Triple, add: Add
 }
 
 function addWorkshop(options: WorkshopOptions, work: Work, usual: WorkshopOptions, add: Add) {
-  const {paper, price_per_litre: price, sheets, print} = options;
+  const {paper, price_per_litre: price} = options;
   add('for', work, '');
   add('paper', paper, usual.paper);
   if (price !== null) add('price', quoted(`${decimal(price)}${options.currency}`), '');
-  if (work === 'sheets') {
-    if (sheets.thickness_mm !== null) add('sheet', decimal(sheets.thickness_mm), '');
-    add('stock', sheets.stock_mm.map(decimal).join('x'), usual.sheets.stock_mm.map(decimal).join('x'));
-    add('kerf', decimal(sheets.kerf_mm), decimal(usual.sheets.kerf_mm));
-    add('dowel', sheets.dowels > 0 ? decimal(sheets.dowel_mm) : '0', decimal(usual.sheets.dowel_mm));
-  }
-  if (work === 'print') {
-    add('bed', print.bed_mm.map(decimal).join('x'), usual.print.bed_mm.map(decimal).join('x'));
-    add('dowel', print.dowels ? decimal(print.dowel_diameter_mm) : '0', decimal(usual.print.dowel_diameter_mm));
-  }
+  if (work === 'sheets') addSheets(options.sheets, usual.sheets, add);
+  if (work === 'print' || work === 'mould') addPrinter(options.print, usual.print, add);
+  if (work === 'bricks') addBricks(options.bricks, usual.bricks, add);
+  if (work === 'mill') addMill(options.mill, usual.mill, add);
+  if (work === 'mould') addMould(options.mould, usual.mould, add);
+}
+
+function addSheets(sheets: WorkshopOptions['sheets'], usual: WorkshopOptions['sheets'], add: Add) {
+  if (sheets.thickness_mm !== null) add('sheet', decimal(sheets.thickness_mm), '');
+  add('stock', sheets.stock_mm.map(decimal).join('x'), usual.stock_mm.map(decimal).join('x'));
+  add('kerf', decimal(sheets.kerf_mm), decimal(usual.kerf_mm));
+  add('dowel', sheets.dowels > 0 ? decimal(sheets.dowel_mm) : '0', decimal(usual.dowel_mm));
+}
+
+function addPrinter(print: WorkshopOptions['print'], usual: WorkshopOptions['print'], add: Add) {
+  add('bed', print.bed_mm.map(decimal).join('x'), usual.bed_mm.map(decimal).join('x'));
+  add('dowel', print.dowels ? decimal(print.dowel_diameter_mm) : '0', decimal(usual.dowel_diameter_mm));
+}
+
+function addBricks(bricks: BrickOptions, usual: BrickOptions, add: Add) {
+  add('brick-unit', bricks.unit, usual.unit);
+  add('brick-sizes', bricks.family.join(), '');
+  const colors = ({lower_color, lid_color}: BrickOptions) => quoted(`${lower_color},${lid_color}`);
+  add('brick-colors', colors(bricks), colors(usual));
+  add('brick-stock', Object.entries(bricks.stock).map(([size, pieces]) => `${size}=${pieces}`).join(), '');
+  add('brick-rim', bricks.rim, usual.rim);
+  add('brick-capacity', decimal(bricks.capacity_n), decimal(usual.capacity_n));
+}
+
+function addMill(mill: MillOptions, usual: MillOptions, add: Add) {
+  add('cutter', decimal(mill.cutter_mm), decimal(usual.cutter_mm));
+  add('flute', decimal(mill.flute_mm), decimal(usual.flute_mm));
+  if (mill.step_down_mm !== null) add('step-down', decimal(mill.step_down_mm), '');
+  add('stepover', decimal(mill.stepover), decimal(usual.stepover));
+  add('feed', decimal(mill.feed_mm_min), decimal(usual.feed_mm_min));
+  add('plunge', decimal(mill.plunge_mm_min), decimal(usual.plunge_mm_min));
+  add('spindle', decimal(mill.spindle_rpm), decimal(usual.spindle_rpm));
+  add('safe-height', decimal(mill.safe_mm), decimal(usual.safe_mm));
+  add('pin', decimal(mill.pin_mm), decimal(usual.pin_mm));
+  add('origin', mill.origin, usual.origin);
+}
+
+function addMould(mould: WorkshopOptions['mould'], usual: WorkshopOptions['mould'], add: Add) {
+  add('mould-wall', decimal(mould.wall_mm), decimal(usual.wall_mm));
+  add('mould-rim', decimal(mould.rim_mm), decimal(usual.rim_mm));
+  add('draft', decimal(mould.draft_deg), decimal(usual.draft_deg));
 }
 
 /** Never an exponent, which the command line does not read. */

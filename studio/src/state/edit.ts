@@ -96,7 +96,14 @@ export function withWorkshop(design: Design, to: Partial<Design['workshop']>): D
 }
 
 /** The foam that a way of working takes where none is chosen for it. */
-export const USUAL_PRESET: Record<Work, string> = {sponge: 'slit-15', sheets: 'sheet-10', print: 'print'};
+export const USUAL_PRESET: Record<Work, string> = {
+  sponge: 'slit-15',
+  sheets: 'sheet-10',
+  print: 'print',
+  bricks: 'lego-brick',
+  mill: 'mill',
+  mould: 'cast',
+};
 
 export function withRotation(design: Design, rotation_deg: Triple): Design {
   return {...design, placement: {...design.placement, rotation_deg}};
