@@ -29,7 +29,8 @@ Error not_in_pieces(std::span<const std::byte> beginning) {
 
 Result<TriangleStream> open_stl(ByteSource source) {
     std::array<std::byte, kStlHeader> room;
-    const std::span header = std::span(room).first(std::min<std::uint64_t>(source.size, room.size()));
+    const std::span header =
+        std::span(room).first(static_cast<std::size_t>(std::min<std::uint64_t>(source.size, room.size())));
     if (auto done = source.read(0, header); !done) return tl::unexpected(done.error());
     if (header.size() < room.size()) return tl::unexpected(not_in_pieces(header));
     const std::uint64_t count = read_u32(header.data() + 80);
