@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <unordered_map>
 #include <vector>
 
 namespace snug::test {
@@ -24,6 +26,32 @@ void sample_triangle(Vec3d a, Vec3d b, Vec3d c, double spacing, std::vector<Vec3
     sample_triangle(middle, b, c, spacing, points);
 }
 
+/// Without the points that lie within `distance` of one that is kept.
+std::vector<Vec3d> thinned(const std::vector<Vec3d>& points, double distance) {
+    constexpr std::int64_t kRow = 1 << 20;
+    std::unordered_map<std::int64_t, std::vector<Vec3d>> kept_in;  // cells of that size
+    const auto has_kept = [&](std::int64_t cell, Vec3d p) {
+        const auto found = kept_in.find(cell);
+        return found != kept_in.end() &&
+               std::any_of(found->second.begin(), found->second.end(),
+                           [&](Vec3d q) { return dot(q - p, q - p) <= distance * distance; });
+    };
+    std::vector<Vec3d> kept;
+    for (const Vec3d& p : points) {
+        const auto along = [&](double x) { return static_cast<std::int64_t>(std::floor(x / distance)); };
+        const std::int64_t own = (along(p.x) * kRow + along(p.y)) * kRow + along(p.z);
+        bool near = has_kept(own, p);
+        for (std::int64_t i = -1; !near && i <= 1; ++i)
+            for (std::int64_t j = -1; !near && j <= 1; ++j)
+                for (std::int64_t k = -1; !near && k <= 1; ++k)
+                    near = has_kept(own + (i * kRow + j) * kRow + k, p);
+        if (near) continue;
+        kept_in[own].push_back(p);
+        kept.push_back(p);
+    }
+    return kept;
+}
+
 }  // namespace
 
 Vec3d random_direction(Random& random) {
@@ -31,10 +59,13 @@ Vec3d random_direction(Random& random) {
 }
 
 Mesh sampled(const Mesh& mesh, double spacing, double noise) {
+    // Half of the distance goes to the samples, half to the thinning, which makes a fine mesh as sparse as a
+    // coarse one.
     std::vector<Vec3d> points;
     for (const auto& [a, b, c] : mesh.triangles)
         sample_triangle(vec_cast<double>(mesh.vertices[a]), vec_cast<double>(mesh.vertices[b]),
-                        vec_cast<double>(mesh.vertices[c]), spacing, points);
+                        vec_cast<double>(mesh.vertices[c]), spacing / 2, points);
+    points = thinned(points, spacing / 2 / std::sqrt(3.0));
     Random random(static_cast<std::uint64_t>(spacing * 100));
     Mesh cloud;
     for (const Vec3d& p : points)

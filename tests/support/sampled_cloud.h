@@ -8,8 +8,8 @@ namespace snug::test {
 
 [[nodiscard]] Vec3d random_direction(Random& random);
 
-/// A cloud on a mesh: no place of the surface is further than spacing / sqrt(3) from a point, and then each
-/// point is moved by at most `noise`.
+/// A cloud on a mesh: no place of the surface is further than spacing / sqrt(3) from a point, and no point
+/// nearer than half of that to another, however fine the mesh; then each point is moved by at most `noise`.
 [[nodiscard]] Mesh sampled(const Mesh& mesh, double spacing, double noise);
 
 /// The cloud as a scanner sees it that cannot look at one end along an axis: a share of its length is left
