@@ -188,7 +188,7 @@ TEST(Cloud, AnEndThatWasNotSeenIsADangerUntilItIsClosed) {
     for (const std::string_view name : {"torus", "vase"}) {
         for (const double noise : {0.0, 0.5}) {
             SCOPED_TRACE(std::string(name) + " " + std::to_string(noise));
-            const Mesh whole = sampled(*sample(name), 3, noise);
+            const Mesh whole = sampled(*sample(name), 5, noise);
             design.object.cap = false;
             EXPECT_FALSE(open(*pack(*prepare(whole, design), design)));
             const Mesh stood = test::without_end(whole, 0, 0.12, true);
@@ -207,7 +207,7 @@ TEST(Cloud, AnEndThatWasNotSeenIsADangerUntilItIsClosed) {
 
 TEST(Cloud, IsPackedLikeAMeshAndTellsWhatIsNotKnown) {
     const Mesh mesh = *sample("figurine");
-    const Mesh cloud = sampled(mesh, 2, 0.2);
+    const Mesh cloud = sampled(mesh, 3, 0.2);
     Design design;
     design.object.units = Unit::mm;
     design.space.blocks.reset();
