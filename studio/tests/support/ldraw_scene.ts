@@ -1,4 +1,4 @@
-import {Box3, type Group, Mesh, type MeshStandardMaterial, Vector3} from 'three';
+import {Box3, type Group, LineBasicMaterial, Mesh, MeshStandardMaterial, Vector3} from 'three';
 import {LDrawConditionalLineMaterial} from 'three/examples/jsm/materials/LDrawConditionalLineMaterial.js';
 import {LDrawLoader} from 'three/examples/jsm/loaders/LDrawLoader.js';
 
@@ -16,13 +16,19 @@ export interface StandingPart {
   up: Vector3;
 }
 
+/** As LDraw's own list of colours would have it. */
+function material(code: string): MeshStandardMaterial {
+  const own = new MeshStandardMaterial();
+  own.userData = {code, edgeMaterial: new LineBasicMaterial()};
+  return own;
+}
+
 /** An LDraw file that brings its parts along, as another program reads it. */
-export async function standingParts(text: string, colors: readonly string[]): Promise<{parts: StandingPart[]; steps: number}> {
+export async function standingParts(text: string, colors: readonly string[]): Promise<StandingPart[]> {
   const loader = new LDrawLoader();
   loader.setConditionalLineMaterial(LDrawConditionalLineMaterial);
   loader.smoothNormals = false;
-  const config = colors.map((code) => `0 !COLOUR Color_${code} CODE ${code} VALUE #808080 EDGE #333333`).join('\n');
-  await loader.preloadMaterials(`data:text/plain,${encodeURIComponent(config)}`);
+  loader.addMaterials(colors.map(material));
   const root = await new Promise<Group>((resolve, reject) => loader.parse(text, resolve, reject));
   root.updateMatrixWorld(true);
   const parts: StandingPart[] = [];
@@ -45,5 +51,5 @@ export async function standingParts(text: string, colors: readonly string[]): Pr
       up: new Vector3(0, -1, 0).transformDirection(object.matrixWorld),
     });
   });
-  return {parts, steps: root.userData.numBuildingSteps as number};
+  return parts;
 }
