@@ -296,7 +296,7 @@ std::vector<Projected> plate(double z) {
 const std::vector<Triangle> kPlateTriangles{{0, 1, 2}, {0, 2, 3}};
 
 TEST(ObjectOutlines, FoamHidesWhatLiesBelowAndNotWhatLiesAbove) {
-    const std::vector<Face> foam{{Side::top, {-50, -50, 0}, {100, 0, 0}, {0, 100, 0}, 1, 1}};
+    const std::vector<Face> foam{{FaceSide::top, {-50, -50, 0}, {100, 0, 0}, {0, 100, 0}, 1, 1}};
     const ObjectOutlines above = object_outlines(plate(2), kPlateTriangles, foam, 0.1);
     const ObjectOutlines below = object_outlines(plate(-2), kPlateTriangles, foam, 0.1);
     ASSERT_EQ(above.whole.size(), 1u);

@@ -36,10 +36,10 @@ class FoamPainter {
                                    page_.at(face.origin + face.across + face.along),
                                    page_.at(face.origin + face.along)};
         // All faces run the same way round, so that overlapping ones of one path cannot cancel.
-        if (face.side == Side::right) std::reverse(corners.begin(), corners.end());
+        if (face.side == FaceSide::right) std::reverse(corners.begin(), corners.end());
         path_.polygon(color, corners);
-        const double across_edge = face.side == Side::right ? row_edge_ : column_edge_;
-        const double along_edge = face.side == Side::top ? row_edge_ : layer_edge_;
+        const double across_edge = face.side == FaceSide::right ? row_edge_ : column_edge_;
+        const double along_edge = face.side == FaceSide::top ? row_edge_ : layer_edge_;
         edges(color, across_edge, face.origin, face.across, face.cells_across, face.along);
         edges(color, along_edge, face.origin, face.along, face.cells_along, face.across);
     }

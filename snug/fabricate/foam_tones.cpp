@@ -26,8 +26,8 @@ FoamTones::FoamTones(const Relief& relief, Color foam)
 
 Color FoamTones::of(const Face& face) const {
     const Color color = tones_[static_cast<int>(face.side)];
-    const bool outer = (face.side == Side::front && face.origin.y == relief_.front_faces.back()) ||
-                       (face.side == Side::right && face.origin.x == relief_.right_faces.back());
+    const bool outer = (face.side == FaceSide::front && face.origin.y == relief_.front_faces.back()) ||
+                       (face.side == FaceSide::right && face.origin.x == relief_.right_faces.back());
     if (outer || relief_.bottom >= 0) return color;
     const double depth = (face.origin.z + 0.5 * face.along.z) / relief_.bottom;
     const double step = std::floor(std::min(std::max(depth, 0.0), 1.0) * kDepthTones + 0.5) / kDepthTones;

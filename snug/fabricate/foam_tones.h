@@ -13,7 +13,7 @@ class FoamTones {
 
   private:
     const Relief& relief_;
-    Color tones_[3];  // by Side
+    Color tones_[3];  // by FaceSide
     Color deep_;
 };
 

@@ -55,11 +55,11 @@ class FaceCollector {
         const double back = relief_.front_faces[row], front = relief_.front_faces[row + 1];
         const double top = relief_.height(row, begin);
         faces_.push_back(
-            {Side::top, {left, back, top}, {right - left, 0, 0}, {0, front - back, 0}, end - begin, 1});
+            {FaceSide::top, {left, back, top}, {right - left, 0, 0}, {0, front - back, 0}, end - begin, 1});
         collect_front_walls(row, begin, end, layers);
         if (end < relief_.layers.nz() && relief_.layers(row, end) < layers) {
             const int exposed = layers - relief_.layers(row, end);
-            faces_.push_back({Side::right,
+            faces_.push_back({FaceSide::right,
                               {right, back, top},
                               {0, front - back, 0},
                               {0, 0, -exposed * relief_.layer_mm},
@@ -77,7 +77,7 @@ class FaceCollector {
         while (end < relief_.layers.ny() && relief_.layers(end, column) == layers) ++end;
         const double back = relief_.front_faces[begin], front = relief_.front_faces[end];
         if (layers > 0)
-            faces_.push_back({Side::right,
+            faces_.push_back({FaceSide::right,
                               {relief_.right_faces.back(), back, relief_.height(begin, column)},
                               {0, front - back, 0},
                               {0, 0, -layers * relief_.layer_mm},
@@ -94,7 +94,7 @@ class FaceCollector {
             if (before < layers) {
                 const double left = relief_.right_faces[begin], right = relief_.right_faces[stop];
                 const int exposed = layers - before;
-                faces_.push_back({Side::front,
+                faces_.push_back({FaceSide::front,
                                   {left, relief_.front_faces[row + 1], relief_.height(row, begin)},
                                   {right - left, 0, 0},
                                   {0, 0, -exposed * relief_.layer_mm},

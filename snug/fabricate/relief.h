@@ -28,13 +28,13 @@ struct Relief {
 [[nodiscard]] Relief relief(const FoamPair& foams, const DesignSpace& space, const OpenedPair& pair,
                             Half half);
 
-enum class Side { top, front, right };
+enum class FaceSide { top, front, right };
 
 /// A visible rectangle of a relief: corners origin, origin + across, origin + across + along, origin + along.
 /// A top reaches across to the right and along to the viewer; a front wall to the right and down; a right
 /// wall to the viewer and down. Each way it covers that many blocks (or cells of the relief).
 struct Face {
-    Side side = Side::top;
+    FaceSide side = FaceSide::top;
     Vec3d origin, across, along;
     int cells_across = 1;
     int cells_along = 1;
