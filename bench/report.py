@@ -199,7 +199,8 @@ def main():
                   "(`bench/least_placements.json`).", search_table.table(search)]
     if packs:
         parts += ["## Packs for the workshop", "The camera, in the library: drawings, solids and their files, without PDF "
-                  "and zip.", packs_table(packs)]
+                  "and zip. Bricks in blocks of one brick, without the linear programme; the mill with a cutter of 6 mm, in "
+                  "blocks of 15 × 15 × 22 mm and with columns of 1 mm in a block of 450 × 400 mm.", packs_table(packs)]
     bricks = load("bricks.json")
     if bricks:
         parts += ["## Bricks", "Luo et al.'s random merge (the median of five seeds, of pieces the most) beside our layout, "
