@@ -1,7 +1,10 @@
-import {zip, type Zippable} from 'fflate';
+import {Zip, ZipDeflate} from 'fflate';
 import type {OutputFile} from '../engine/api';
 import {isFailure} from '../engine/failure';
 import type {Studio} from './studio.svelte';
+
+/** Takes some hundredths of a second. */
+const ZIP_PIECE = 1 << 19;
 
 export type Kind = 'zip' | 'stl' | 'ply';
 
@@ -17,12 +20,12 @@ export async function exportFiles(studio: Studio, kind: Kind): Promise<void> {
     return;
   }
   if (kind === 'zip') return download(`${stem(studio)}-foam.zip`, await zipped(await withObject(studio, files)));
-  for (const file of files) if (file.name.endsWith(`.${kind}`)) download(file.name, file.bytes);
+  for (const file of files) if (file.name.endsWith(`.${kind}`)) download(file.name, [file.bytes]);
 }
 
 export async function saveProject(studio: Studio): Promise<void> {
   const text = await studio.engine.projectText(studio.design);
-  download(`${stem(studio)}.snug.json`, new TextEncoder().encode(text));
+  download(`${stem(studio)}.snug.json`, [new TextEncoder().encode(text)]);
 }
 
 /** A project whose object lies in no file of the person's gets it as company. */
@@ -32,21 +35,33 @@ async function withObject(studio: Studio, files: OutputFile[]): Promise<OutputFi
   return [...files, {name: file.name, bytes: new Uint8Array(await file.content.arrayBuffer())}];
 }
 
-function zipped(files: OutputFile[]): Promise<Uint8Array<ArrayBuffer>> {
-  const members: Zippable = {};
-  // The same time in every zip, so that the same design gives the same bytes.
-  for (const {name, bytes} of files) members[name] = [bytes, {mtime: new Date(1980, 0, 1)}];
-  return new Promise((resolve, reject) =>
-    zip(members, {level: 6}, (error, data) => (error ? reject(error) : resolve(data as Uint8Array<ArrayBuffer>))),
-  );
+/** Piece by piece, so that the page stays alive: its policy forbids the workers that fflate would start by itself. */
+async function zipped(files: OutputFile[]): Promise<Uint8Array<ArrayBuffer>[]> {
+  const parts: Uint8Array<ArrayBuffer>[] = [];
+  const archive = new Zip((error, part) => {
+    if (error) throw error;
+    parts.push(part as Uint8Array<ArrayBuffer>);
+  });
+  for (const {name, bytes} of files) {
+    const member = new ZipDeflate(name, {level: 6});
+    // The same time in every zip, so that the same design gives the same bytes.
+    member.mtime = new Date(1980, 0, 1);
+    archive.add(member);
+    for (let at = 0; at === 0 || at < bytes.length; at += ZIP_PIECE) {
+      member.push(bytes.subarray(at, at + ZIP_PIECE), at + ZIP_PIECE >= bytes.length);
+      await new Promise((resolve) => setTimeout(resolve));
+    }
+  }
+  archive.end();
+  return parts;
 }
 
 function stem(studio: Studio): string {
   return (studio.object?.file.name ?? 'snug').replace(/\.[^.]+$/, '');
 }
 
-function download(name: string, bytes: Uint8Array<ArrayBuffer>) {
-  const address = URL.createObjectURL(new Blob([bytes], {type: 'application/octet-stream'}));
+function download(name: string, parts: Uint8Array<ArrayBuffer>[]) {
+  const address = URL.createObjectURL(new Blob(parts, {type: 'application/octet-stream'}));
   const link = document.createElement('a');
   link.href = address;
   link.download = name;
