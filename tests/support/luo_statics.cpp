@@ -17,7 +17,7 @@ constexpr double kPlate = 0.4;  // pitches
 /// Six rows a brick, torques about the origin; then a row for each pull: grip - pull >= 0.
 class Program {
   public:
-    Program(const BrickBuild& build, const BrickSupports& supports) : build_(build), supports_(supports) {
+    Program(const BrickBuild& build, const BrickSupports& supports) : supports_(supports) {
         const double up = supports.load == BrickLoad::turned ? -1 : 1;
         rows_.assign(6 * build.bricks.size(), 0);
         for (std::size_t i = 0; i < build.bricks.size(); ++i) {
@@ -83,7 +83,6 @@ class Program {
     }
 
   private:
-    const BrickBuild& build_;
     const BrickSupports& supports_;
     LinearProgram program_;
     std::vector<double> rows_;
