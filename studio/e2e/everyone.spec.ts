@@ -16,6 +16,11 @@ test('axe finds nothing, empty or full, light or dark, English or Japanese', asy
     await page.getByLabel('Colours').selectOption(theme);
     expect(await violations(page)).toEqual([]);
   }
+  for (const work of ['Toy bricks', 'Mill', 'Moulds']) {
+    await page.getByRole('radio', {name: new RegExp(`^${work}`)}).check();
+    await expect(page.getByTestId('figures')).toBeVisible({timeout: 60_000});
+    expect(await violations(page)).toEqual([]);
+  }
   await page.getByLabel('Language').selectOption('ja');
   expect(await violations(page)).toEqual([]);
   await page.setViewportSize({width: 820, height: 1180});
