@@ -55,8 +55,9 @@ bench::BrickHeights random_heights(Random& random) {
 }
 
 BrickBuild random_build(Random& random) {
-    return bench::random_merge(random_heights(random),
-                               {BrickKind::brick, bench::luo_family(), random.bits()});
+    // One after the other: compilers evaluate arguments in different orders.
+    const auto heights = random_heights(random);
+    return bench::random_merge(heights, {BrickKind::brick, bench::luo_family(), random.bits()});
 }
 
 /// More bricks than are always given to the solver.
@@ -223,10 +224,11 @@ TEST(BrickStatics, OneGripForAllPointsIsWorthWhatLuosPointsAre) {
             const double upright = grip_of(build, supports, ForceModel::upright);
             const double full = grip_of(build, supports, ForceModel::full);
             const auto luo = *clp_solver()(test::luo_program(build, supports), {});
-            ASSERT_EQ(luo.feasible, full >= 0);
-            if (full < 0) continue;
+            // No grip at all may come out a rounding below 0; what falls is -1.
+            ASSERT_EQ(luo.feasible, full >= -kTolerance);
+            if (!luo.feasible) continue;
             EXPECT_NEAR(full, luo.x.front(), kTolerance);
-            if (upright >= 0) {
+            if (upright >= -kTolerance) {
                 EXPECT_GE(upright, full - kTolerance);
             }
         }
@@ -346,14 +348,11 @@ TEST(BrickStatics, LargeBuildsAreKnownToHoldWithoutTheSolver) {
 }
 
 TEST(BrickStatics, TheCallerCanStopIt) {
-    Random random(3);
-    const BrickBuild build = random_build(random);
-    const auto stopped = brick_statics(build, kCapacity, clp_solver(), [](double) { return false; });
+    // While springs do it, and while the solver works.
+    const BrickBuild large = large_bowl();
+    const auto stopped = brick_statics(large, kCapacity, {}, [](double) { return false; });
     ASSERT_FALSE(stopped);
     EXPECT_EQ(stopped.error().kind, ErrorKind::cancelled);
-    // Also where springs do it, and while the solver works.
-    const BrickBuild large = large_bowl();
-    EXPECT_FALSE(brick_statics(large, kCapacity, {}, [](double) { return false; }));
     EXPECT_FALSE(brick_strength(large, BrickLoad::lifted, 0.01, clp_solver(),
                                 [](double fraction) { return fraction < 0.32; }));
 }
