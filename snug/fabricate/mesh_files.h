@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "snug/base/bytes.h"
 #include "snug/base/vec.h"
 
 namespace snug {
@@ -17,8 +18,6 @@ struct Color {
 };
 constexpr Color kLowerBlue{64, 132, 214};
 constexpr Color kUpperOrange{242, 145, 46};
-
-using FileBytes = std::vector<std::byte>;
 
 /// Binary STL: an 80-byte header that starts with `title` ("binary " before a title that would make it look
 /// like a text STL), facet normals from the vertices; no units, no colour.

@@ -5,6 +5,7 @@
 #include <span>
 #include <string_view>
 
+#include "snug/base/bytes.h"
 #include "snug/base/result.h"
 #include "snug/mesh/mesh.h"
 
@@ -15,8 +16,6 @@
 // locale.
 
 namespace snug {
-
-using Bytes = std::span<const std::byte>;
 
 enum class MeshFormat { stl, obj, ply, off };
 
