@@ -8,7 +8,7 @@ help:
 	@echo "make studio build both and serve the studio on this machine"
 	@echo "make demo   install what is missing, build, and make foams from a sample"
 	@echo "make test   install what is missing and run every test"
-	@echo "make soak   the long random tests and fuzzing (SOAK_CASES, SOAK_SECONDS)"
+	@echo "make soak   the long random tests and fuzzing (SOAK_CASES, SOAK_SECONDS or SOAK_RUNS)"
 	@echo "make bench  the benchmark"
 	@echo "make pictures / make format / make clean"
 

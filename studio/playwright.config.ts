@@ -1,6 +1,7 @@
 import {defineConfig} from '@playwright/test';
 
-const PORT = 4719;
+// Another one where two checkouts are tested at once.
+const PORT = Number(process.env.SNUG_E2E_PORT ?? 4719);
 
 export default defineConfig({
   projects: [
