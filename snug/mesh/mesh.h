@@ -25,7 +25,7 @@ struct Mesh {
     Vec3d origin;  ///< scans lie at survey coordinates that a float cannot hold
     /// The last vertices that only caps use (cap.h): they count for what is cut, not for where the centre is.
     std::size_t cap_vertices = 0;
-    ReadNotes read;
+    ReadNotes read{};
 
     /// Points without triangles: every other rule of a mesh holds, but each vertex stands for itself.
     [[nodiscard]] bool is_cloud() const { return triangles.empty() && !vertices.empty(); }
