@@ -29,8 +29,10 @@ CutRun either(CutRun a, CutRun b) {
 }
 
 CutRun both(CutRun lower, CutRun upper, std::int16_t level) {
-    if (lower.none() && upper.none()) return {};
-    return {lower.none() ? level : lower.first, upper.none() ? level : upper.end};
+    const CutRun own{lower.none() ? level : lower.first, upper.none() ? level : upper.end};
+    if (!own.none()) return own;
+    const CutRun parted{std::min(own.first, level), std::max(own.end, level)};
+    return parted.none() ? CutRun{} : parted;
 }
 
 }  // namespace

@@ -15,6 +15,17 @@
 // ends below the lowest x that the surface reaches in the cell grown for the lower foam, its upper foam above
 // the highest x in the cell grown for the upper. With one clearance for both this is the block map of one
 // depth map.
+//
+// Cells grown differently see different surfaces, so that the lower foam may have to end above the place
+// where the upper begins, or only one of them may see the object at all. The two then meet at the parting
+// level, as in a column without an object, unless the object stands in the way of one of them: that one ends
+// before it, and the other still at the parting level. So in every column
+//     the lower foam ends at      first, or where first >= end at the lower of first and the parting level,
+//     the upper foam begins at    end,   or where first >= end at the higher of end and the parting level,
+// where `first` is the lowest block that the object cuts from the lower foam, `end` the block above the
+// highest that it cuts from the upper, and the parting level stands for either that does not exist. Neither
+// half ever enters the room of its own, and none of the lower foam lies above any of the upper's, so both
+// come out.
 
 namespace snug {
 
@@ -44,7 +55,7 @@ struct HalfCuts {
 /// What either half cuts: what the parting level is chosen by.
 [[nodiscard]] BlockMap cut_by_either(const HalfCuts& cuts);
 
-/// What both cut together. Where only one half sees the object, the other ends at the parting level.
+/// What both cut together, by the rule above.
 [[nodiscard]] BlockMap cut_by_both(const HalfCuts& cuts, int parting_level);
 
 /// For searches, which have no parting level yet: the same with the one that would be chosen.
