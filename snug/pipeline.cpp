@@ -208,7 +208,7 @@ Result<Packing> pack_placed(const Placement& placement, const Design& design, co
     packing.foams = split(packing.blocks, space, level, packing.available);
     packing.timing.foam_pair = watch.lap();
 
-    packing.fit = fit_report(*packing.foams, packing.blocks, space, packing.available);
+    packing.fit = fit_report(*packing.foams, packing.blocks, space);
     steps.find_object_problems(packing, *depths, cuts, packing.findings);
     find_foam_problems(packing, design, packing.findings);
     steps.find_object_notes(packing, packing.findings);

@@ -272,9 +272,8 @@ TEST(MillTest, WhatACaseLeavesOutIsMilledFromOutsideOnTheSamePins) {
     test::PrintDesign design({{4, 8, 10}, {10, 10, 10}}, test::filled(8, 10, 2), test::filled(8, 10, 2));
     design.foams.lower(4, 4) = 1;
     design.blocks(4, 4) = {1, 2};
-    design.foams.lower_missing = {8, 10};
-    design.foams.upper_missing = {8, 10};
-    design.foams.lower_missing(0, 0) = 1;  // BACK, left
+    design.foams.available = {8, 10, {0, 4}};
+    design.foams.available(0, 0).first = 1;  // BACK, left
     MillOptions options;
     options.pin_mm = 6;
     const auto plans = mill_plans(design.view(), {}, options);

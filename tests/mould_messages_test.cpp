@@ -48,8 +48,8 @@ TEST(MouldPack, FoamTooNarrowForTheDraftIsAWarning) {
 
 TEST(MouldPack, WhatTheCaseLeavesNoRoomForIsToBeTrimmed) {
     test::PrintDesign design({{4, 3, 3}, {10, 10, 10}}, test::filled(3, 3, 2), test::filled(3, 3, 2));
-    design.foams.lower_missing = Heights(3, 3);
-    design.foams.lower_missing(0, 0) = 1;
+    design.foams.available = {3, 3, {0, 4}};
+    design.foams.available(0, 0).first = 1;
     WorkshopOptions options;
     options.mould.draft_deg = 0;
     const auto pack = mould_pack(design.view(), options);

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "snug/fabricate/half.h"
+#include "snug/base/half.h"
 #include "snug/fabricate/page_builder.h"
 
 // A half's columns as a grid on a page: its cells, lines, names and edges. Rows and columns as the half is

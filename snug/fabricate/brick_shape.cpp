@@ -55,9 +55,7 @@ long long BrickShape::studs() const {
 
 BrickShape brick_shape(const FoamDesign& design, Half half, const BlockInStuds& block, int plates_a_layer) {
     const bool lower = half == Half::lower;
-    const FoamPair& foams = design.foams;
-    const Grid<std::uint16_t>& kept = lower ? foams.lower : foams.upper;
-    const Grid<std::uint16_t>& missing = lower ? foams.lower_missing : foams.upper_missing;
+    const Grid<Run> kept = kept_runs(design.foams, half, design.space.blocks.x);
     const int layers = block.plates / plates_a_layer;
     const int rows = kept.ny() * block.rows, columns = kept.nz() * block.columns;
     BrickShape shape{half, plates_a_layer, Grid<int>(rows, columns), Grid<int>(rows, columns),
@@ -66,9 +64,9 @@ BrickShape brick_shape(const FoamDesign& design, Half half, const BlockInStuds& 
         for (int column = 0; column < columns; ++column) {
             const int seen = row / block.rows, k = column / block.columns;
             const int j = lower ? seen : kept.ny() - 1 - seen;
-            shape.top(row, column) = kept(j, k) * layers;
-            shape.first(row, column) = missing.size() > 0 ? missing(j, k) * layers : 0;
-            shape.rim(row, column) = kept(j, k) > 0 && design.blocks(j, k).none();
+            shape.top(row, column) = kept(j, k).end * layers;
+            shape.first(row, column) = kept(j, k).first * layers;
+            shape.rim(row, column) = !kept(j, k).none() && design.blocks(j, k).none();
         }
     return shape;
 }

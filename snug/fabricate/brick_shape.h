@@ -4,7 +4,7 @@
 #include "snug/base/result.h"
 #include "snug/design/brick_options.h"
 #include "snug/design/brick_parts.h"
-#include "snug/fabricate/half.h"
+#include "snug/base/half.h"
 #include "snug/fabricate/workshop_pack.h"
 
 namespace snug {

@@ -9,7 +9,7 @@ namespace {
 constexpr double kRounding = 1e-9;  // of a step that divides a block but for rounding
 
 MillField empty_field(const FoamDesign& design, Half half, double step_down_mm) {
-    const Grid<std::uint16_t>& kept = half == Half::lower ? design.foams.lower : design.foams.upper;
+    const Grid<std::uint16_t>& kept = design.foams.heights(half);
     const Vec3d block = design.space.block_mm;
     MillField field;
     field.height = Grid<int>(kept.ny(), kept.nz());
@@ -27,7 +27,7 @@ int MillField::lowest() const {
 }
 
 MillField mill_field(const FoamDesign& design, Half half, double step_down_mm) {
-    const Grid<std::uint16_t>& kept = half == Half::lower ? design.foams.lower : design.foams.upper;
+    const Grid<std::uint16_t>& kept = design.foams.heights(half);
     MillField field = empty_field(design, half, step_down_mm);
     for (int j = 0; j < kept.ny(); ++j)
         for (int k = 0; k < kept.nz(); ++k)
@@ -36,15 +36,14 @@ MillField mill_field(const FoamDesign& design, Half half, double step_down_mm) {
 }
 
 MillField mill_outside(const FoamDesign& design, Half half, double step_down_mm) {
-    const Grid<std::uint16_t>& missing =
-        half == Half::lower ? design.foams.lower_missing : design.foams.upper_missing;
+    const Grid<Run> kept = kept_runs(design.foams, half, design.space.blocks.x);
     MillField field = empty_field(design, half, step_down_mm);
     field.height = Grid<int>(field.height.ny(), field.height.nz(), field.top);
-    const int ny = missing.ny();
+    const int ny = kept.ny();
     for (int j = 0; j < ny; ++j)
-        for (int k = 0; k < missing.nz(); ++k)
+        for (int k = 0; k < kept.nz(); ++k)
             // Turned over about x, near and far change places.
-            field.height(ny - 1 - mill_row(half, j, ny), k) -= missing(j, k) * field.steps_a_block;
+            field.height(ny - 1 - mill_row(half, j, ny), k) -= kept(j, k).first * field.steps_a_block;
     return field;
 }
 

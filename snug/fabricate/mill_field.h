@@ -2,7 +2,7 @@
 
 #include "snug/base/grid.h"
 #include "snug/base/vec2.h"
-#include "snug/fabricate/half.h"
+#include "snug/base/half.h"
 #include "snug/fabricate/workshop_pack.h"
 
 // What is milled, as the machine sees it: x to the right, y away from the operator, z up, the origin at the

@@ -97,7 +97,7 @@ Result<MillPlans> mill_plans(const FoamDesign& design, const std::optional<Mille
         plan.field = mill_field(design, half, step_down(options));
         plans.push_back(std::move(plan));
     }
-    if (design.foams.lower_missing.size() > 0)
+    if (design.foams.available.size() > 0)
         for (const Half half : {Half::lower, Half::lid}) {
             MillPlan plan;
             plan.half = half;

@@ -21,14 +21,6 @@ long long sum_of(const Grid<std::uint16_t>& blocks) {
     return std::accumulate(blocks.begin(), blocks.end(), 0LL);
 }
 
-const Grid<std::uint16_t>& foam_of(const FoamPair& foams, Half half) {
-    return half == Half::lower ? foams.lower : foams.upper;
-}
-
-const Grid<std::uint16_t>& missing_of(const FoamPair& foams, Half half) {
-    return half == Half::lower ? foams.lower_missing : foams.upper_missing;
-}
-
 std::string word_of(Half half) {
     return half == Half::lower ? "lower" : "lid";
 }
@@ -36,9 +28,9 @@ std::string word_of(Half half) {
 Result<std::vector<Mould>> all_moulds(const FoamDesign& design, const WorkshopOptions& options) {
     std::vector<Mould> moulds;
     for (const Half half : {Half::lower, Half::lid}) {
-        if (sum_of(foam_of(design.foams, half)) == 0) continue;
+        if (sum_of(design.foams.heights(half)) == 0) continue;
         Mould mould{
-            mould_form(half, foam_of(design.foams, half), design.space.block_mm, options.mould), {}, {}};
+            mould_form(half, design.foams.heights(half), design.space.block_mm, options.mould), {}, {}};
         auto made = mould_parts(mould.form, options.mould.draft_deg, options.print);
         if (!made) return tl::unexpected(made.error());
         mould.made = std::move(*made);
@@ -84,7 +76,7 @@ void tell_draft(const FoamDesign& design, const std::vector<Mould>& moulds, doub
     for (const Mould& mould : moulds) {
         const Half half = mould.form.half;
         const double whole =
-            static_cast<double>(sum_of(foam_of(design.foams, half))) * design.space.block_volume();
+            static_cast<double>(sum_of(design.foams.heights(half))) * design.space.block_volume();
         lean += (lean.empty() ? "the " : ", the ") + name_of(half) + " by up to " +
                 number(greatest_lean_mm(mould.form, draft_deg), 1) + " mm on each side and " +
                 number((whole - mould.made.pour_mm3) * 1e-6, 2) + " of " + number(whole * 1e-6, 2) +
@@ -119,7 +111,7 @@ void tell_draft(const FoamDesign& design, const std::vector<Mould>& moulds, doub
 }
 
 void tell_missing(const FoamDesign& design, Half half, WorkshopPack& pack) {
-    const long long missing = sum_of(missing_of(design.foams, half));
+    const long long missing = missing_below(design.foams, half, design.space.blocks.x);
     if (missing == 0) return;
     pack.findings.push_back(
         {Severity::warning,

@@ -5,7 +5,7 @@
 
 #include "snug/base/grid.h"
 #include "snug/design/mould_options.h"
-#include "snug/fabricate/half.h"
+#include "snug/base/half.h"
 #include "snug/fabricate/print_parts.h"
 #include "snug/fabricate/print_solid.h"
 

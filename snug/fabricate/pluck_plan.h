@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "snug/base/grid.h"
-#include "snug/fabricate/half.h"
+#include "snug/base/half.h"
 #include "snug/fabricate/workshop_pack.h"
 
 namespace snug {

@@ -4,7 +4,7 @@
 
 #include "snug/base/grid.h"
 #include "snug/base/vec.h"
-#include "snug/fabricate/half.h"
+#include "snug/base/half.h"
 #include "snug/fabricate/isometric.h"
 #include "snug/foam/design_space.h"
 #include "snug/foam/foam_pair.h"

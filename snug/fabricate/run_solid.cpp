@@ -18,7 +18,7 @@ constexpr int kAround = 8;  // blocks around a corner
 /// it they belong to: blocks that hang together by faces around the corner share one.
 class Builder {
   public:
-    Builder(const Grid<CutRun>& runs, const DesignSpace& space) : runs_(runs), space_(space) {}
+    Builder(const Grid<Run>& runs, const DesignSpace& space) : runs_(runs), space_(space) {}
 
     Solid build() {
         for (int j = 0; j < runs_.ny(); ++j)
@@ -30,7 +30,7 @@ class Builder {
   private:
     [[nodiscard]] bool filled(Vec3i block) const {
         if (!runs_.contains(block.y, block.z)) return false;
-        const CutRun run = runs_(block.y, block.z);
+        const Run run = runs_(block.y, block.z);
         return block.x >= run.first && block.x < run.end;
     }
 
@@ -130,7 +130,7 @@ class Builder {
         return place->second;
     }
 
-    const Grid<CutRun>& runs_;
+    const Grid<Run>& runs_;
     const DesignSpace& space_;
     Solid solid_;
     std::map<std::tuple<int, int, int, int>, std::uint32_t> numbers_;
@@ -138,7 +138,7 @@ class Builder {
 
 }  // namespace
 
-Solid run_solid(const Grid<CutRun>& runs, const DesignSpace& space) {
+Solid run_solid(const Grid<Run>& runs, const DesignSpace& space) {
     return Builder(runs, space).build();
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "snug/base/grid.h"
+#include "snug/base/run.h"
 #include "snug/fabricate/solid.h"
-#include "snug/foam/block_map.h"
 #include "snug/foam/design_space.h"
 
 namespace snug {
@@ -10,6 +10,6 @@ namespace snug {
 /// The closed surface of one run of blocks in each column, for foams that a case shortens from both sides.
 /// Outward, without internal faces, each block face two triangles. Every edge belongs to exactly two
 /// triangles: where blocks meet in one edge or corner only, each has its own vertices there.
-[[nodiscard]] Solid run_solid(const Grid<CutRun>& runs, const DesignSpace& space);
+[[nodiscard]] Solid run_solid(const Grid<Run>& runs, const DesignSpace& space);
 
 }  // namespace snug

@@ -7,7 +7,7 @@
 #include "snug/base/result.h"
 #include "snug/base/vec2.h"
 #include "snug/fabricate/cell_loops.h"
-#include "snug/fabricate/half.h"
+#include "snug/base/half.h"
 #include "snug/fabricate/workshop_pack.h"
 
 // A foam half as sheets that are glued on each other. Rows and columns as the half is seen, its cavity facing

@@ -37,32 +37,26 @@ Solid solid(const Heights& heights, const DesignSpace& space, bool from_above) {
 }
 
 /// Whether some column is kept but does not begin at its own side of the space.
-bool is_shortened(const Heights& missing) {
-    return std::any_of(missing.begin(), missing.end(), [](std::uint16_t blocks) { return blocks > 0; });
+bool is_shortened(const Grid<Run>& kept) {
+    return std::any_of(kept.begin(), kept.end(), [](Run run) { return run.first > 0; });
 }
 
-Solid shortened_solid(const Heights& heights, const Heights& missing, const DesignSpace& space,
-                      bool from_above) {
-    Grid<CutRun> runs(heights.ny(), heights.nz());
-    for (std::size_t column = 0; column < runs.size(); ++column) {
-        const int from = missing[column], to = heights[column], nx = space.blocks.x;
-        runs[column] = {static_cast<std::int16_t>(from_above ? nx - to : from),
-                        static_cast<std::int16_t>(from_above ? nx - from : to)};
-    }
-    return run_solid(runs, space);
+Solid half_solid(const FoamPair& foams, const DesignSpace& space, Half half) {
+    const bool from_above = half == Half::lid;
+    Grid<Run> kept = kept_runs(foams, half, space.blocks.x);
+    if (!is_shortened(kept)) return solid(foams.heights(half), space, from_above);
+    if (from_above)
+        for (Run& run : kept) run = from_other_end(run, space.blocks.x);
+    return run_solid(kept, space);
 }
 
 }  // namespace
 
 Solid lower_solid(const FoamPair& foams, const DesignSpace& space) {
-    if (is_shortened(foams.lower_missing))
-        return shortened_solid(foams.lower, foams.lower_missing, space, false);
-    return solid(foams.lower, space, false);
+    return half_solid(foams, space, Half::lower);
 }
 Solid upper_solid(const FoamPair& foams, const DesignSpace& space) {
-    if (is_shortened(foams.upper_missing))
-        return shortened_solid(foams.upper, foams.upper_missing, space, true);
-    return solid(foams.upper, space, true);
+    return half_solid(foams, space, Half::lid);
 }
 
 }  // namespace snug

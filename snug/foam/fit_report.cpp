@@ -62,18 +62,17 @@ std::array<double, 6> in_millimetres(const std::array<int, 6>& thinnest, const D
     return mm;
 }
 
-/// Pieces are connected areas of non-empty columns: those of a height field all stand on the same plane, and
-/// where a case shortens them neighbours hang together if some level is in both.
+/// Pieces are connected areas of columns: those of a height field all stand on the same plane, and where a
+/// case shortens them neighbours hang together if some level is in both.
 class PieceCounter {
   public:
-    PieceCounter(const Grid<std::uint16_t>& heights, const Grid<std::uint16_t>& missing)
-        : heights_(heights), missing_(missing), seen_(heights.ny(), heights.nz()) {}
+    explicit PieceCounter(const Grid<Run>& kept) : kept_(kept), seen_(kept.ny(), kept.nz()) {}
 
     int count() {
         int pieces = 0;
-        for (int j = 0; j < heights_.ny(); ++j) {
-            for (int k = 0; k < heights_.nz(); ++k) {
-                if (heights_(j, k) == 0 || seen_(j, k)) continue;
+        for (int j = 0; j < kept_.ny(); ++j) {
+            for (int k = 0; k < kept_.nz(); ++k) {
+                if (kept_(j, k).none() || seen_(j, k)) continue;
                 ++pieces;
                 mark_piece(j, k);
             }
@@ -90,27 +89,25 @@ class PieceCounter {
             open_.pop_back();
             for (const auto& [dj, dk] :
                  {std::pair(-1, 0), std::pair(1, 0), std::pair(0, -1), std::pair(0, 1)})
-                visit(row, column, row + dj, column + dk);
+                visit(kept_(row, column), row + dj, column + dk);
         }
     }
 
-    void visit(int from_j, int from_k, int j, int k) {
-        if (!heights_.contains(j, k) || heights_(j, k) == 0 || seen_(j, k)) return;
-        if (bottom(from_j, from_k) >= heights_(j, k) || bottom(j, k) >= heights_(from_j, from_k)) return;
+    void visit(Run from, int j, int k) {
+        if (!kept_.contains(j, k) || seen_(j, k) || !from.meets(kept_(j, k))) return;
         seen_(j, k) = 1;
         open_.emplace_back(j, k);
     }
 
-    [[nodiscard]] int bottom(int j, int k) const { return missing_.size() == 0 ? 0 : missing_(j, k); }
-
-    const Grid<std::uint16_t>& heights_;
-    const Grid<std::uint16_t>& missing_;
+    const Grid<Run>& kept_;
     Grid<std::uint8_t> seen_;
     std::vector<std::pair<int, int>> open_;
 };
 
-int pieces(const Grid<std::uint16_t>& heights, const Grid<std::uint16_t>& missing) {
-    return PieceCounter(heights, missing).count();
+long long blocks_of(const Grid<Run>& runs) {
+    long long blocks = 0;
+    for (const Run run : runs) blocks += run.blocks();
+    return blocks;
 }
 
 }  // namespace
@@ -120,18 +117,19 @@ std::string_view side_name(Side side) {
     return kNames[side];
 }
 
-FitReport fit_report(const FoamPair& foams, const BlockMap& blocks, const DesignSpace& space,
-                     const Available& available) {
+FitReport fit_report(const FoamPair& foams, const BlockMap& blocks, const DesignSpace& space) {
+    const Available& available = foams.available;
+    const Grid<Run> lower = kept_runs(foams, Half::lower, space.blocks.x);
+    const Grid<Run> lid = kept_runs(foams, Half::lid, space.blocks.x);
     FitReport report;
-    for (const auto height : foams.lower) report.lower_blocks += height;
-    for (const auto height : foams.upper) report.upper_blocks += height;
-    for (const auto missing : foams.lower_missing) report.lower_blocks -= missing;
-    for (const auto missing : foams.upper_missing) report.upper_blocks -= missing;
+    report.lower_blocks = blocks_of(lower);
+    report.upper_blocks = blocks_of(lid);
     for (std::size_t column = 0; column < blocks.size(); ++column) {
-        const CutRun cut = blocks[column], there = available_in(available, column, space.blocks.x);
-        const CutRun both{std::max(cut.first, there.first), std::min(cut.end, there.end)};
-        report.cut_blocks += cut.none() ? 0 : both.blocks();
-        report.outside_blocks += cut.blocks() - (cut.none() ? 0 : both.blocks());
+        const CutRun cut = blocks[column];
+        const Run there = available_in(available, column, space.blocks.x);
+        const long long inside = cut.none() ? 0 : cut.common(there).blocks();
+        report.cut_blocks += inside;
+        report.outside_blocks += cut.blocks() - inside;
         report.shortened_blocks += space.blocks.x - there.blocks();
     }
     report.foam_mm3 = static_cast<double>(report.lower_blocks + report.upper_blocks) * space.block_volume();
@@ -140,8 +138,8 @@ FitReport fit_report(const FoamPair& foams, const BlockMap& blocks, const Design
     report.wall_mm = in_millimetres(available.size() == 0 ? thinnest_of(blocks, space.blocks)
                                                           : thinnest_within(available, blocks, space.blocks),
                                     space);
-    report.lower_pieces = pieces(foams.lower, foams.lower_missing);
-    report.upper_pieces = pieces(foams.upper, foams.upper_missing);
+    report.lower_pieces = PieceCounter(lower).count();
+    report.upper_pieces = PieceCounter(lid).count();
     return report;
 }
 

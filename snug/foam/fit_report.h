@@ -28,8 +28,7 @@ struct FitReport {
     int upper_pieces = 0;
 };
 
-/// `available` as the foams were split with. In a rounded or leaning case walls end where its blocks do.
-[[nodiscard]] FitReport fit_report(const FoamPair& foams, const BlockMap& blocks, const DesignSpace& space,
-                                   const Available& available = {});
+/// In a rounded or leaning case walls end where its blocks do.
+[[nodiscard]] FitReport fit_report(const FoamPair& foams, const BlockMap& blocks, const DesignSpace& space);
 
 }  // namespace snug

@@ -5,36 +5,56 @@
 namespace snug {
 namespace {
 
-/// Takes away what does not exist of one half: `missing` blocks from its own side, and all above `highest`.
-void shorten(std::uint16_t& height, std::uint16_t& missing, int absent, int highest) {
-    const int top = std::min<int>(height, highest);
-    height = static_cast<std::uint16_t>(top > absent ? top : 0);
-    missing = static_cast<std::uint16_t>(height > 0 ? absent : 0);
+/// Of a column that reaches to `height` in blocks that exist; counted from one side.
+std::uint16_t height_within(Run exists, int height) {
+    const int top = std::min<int>(height, exists.end);
+    return static_cast<std::uint16_t>(top > exists.first ? top : 0);
+}
+
+bool all_exist(const Available& available, int nx) {
+    return std::all_of(available.begin(), available.end(), [&](Run run) { return run.blocks() == nx; });
 }
 
 }  // namespace
 
 FoamPair split(const BlockMap& blocks, const DesignSpace& space, int parting_level,
                const Available& available) {
-    FoamPair foams{{blocks.ny(), blocks.nz()}, {blocks.ny(), blocks.nz()}, parting_level};
-    for (std::size_t column = 0; column < blocks.size(); ++column) {
-        const CutRun run = blocks[column];
-        const int below = run.none() ? parting_level : run.first;
-        const int above = space.blocks.x - (run.none() ? parting_level : run.end);
-        foams.lower[column] = static_cast<std::uint16_t>(below);
-        foams.upper[column] = static_cast<std::uint16_t>(above);
-    }
-    if (available.size() == 0) return foams;
-    foams.lower_missing = {blocks.ny(), blocks.nz()};
-    foams.upper_missing = {blocks.ny(), blocks.nz()};
     const int nx = space.blocks.x;
+    FoamPair foams{{blocks.ny(), blocks.nz()}, {blocks.ny(), blocks.nz()}, parting_level};
+    if (!all_exist(available, nx)) foams.available = available;
     for (std::size_t column = 0; column < blocks.size(); ++column) {
-        const CutRun run = available[column];
-        shorten(foams.lower[column], foams.lower_missing[column], run.first, run.none() ? 0 : run.end);
-        shorten(foams.upper[column], foams.upper_missing[column], nx - run.end,
-                run.none() ? 0 : nx - run.first);
+        const Run cut = blocks[column], exists = available_in(foams.available, column, nx);
+        const int below = cut.none() ? parting_level : cut.first;
+        const int above = nx - (cut.none() ? parting_level : cut.end);
+        foams.lower[column] = height_within(exists, below);
+        foams.upper[column] = height_within(from_other_end(exists, nx), above);
     }
     return foams;
+}
+
+Run existing_run(const FoamPair& foams, Half half, std::size_t column, int nx) {
+    const Run exists = available_in(foams.available, column, nx);
+    return half == Half::lower ? exists : from_other_end(exists, nx);
+}
+
+Run kept_run(const FoamPair& foams, Half half, std::size_t column, int nx) {
+    const std::uint16_t height = foams.heights(half)[column];
+    if (height == 0) return {};
+    return {existing_run(foams, half, column, nx).first, static_cast<std::int16_t>(height)};
+}
+
+Grid<Run> kept_runs(const FoamPair& foams, Half half, int nx) {
+    Grid<Run> runs(foams.lower.ny(), foams.lower.nz());
+    for (std::size_t column = 0; column < runs.size(); ++column)
+        runs[column] = kept_run(foams, half, column, nx);
+    return runs;
+}
+
+long long missing_below(const FoamPair& foams, Half half, int nx) {
+    long long missing = 0;
+    for (std::size_t column = 0; column < foams.lower.size(); ++column)
+        missing += kept_run(foams, half, column, nx).first;
+    return missing;
 }
 
 }  // namespace snug

@@ -1,34 +1,53 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "snug/base/grid.h"
+#include "snug/base/half.h"
+#include "snug/base/run.h"
 #include "snug/foam/block_map.h"
 #include "snug/foam/design_space.h"
 
 namespace snug {
 
-/// The run of blocks that exist in each column: all but those that would stick out of a case with rounded
-/// corners or leaning walls. An empty grid stands for all blocks of the space.
-using Available = Grid<CutRun>;
+/// The run of blocks that exist in each column, counted from -x: all but those that would stick out of a case
+/// with rounded corners or leaning walls. An empty grid stands for all blocks of the space.
+using Available = Grid<Run>;
 
-/// The blocks of the column that exist.
-[[nodiscard]] inline CutRun available_in(const Available& available, std::size_t column, int nx) {
-    return available.size() == 0 ? CutRun{0, static_cast<std::int16_t>(nx)} : available[column];
+/// The blocks of the column that exist, of nx.
+[[nodiscard]] inline Run available_in(const Available& available, std::size_t column, int nx) {
+    return available.size() == 0 ? Run{0, static_cast<std::int16_t>(nx)} : available[column];
 }
 
-/// The two foam halves (section 3.3 of the paper), each a height field: the blocks kept in each column,
-/// counted from its own side of the design space (lower from -x, upper from +x). Where the case shortens a
-/// column from that side, the height still counts from there and the missing blocks are counted beside it.
+/// The two foam halves (section 3.3 of the paper), each a height field: how high each column reaches, in
+/// blocks counted from its own side of the design space (lower from -x, upper from +x); 0 where it has none.
+/// In a case that shortens a column from that side the height still counts from there, but only what exists
+/// is kept: kept_run says which blocks those are.
 struct FoamPair {
     Grid<std::uint16_t> lower;
     Grid<std::uint16_t> upper;
-    int parting_level = 0;  ///< lower blocks where the object does not touch the column, 0 to nx
-    Grid<std::uint16_t> lower_missing = {};  ///< of `lower`, from its own side; empty grid: none anywhere
-    Grid<std::uint16_t> upper_missing = {};
+    int parting_level = 0;     ///< lower blocks where the object does not touch the column, 0 to nx
+    Available available = {};  ///< blocks that exist; empty where that is all of them
+
+    [[nodiscard]] const Grid<std::uint16_t>& heights(Half half) const {
+        return half == Half::lower ? lower : upper;
+    }
 };
 
+/// The halves of a block map. No half is higher than the blocks that exist.
 [[nodiscard]] FoamPair split(const BlockMap& blocks, const DesignSpace& space, int parting_level,
                              const Available& available = {});
+
+/// The blocks that a half keeps in a column of nx blocks, counted from the half's own side: what every table,
+/// solid and pack is made from. {0, 0} where it keeps none.
+[[nodiscard]] Run kept_run(const FoamPair& foams, Half half, std::size_t column, int nx);
+[[nodiscard]] Grid<Run> kept_runs(const FoamPair& foams, Half half, int nx);
+
+/// The blocks that exist in a column of nx blocks, counted from the half's own side.
+[[nodiscard]] Run existing_run(const FoamPair& foams, Half half, std::size_t column, int nx);
+
+/// Blocks under what a half keeps, on its own side, that do not exist, over all columns.
+[[nodiscard]] long long missing_below(const FoamPair& foams, Half half, int nx);
 
 }  // namespace snug

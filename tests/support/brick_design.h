@@ -17,15 +17,15 @@ namespace snug::test {
 /// Lets the outer blocks of some rim columns be missing, as a case with rounded corners does.
 inline void round_corners(Random& random, PrintDesign& design) {
     const int ny = design.foams.lower.ny(), nz = design.foams.lower.nz();
-    design.foams.lower_missing = {ny, nz};
-    design.foams.upper_missing = {ny, nz};
+    const int nx = design.space.blocks.x;
+    design.foams.available = {ny, nz, {0, static_cast<std::int16_t>(nx)}};
     for (int j = 0; j < ny; ++j)
         for (int k = 0; k < nz; ++k) {
             const bool corner = (j == 0 || j == ny - 1) && (k == 0 || k == nz - 1);
             if (!corner || !random.chance(0.7)) continue;
-            for (auto [kept, missing] : {std::pair(&design.foams.lower, &design.foams.lower_missing),
-                                         std::pair(&design.foams.upper, &design.foams.upper_missing)})
-                if ((*kept)(j, k) > 1) (*missing)(j, k) = 1;
+            Run& exists = design.foams.available(j, k);
+            if (design.foams.lower(j, k) > 1) exists.first = 1;
+            if (design.foams.upper(j, k) > 1) exists.end = static_cast<std::int16_t>(nx - 1);
         }
 }
 
