@@ -77,9 +77,9 @@ TEST(ZipRead, WhatCannotBeUnpackedIsNamedAndTheRestIsNot) {
     const auto found = contents(zip_of({{"a", "good"}, secret, lzma, hurt}));
     ASSERT_EQ(found.size(), 8u);
     EXPECT_EQ(found[1], "good");
-    expect_holds(found[3], "secret.txt in the zip archive is encrypted");
+    expect_holds(found[3], "\"secret.txt\" in the zip archive is encrypted");
     expect_holds(found[5], "packed by method 14");
-    expect_holds(found[7], "hurt.txt in the zip archive is damaged");
+    expect_holds(found[7], "\"hurt.txt\" in the zip archive is damaged");
 }
 
 TEST(ZipRead, AnArchiveThatIsNotWholeIsASentence) {
@@ -115,7 +115,7 @@ TEST(ZipRead, MoreThanTheLimitIsRefusedBeforeItIsUnpacked) {
 }
 
 TEST(ZipRead, DamagedArchivesAreSentencesOrHaveTrueMembers) {
-    for (std::uint64_t seed = 1; seed <= 20000; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 5000; ++seed) {
         Random random(seed);
         std::vector<ZipPart> parts = kTwo;
         for (ZipPart& part : parts) {
@@ -129,7 +129,8 @@ TEST(ZipRead, DamagedArchivesAreSentencesOrHaveTrueMembers) {
         if (!zip) continue;
         for (const ZipMember& member : zip->members()) {
             const auto bytes = zip->unpack(member);
-            if (bytes) EXPECT_EQ(crc_of(text_of(*bytes)), member.checksum) << "seed " << seed;
+            if (!bytes) continue;
+            EXPECT_EQ(crc_of(text_of(*bytes)), member.checksum) << "seed " << seed;
         }
     }
 }

@@ -108,8 +108,8 @@ class Entries {
         const std::uint64_t bytes = kEntryBytes + name + extra + comment;
         if (end_ - at_ < bytes) return damaged("an entry of its directory is cut off");
         ZipMember member;
-        const std::string_view text(reinterpret_cast<const char*>(file_.data()) + at_ + kEntryBytes, name);
-        member.name = zip_name(text);
+        const Bytes text = part_of(file_, at_ + kEntryBytes, name);
+        member.name = zip_name({reinterpret_cast<const char*>(text.data()), text.size()});
         const std::uint64_t flags = field(8, 2);
         member.encrypted = (flags & 1) != 0;
         member.method = static_cast<std::uint16_t>(field(10, 2));
@@ -117,7 +117,7 @@ class Entries {
         member.packed = field(20, 4);
         member.size = field(24, 4);
         member.begin = field(42, 4);
-        if (!take_zip64(file_.subspan(at_ + kEntryBytes + name, extra), member))
+        if (!take_zip64(part_of(file_, at_ + kEntryBytes + name, extra), member))
             return damaged("the size of " + quoted(member.name) + " is missing");
         if (auto found = find_data(member); !found) return tl::unexpected(found.error());
         at_ += bytes;
@@ -139,7 +139,7 @@ class Entries {
             const std::uint64_t id = little_endian(extra, 0, 2), size = little_endian(extra, 2, 2);
             if (extra.size() - 4 < size) break;
             if (id == 1) {
-                Bytes values = extra.subspan(4, size);
+                Bytes values = part_of(extra, 4, size);
                 for (std::uint64_t* field : fields) {
                     if (*field != kInZip64) continue;
                     if (values.size() < 8) return false;
@@ -148,7 +148,7 @@ class Entries {
                 }
                 return true;
             }
-            extra = extra.subspan(4 + size);
+            extra = part_of(extra, 4 + size, extra.size() - 4 - size);
         }
         return true;  // exactly that number
     }

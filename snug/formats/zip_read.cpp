@@ -84,7 +84,7 @@ Result<FileBytes> ZipReader::unpack(const ZipMember& member) {
     const auto wrong = [&] {
         return fail(ErrorKind::input, name + " in the zip archive is damaged: copy or download it again");
     };
-    const Bytes packed = file_.subspan(member.begin, member.packed);
+    const Bytes packed = part_of(file_, member.begin, member.packed);
     if (member.method == kStored && packed.size() != member.size) return wrong();
     if (member.method == kDeflated && !inflate_)
         return fail(ErrorKind::input, name + " in the zip archive is packed, which cannot be unpacked here");
