@@ -96,9 +96,9 @@ TEST(XmlRead, DamageIsNamedWithItsLine) {
     const std::pair<const char*, const char*> wrong[] = {
         {"", "no element"},
         {"plain text", "no element"},
-        {"<a>\n<b>", "line 2: it is cut off within <b>"},
-        {"<a>\n\n</b>", "line 3: there is </b>, where </a> is due"},
-        {"</a>", "there is </a>"},
+        {"<a>\n<b>", "line 2: it is cut off within the element \"b\""},
+        {"<a>\n\n</b>", "line 3: there is the end of an element \"b\", where that of \"a\" is due"},
+        {"</a>", "there is the end of an element \"a\""},
         {"<a/><b/>", "second element"},
         {"<a b>", "damaged or cut off"},
         {"<a b='1", "no quotes"},
@@ -126,7 +126,7 @@ TEST(XmlRead, RandomDocumentsEndInOrder) {
     constexpr std::string_view kPieces[] = {
         "<a", "<p:b",      ">",   "/>", "</a>", "</p:b>", " c='1'", "<!--", "-->", "&lt;",       "<?x",
         "?>", "<![CDATA[", "]]>", "\"", "'",    " ",      "<!",     "[",    "]",   "xmlns:p='u'"};
-    for (std::uint64_t seed = 1; seed <= 20000; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 5000; ++seed) {
         Random random(seed);
         std::string document;
         for (int i = random.integer(0, 30); i > 0; --i)

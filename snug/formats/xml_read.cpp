@@ -46,7 +46,7 @@ Result<XmlEvent> XmlReader::next() {
         at_ = std::min(text_.find('<', at_), text_.size());
         if (at_ == text_.size()) {
             if (!begun_) return wrong("there is no element in it");
-            if (!open_.empty()) return wrong("it is cut off within <" + quoted(open_.back().name) + ">");
+            if (!open_.empty()) return wrong("it is cut off within the element " + quoted(open_.back().name));
             return XmlEvent::done;
         }
         bool whole = true;
@@ -138,7 +138,7 @@ Result<bool> XmlReader::attributes() {
         const std::string_view name = word();
         pass_spaces();
         if (name.empty() || at_ >= text_.size() || text_[at_] != '=')
-            return wrong("the tag <" + quoted(open_.back().name) + "> is damaged or cut off");
+            return wrong("the tag of " + quoted(open_.back().name) + " is damaged or cut off");
         ++at_;
         pass_spaces();
         const char quote = at_ < text_.size() ? text_[at_] : '\0';
@@ -173,8 +173,9 @@ Result<XmlEvent> XmlReader::end_tag() {
     const std::string_view name = word();
     pass_spaces();
     if (open_.empty() || name != open_.back().name || at_ >= text_.size() || text_[at_] != '>') {
-        const std::string wanted = open_.empty() ? "" : ", where </" + quoted(open_.back().name) + "> is due";
-        return wrong("there is </" + quoted(name) + ">" + wanted);
+        const std::string wanted =
+            open_.empty() ? "" : ", where that of " + quoted(open_.back().name) + " is due";
+        return wrong("there is the end of an element " + quoted(name) + wanted);
     }
     ++at_;
     leave();
