@@ -46,8 +46,8 @@ double volume_of(const Mesh& mesh) {
 void expect_box(const Mesh& mesh, Vec3d low, Vec3d high) {
     const Box3d box = box_of(mesh);
     for (int axis = 0; axis < 3; ++axis) {
-        EXPECT_NEAR(box.low[axis], low[axis], 1e-4) << axis;
-        EXPECT_NEAR(box.high[axis], high[axis], 1e-4) << axis;
+        EXPECT_NEAR(box.min[axis], low[axis], 1e-4) << axis;
+        EXPECT_NEAR(box.max[axis], high[axis], 1e-4) << axis;
     }
 }
 
@@ -91,8 +91,8 @@ TEST(ThreeMfRead, LengthsAreInMillimetresWhateverTheUnitAndWhateverACommentSays)
             model.insert(model.find("<model"), front);
             const Mesh mesh = good(read(threemf_of(model)));
             const Box3d box = box_of(mesh);
-            EXPECT_NEAR(box.low.x, 3 * mm, 1e-6 * mm) << unit;
-            EXPECT_NEAR(box.high.x, 5 * mm, 1e-6 * mm) << unit;
+            EXPECT_NEAR(box.min.x, 3 * mm, 1e-6 * mm) << unit;
+            EXPECT_NEAR(box.max.x, 5 * mm, 1e-6 * mm) << unit;
             EXPECT_TRUE(mesh.read.in_mm);
         }
     }
@@ -195,7 +195,7 @@ TEST(ThreeMfRead, PartsOfOtherModelsKeepTheirOwnIds) {
     EXPECT_EQ(mesh.triangles.size(), 12u);
     expect_box(mesh, {0, 0, 0}, {25, 50, 10});
     expect_holds(sentence(threemf_of(root, {{"3D/Objects/a.model", a}})),
-                 "3d/objects/b c.model is not in it");
+                 "\"3d/objects/b c.model\" is not in it");
 }
 
 TEST(ThreeMfRead, TheRootIsTheModelThatTheRelationshipsNameLast) {
@@ -265,7 +265,7 @@ TEST(ThreeMfRead, ShapesOfExtensionsAreRefusedWhereTheyArePlaced) {
     const std::string beam_object = object_of(2, tetrahedron_mesh("1", beams));
     const std::string plain = object_of(1, tetrahedron_mesh("1"));
     expect_holds(sentence(with_body(beam_object, "<item objectid=\"2\"/>")),
-                 "object 2 of 3d/3dmodel.model is a beam lattice");
+                 "object 2 of \"3d/3dmodel.model\" is a beam lattice");
     EXPECT_TRUE(read(with_body(plain + beam_object)));
     EXPECT_TRUE(read(with_body(object_of(1, tetrahedron_mesh("1", none)))));
     const std::string cut =
@@ -302,7 +302,7 @@ TEST(ThreeMfRead, CirclesAndNestsWithoutEndAreSentences) {
     }
     expect_holds(sentence(with_body(body, build)), "more than 64 deep");
     expect_holds(sentence(with_body("", "<item objectid=\"3\"/>")),
-                 "object 3 of 3d/3dmodel.model is placed, but it is not there");
+                 "object 3 of \"3d/3dmodel.model\" is placed, but it is not there");
 }
 
 TEST(ThreeMfRead, FacesThatAreNoneAreLeftOutAndCounted) {
@@ -324,11 +324,11 @@ TEST(ThreeMfRead, FacesThatAreNoneAreLeftOutAndCounted) {
 
 TEST(ThreeMfRead, DamagedModelsNameThePartAndTheLine) {
     const auto broken = [](const std::string& model) { return sentence(threemf_of(model)); };
-    expect_holds(broken("<model>\n<resources>"), "3d/3dmodel.model, line 2: it is cut off");
-    expect_holds(broken("<svg/>"), "<svg>");
+    expect_holds(broken("<model>\n<resources>"), "\"3d/3dmodel.model\", line 2: it is cut off");
+    expect_holds(broken("<svg/>"), "its first element is \"svg\"");
     expect_holds(broken(model_of(object_of(1, "") + object_of(1, ""), "")), "two objects with the id 1");
     expect_holds(broken(model_of("", "<item objectid=\"one\"/>")),
-                 "objectid of <item> is not a whole number");
+                 "objectid of an element \"item\" is not a whole number");
     expect_holds(
         broken(model_of(object_of(1, tetrahedron_mesh("1")), "<item objectid=\"1\" transform=\"1 0 0\"/>")),
         "not twelve numbers");
@@ -342,7 +342,7 @@ TEST(ThreeMfRead, DamagedFilesAreSentencesOrWholeMeshes) {
                       "<components><component objectid=\"1\"/>"
                       "<component objectid=\"1\" transform=\"1 0 0 0 1 0 0 0 1 9 0 0\"/></components>"),
         "<item objectid=\"2\"/><item objectid=\"1\"/>");
-    for (std::uint64_t seed = 1; seed <= 20000; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 5000; ++seed) {
         Random random(seed);
         std::string hurt = model;
         for (int turn = random.integer(1, 4); turn > 0; --turn) {
@@ -353,10 +353,7 @@ TEST(ThreeMfRead, DamagedFilesAreSentencesOrWholeMeshes) {
                 hurt[at] = "<>/\"'&09-e \0v"[random.bits() % 13];
         }
         const auto mesh = read(zip_of({{"3D/3dmodel.model", hurt}}));
-        if (mesh)
-            EXPECT_TRUE(keeps_promises(*mesh)) << "seed " << seed;
-        else
-            EXPECT_FALSE(mesh.error().message.empty()) << "seed " << seed;
+        EXPECT_TRUE(mesh ? keeps_promises(*mesh) : !mesh.error().message.empty()) << "seed " << seed;
     }
 }
 

@@ -55,8 +55,7 @@ class ModelReader {
         auto event = xml_.next();
         if (!event) return tl::unexpected(event.error());
         if (*event != XmlEvent::start || xml_.name() != "model" || !is_3mf_core(xml_.space()))
-            return wrong(xml_,
-                         "its first element is <" + quoted(xml_.name()) + "> and not the <model> of a 3MF");
+            return wrong(xml_, "its first element is " + quoted(xml_.name()) + " and not the model of a 3MF");
         if (auto good = check_required_extensions(xml_); !good) return tl::unexpected(good.error());
         const auto mm = mm_per_unit(xml_);
         if (!mm) return tl::unexpected(mm.error());
@@ -100,8 +99,8 @@ class ModelReader {
         std::int64_t value = 0;
         const auto text = xml_.attribute(attribute);
         if (!text || !to_number(*text, value) || value < 0)
-            return wrong(xml_, "the " + std::string(attribute) + " of <" + quoted(xml_.name()) +
-                                   "> is not a whole number");
+            return wrong(xml_, "the " + std::string(attribute) + " of an element " + quoted(xml_.name()) +
+                                   " is not a whole number");
         return value;
     }
 
