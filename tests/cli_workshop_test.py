@@ -26,12 +26,14 @@ import ezdxf
 from ezdxf import bbox
 for path in sys.argv[1:]:
     drawing = ezdxf.readfile(path)
-    errors = len(drawing.audit().errors)
+    audit = drawing.audit()
+    errors = len(audit.errors) + len(audit.fixes)
+    assert (drawing.dxfversion, drawing.units) == ('AC1015', ezdxf.units.MM), (drawing.dxfversion, drawing.units)
     space = drawing.modelspace()
-    loops = [e for e in space if e.dxftype() == 'POLYLINE' and e.is_closed and e.dxf.layer.startswith('cut')]
+    loops = [e for e in space if e.dxftype() == 'LWPOLYLINE' and e.closed and e.dxf.layer.startswith('cut')]
     area = 0
     for loop in loops:
-        corners = [v.dxf.location for v in loop.vertices]
+        corners = list(loop.vertices_in_wcs())
         area += abs(sum(a.x * b.y - b.x * a.y for a, b in zip(corners, corners[1:] + corners[:1]))) / 2
     box = bbox.extents(space)
     print(json.dumps([errors, len(loops), area, box.extmin.x, box.extmin.y, box.extmax.x, box.extmax.y]))

@@ -75,32 +75,37 @@ def points_of(part):
 
 
 def read_dxf(path, height):
-    lines = path.read_text("utf-8").splitlines()
+    lines = path.read_text("ascii").splitlines()
     pairs = [(int(code), value.strip()) for code, value in zip(lines[::2], lines[1::2])]
     check(pairs[-1] == (0, "EOF"), f"{path}: no end")
     entities = []
     section = None
+    variables = {}
     for i, (code, value) in enumerate(pairs):
         if (code, value) == (0, "SECTION"):
             section = pairs[i + 1][1]
+        if section == "HEADER" and code == 9:
+            variables[value] = pairs[i + 1]
         if section != "ENTITIES":
             continue
         if code == 0:
             entities.append((value, {}))
         elif entities:
-            entities[-1][1][code] = value
+            entities[-1][1].setdefault(code, []).append(value)
+    # A version that has the unit, and the unit: millimetres.
+    check(variables.get("$ACADVER") == (1, "AC1015"), f"{path}: {variables}")
+    check(variables.get("$INSUNITS") == (70, "4"), f"{path}: {variables}")
+    check(variables.get("$MEASUREMENT") == (70, "1"), f"{path}: {variables}")
     shapes = []
     for kind, values in entities:
-        at = (float(values[10]), height - float(values[20])) if 10 in values else None
-        if kind == "POLYLINE":
-            closed = int(values.get(70, "0")) & 1
-            shapes.append((values[8], "loop" if closed else "line", []))
-        elif kind == "VERTEX":
-            shapes[-1][2].append(at)
+        points = [(float(x), height - float(y)) for x, y in zip(values.get(10, []), values.get(20, []))]
+        if kind == "LWPOLYLINE":
+            check(len(points) == int(values[90][0]), f"{path}: {values[90]} corners")
+            shapes.append((values[8][0], "loop" if int(values[70][0]) & 1 else "line", points))
         elif kind == "CIRCLE":
-            shapes.append((values[8], "circle", (*at, float(values[40]))))
-        elif kind == "LINE":
-            shapes.append((values[8], "line", [at, (float(values[11]), height - float(values[21]))]))
+            shapes.append((values[8][0], "circle", (*points[0], float(values[40][0]))))
+        else:
+            check(kind in ("SECTION", "ENDSEC"), f"{path}: {kind}")
     return shapes
 
 
