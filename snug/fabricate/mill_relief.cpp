@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "snug/fabricate/mill_allowed.h"
+#include "snug/fabricate/relief_loss.h"
 
 namespace snug {
 namespace {
@@ -134,10 +135,11 @@ class Reliever {
 
     [[nodiscard]] ReliefReport finish() {
         const double volume = stock_.cell_mm().x * stock_.cell_mm().y * field_.step_mm;
-        for (std::size_t i = 0; i < wanted_.size(); ++i) {
-            report_.overcut_mm3 += (wanted_[i] - taken_[i]) * volume;
+        for (std::size_t i = 0; i < wanted_.size(); ++i)
             report_.left_mm3 += std::max(0, stock_.height()[i] - wanted_[i]) * volume;
-        }
+        const ReliefLoss loss = relief_loss(field_, report_.reliefs, radius_);
+        report_.overcut_mm3 = loss.mm3;
+        report_.widest_mm = loss.widest_mm;
         return std::move(report_);
     }
 
@@ -192,21 +194,13 @@ class Reliever {
         return best;
     }
 
-    /// What of the foam that was to stay the cutter takes on this way, and how far it goes into it.
+    /// What of the foam that was to stay the cutter takes on this way, so that it costs nothing again.
     void note(const CutLine& way, int level) {
-        double nearest = radius_;
         const int stops = 1 + static_cast<int>(length(way.to - way.from) / (0.1 * radius_));
-        for (int stop = 0; stop <= stops; ++stop) {
-            const Vec2d at = way.from + (way.to - way.from) * (1.0 * stop / stops);
-            for_cells_within(at, [&](int row, int column) {
-                if (wanted_(row, column) <= level) return;
-                const Vec2d corner = stock_.middle(row, column) - at, half = stock_.cell_mm() * 0.5;
-                nearest = std::min(nearest, length({std::max(0.0, std::abs(corner.x) - half.x),
-                                                    std::max(0.0, std::abs(corner.y) - half.y)}));
+        for (int stop = 0; stop <= stops; ++stop)
+            for_cells_within(way.from + (way.to - way.from) * (1.0 * stop / stops), [&](int row, int column) {
                 taken_(row, column) = std::min(taken_(row, column), level);
             });
-        }
-        report_.widest_mm = std::max(report_.widest_mm, radius_ - nearest);
     }
 
     const MillField& field_;
