@@ -3,7 +3,9 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
+#include "snug/base/one_line.h"
 #include "snug/base/text.h"
 #include "snug/design/presets.h"
 #include "snug/fabricate/bricks.h"
@@ -24,7 +26,8 @@ constexpr std::size_t kLongestTitle = 60;  // characters
 std::string title_of(const std::string& file_name) {
     const std::size_t dot = file_name.rfind('.');
     const std::string name = dot == std::string::npos || dot == 0 ? file_name : file_name.substr(0, dot);
-    return wrapped(name, kLongestTitle, 1).front();
+    const std::vector<std::string> lines = wrapped(one_line(name), kLongestTitle, 1);
+    return lines.empty() ? "object" : lines.front();
 }
 
 std::optional<double> density(const Design& design) {
@@ -54,13 +57,14 @@ Result<WorkshopPack> pack_of(const FoamDesign& foams, const Object& object, cons
         case Workshop::sponge:
             return sponge_pack(foams, design.workshop);
         case Workshop::sheets:
-            return sheets_pack(foams, design.workshop.sheets);
+            return sheets_pack(foams, design.workshop.sheets, paper_mm(design.workshop.paper));
         case Workshop::print:
             return print_pack(foams, print_options(design));
         case Workshop::bricks:
             return brick_pack(foams, design.workshop, tools.solve_lp, tools.progress);
         case Workshop::mill:
-            return mill_pack(foams, milled_object(object, packing, design), design.workshop.mill);
+            return mill_pack(foams, milled_object(object, packing, design), design.workshop.mill,
+                             paper_mm(design.workshop.paper));
         case Workshop::mould:
             return mould_pack(foams, design.workshop);
         case Workshop::none:

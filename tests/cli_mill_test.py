@@ -86,14 +86,32 @@ class MillTest(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual((again / "mill/lower.nc").read_bytes(), first)
 
-    def test_a_case_with_round_corners_is_milled_from_outside_too(self):
-        done = self.snug("make", self.vase, "--for", "mill", "--longest", 70, "--case", "160x120x90:45",
-                         "--case-radius", 20, "-o", self.out)
+    def test_a_half_that_leaves_out_foam_outside_is_turned_over_on_pins_of_its_own(self):
+        for case in (["--case-radius", 20], ["--case-base", "140x100"], ["--case-base", "150x110", "--case-top", "140x96"]):
+            with self.subTest(case=case):
+                done = self.snug("make", self.vase, "--for", "mill", "--longest", 70, "--case", "160x120x90:45",
+                                 *case, "--flute", 100, "-o", self.out)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                names = {path.name for path in (self.out / "mill").iterdir()}
+                halves = {name.split("-")[0] for name in names if name.endswith("-outside.nc")}
+                self.assertEqual(bool(halves), "--case-base" in case)
+                self.assertEqual(names, {"lower.nc", "lid.nc"} | {f"{half}-{what}.nc" for half in halves
+                                                                  for what in ("outside", "board")})
+                for name in names:
+                    text = (self.out / "mill" / name).read_text("ascii")
+                    self.assertEqual("cavity up" in text, "-" not in name, name)
+                    self.assertEqual("outer side up" in text, "outside" in name, name)
+                    self.places(name)
+                shutil.rmtree(self.out)
+
+    def test_a_name_that_would_stop_the_machine_is_made_harmless(self):
+        path = self.vase.rename(self.work / "fragile! ~ keep.stl")
+        done = self.snug("make", path, "--for", "mill", "--longest", 70, "--wall", 15, "-o", self.out)
         self.assertEqual(done.returncode, 0, done.stderr)
-        names = {path.name for path in (self.out / "mill").iterdir()}
-        self.assertLessEqual({"lower.nc", "lid.nc"}, names)
-        if {"lower-outside.nc", "lid-outside.nc"} & names:
-            self.assertIn("board.nc", names)
+        for name, half in (("lower.nc", b"LOWER"), ("lid.nc", b"LID")):
+            program = (self.out / "mill" / name).read_bytes()
+            self.assertTrue(program.startswith(b"(" + half + b", cavity up. Object: fragile keep)\n"))
+            self.assertFalse(set(program) & set(b"!~?%;$") or [byte for byte in program if byte > 126])
 
     def test_what_cannot_be_milled_is_said(self):
         cases = [(["--cutter", 100], ["wider than every pocket", "--cutter"]),

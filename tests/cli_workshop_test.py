@@ -5,12 +5,14 @@ Usage: cli_workshop_test.py SNUG [unittest arguments]
 
 import csv
 import json
+import os
 import re
 import shutil
 import subprocess
 import sys
 import tempfile
 import unittest
+import zipfile
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
@@ -41,7 +43,8 @@ for path in sys.argv[1:]:
 
 
 def snug(*arguments):
-    return subprocess.run([SNUG, *map(str, arguments)], capture_output=True, text=True, timeout=240)
+    words = [each if isinstance(each, bytes) else str(each) for each in arguments]
+    return subprocess.run([SNUG, *words], capture_output=True, text=True, errors="replace", timeout=240)
 
 
 def prism(outline, x0, x1):
@@ -282,17 +285,75 @@ class WorkshopTest(unittest.TestCase):
             found.add(half)
         self.assertEqual(found, {0, 1})
 
-    def test_paper_sizes_and_true_size(self):
+    def assertPagesAre(self, pdf, size):
+        told = subprocess.run(["pdfinfo", "-l", "10000", pdf], capture_output=True, text=True, check=True).stdout
+        pages = re.findall(r"size: +([0-9.]+) x ([0-9.]+) pts", told)
+        self.assertEqual(len(pages), int(re.search(r"Pages: +(\d+)", told)[1]), pdf)
+        for page in pages:
+            for side, wanted in zip(sorted(float(each) / POINTS for each in page), sorted(size)):
+                self.assertAlmostEqual(side, wanted, 1, pdf)
+
+    def test_every_page_of_every_pack_is_of_the_paper_that_was_asked_for(self):
         vase = self.sample("vase")
-        for paper, size in PAPER.items():
-            with self.subTest(paper):
-                self.make(vase, "--for", "sponge", "--paper", paper)
-                for name in ("sponge-maps", "sponge-plan", "packing-sheet"):
-                    for (width, height), _ in self.words_of(self.out / f"{name}.pdf"):
-                        self.assertAlmostEqual(min(width, height), min(size), 1)
-                        self.assertAlmostEqual(max(width, height), max(size), 1)
-                self.assertIn(b"/PrintScaling /None", (self.out / "sponge-maps.pdf").read_bytes())
-                shutil.rmtree(self.out)
+        plans = {"sponge": {"sponge-maps", "sponge-plan"}, "sheets": {"sheets-assembly"}, "print": set(),
+                 "bricks": {"bricks-plan"}, "mill": {"mill-setup"}, "mould": {"mould-guide"}}
+        for work, names in plans.items():
+            for paper, size in PAPER.items():
+                with self.subTest(f"{work} {paper}"):
+                    self.make(vase, "--for", work, "--longest", 60, "--paper", paper)
+                    found = {path.stem: path for path in self.out.glob("**/*.pdf")}
+                    self.assertEqual(set(found), names | {"packing-sheet"})
+                    for path in found.values():
+                        self.assertPagesAre(path, size)
+                    shutil.rmtree(self.out)
+
+    def test_what_must_not_be_scaled_says_so_to_the_printer(self):
+        self.make(self.sample("vase"), "--for", "sponge", "--longest", 60)
+        self.assertIn(b"/PrintScaling /None", (self.out / "sponge-maps.pdf").read_bytes())
+
+    def test_no_name_of_an_object_breaks_a_file_of_any_pack(self):
+        vase = self.sample("vase").read_bytes()
+        names = [b"=1+1,\"<&>'\n\r\t0 FILE x.ldr ]]> \x01\x1b[31m \xe5\xa3\xba \xe2\x80\xa8.stl", b"bad\xff\xfe(!~?%;).stl",
+                 b"FILE a.stl", b"\xe2\x80\xae.stl"]
+        for name in names:
+            path = os.path.join(os.fsencode(self.work), name)
+            with open(path, "wb") as file:
+                file.write(vase)
+            for work in ("sponge", "sheets", "print", "bricks", "mill", "mould"):
+                with self.subTest(f"{name} {work}"):
+                    self.make(path, "--for", work, "--longest", "60")
+                    for written in self.out.glob("**/*"):
+                        self.assertRegex(str(written.relative_to(self.out)), r"^[a-z0-9/.-]+$")
+                        self.assertWhole(written)
+                    shutil.rmtree(self.out)
+
+    def assertWhole(self, path):
+        if path.suffix == ".svg":
+            ElementTree.parse(path)
+        elif path.suffix == ".3mf":
+            with zipfile.ZipFile(path) as package:
+                for member in package.namelist():
+                    ElementTree.fromstring(package.read(member))
+        elif path.suffix == ".json":
+            json.loads(path.read_text("utf-8"))
+        elif path.suffix == ".csv":
+            for row in csv.reader(path.read_text("ascii").splitlines()):
+                for cell in row:
+                    self.assertNotRegex(cell, r"^[=+@\t\r]|^-[^0-9.]", path)
+        elif path.suffix == ".nc":
+            for line in path.read_bytes().split(b"\n"):
+                self.assertLess(len(line), 80)
+                self.assertRegex(line, rb"^(\([A-Za-z0-9 .,:+/=&'_-]*\)|[GMXYZFSPIJ0-9 .-]*)$")
+        elif path.suffix == ".dxf":
+            path.read_text("ascii")
+        elif path.suffix == ".mpd":
+            for line in path.read_bytes().decode("utf-8").split("\r\n"):
+                self.assertEqual(line.splitlines(), [line] if line else [])
+                self.assertRegex(line, r"^(0 (FILE (foams|lower|lid)\.ldr|NOFILE|STEP|Name: |Author: |"
+                                       r"!LDRAW_ORG Unofficial_Model$|(Foams of bricks|Lower half, cavity up|Lid, cavity up): )"
+                                       r"|1 |$)")
+        elif path.suffix == ".pdf":
+            subprocess.run(["pdfinfo", path], capture_output=True, check=True)
 
     def test_the_square_to_measure_is_100_mm(self):
         self.make(self.sample("vase"), "--for", "sponge")

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -30,6 +32,23 @@ std::string text_of(const WorkshopPack& pack, const std::string& name) {
     for (const PackFile& file : pack.files)
         if (file.name == name) return {reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size()};
     return {};
+}
+
+/// No byte that GRBL or what sends to it takes for anything but text, and lines that it has room for.
+void expect_harmless(const std::string& text) {
+    for (const char c : text) {
+        const bool printable = c >= 32 && c < 127;
+        ASSERT_TRUE(c == '\n' ||
+                    (printable && std::string("!~?%;$\\\"[]{}<>^`|*#@").find(c) == std::string::npos))
+            << static_cast<int>(c);
+    }
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        ASSERT_LT(line.size(), 80u) << line;
+        const auto brackets =
+            std::count_if(line.begin(), line.end(), [](char c) { return c == '(' || c == ')'; });
+        ASSERT_TRUE(brackets == 0 || (brackets == 2 && line.front() == '(' && line.back() == ')')) << line;
+    }
 }
 
 /// What the machine does is what GRBL allows: no rapid move through foam, no sloping one, none too deep.
@@ -184,7 +203,7 @@ void expect_milled(const MilledCase& milled, const MillOptions& options, Random&
     ASSERT_TRUE(plans) << plans.error().message;
     for (const MillPlan& plan : plans->plans) {
         const GcodeProgram program =
-            test::read_gcode(grbl_program(plan.path, plan.field.size_mm(), options, "vase", {}));
+            test::read_gcode(grbl_program(plan.path, plan.field.size_mm(), options, {"vase", ""}, {}));
         expect_sound(program, plan, options);
         const GcodeStock stock = carved(program, plan, options, 0.5);
         expect_clear(stock, plan, milled.object, milled.packing, milled.design, random);
@@ -268,6 +287,18 @@ TEST(MillTest, TheCarvedStockRebuildsRandomHeightFieldsAndNothingStaysInCorners)
     }
 }
 
+/// The board's holes are where the half has its own once it is turned over about x.
+void expect_board_takes(const std::string& board_program, const MillPlan& half, Vec2d zero = {}) {
+    const GcodeProgram board = test::read_gcode(board_program);
+    for (const std::string& problem : board.problems) ADD_FAILURE() << problem;
+    ASSERT_EQ(half.pins.size(), 2u);
+    for (const MillPin& pin : half.pins)
+        EXPECT_TRUE(std::any_of(board.moves.begin(), board.moves.end(), [&](const GcodeMove& move) {
+            return !move.rapid && std::abs(move.to.x + zero.x - pin.at.x) < 1e-3 &&
+                   std::abs(move.to.y + zero.y - (half.field.size_mm().y - pin.at.y)) < 1e-3;
+        }));
+}
+
 TEST(MillTest, WhatACaseLeavesOutIsMilledFromOutsideOnTheSamePins) {
     test::PrintDesign design({{4, 8, 10}, {10, 10, 10}}, test::filled(8, 10, 2), test::filled(8, 10, 2));
     design.foams.lower(4, 4) = 1;
@@ -287,16 +318,67 @@ TEST(MillTest, WhatACaseLeavesOutIsMilledFromOutsideOnTheSamePins) {
     const auto pack = mill_pack(design.view(), {}, options);
     ASSERT_TRUE(pack);
     EXPECT_FALSE(text_of(*pack, "mill/lower-outside.nc").empty());
-    const GcodeProgram board = test::read_gcode(text_of(*pack, "mill/board.nc"));
-    for (const std::string& problem : board.problems) ADD_FAILURE() << problem;
-    // The board's pins are where the turned half has its holes.
-    const MillPlan& lower = plans->plans[0];
-    ASSERT_EQ(lower.pins.size(), 2u);
-    for (const MillPin& pin : lower.pins)
-        EXPECT_TRUE(std::any_of(board.moves.begin(), board.moves.end(), [&](const GcodeMove& move) {
-            return !move.rapid && std::abs(move.to.x - pin.at.x) < 1e-3 &&
-                   std::abs(move.to.y - (80 - pin.at.y)) < 1e-3;
-        }));
+    EXPECT_TRUE(text_of(*pack, "mill/lid-outside.nc").empty());
+    EXPECT_TRUE(text_of(*pack, "mill/lid-board.nc").empty());
+    expect_board_takes(text_of(*pack, "mill/lower-board.nc"), plans->plans[0]);
+}
+
+TEST(MillTest, EachTurnedHalfLiesOnItsOwnHolesInTheBoard) {
+    test::PrintDesign design({{4, 8, 10}, {10, 10, 10}}, test::filled(8, 10, 2), test::filled(8, 10, 2));
+    design.foams.available = {8, 10, {0, 4}};
+    design.foams.available(0, 0) = {1, 3};
+    for (const MillOrigin origin : {MillOrigin::corner, MillOrigin::centre}) {
+        MillOptions options;
+        options.origin = origin;
+        const auto plans = mill_plans(design.view(), {}, options);
+        ASSERT_TRUE(plans) << plans.error().message;
+        const auto pack = mill_pack(design.view(), {}, options);
+        ASSERT_TRUE(pack);
+        const Vec2d zero = origin == MillOrigin::centre ? Vec2d{50, 40} : Vec2d{};
+        expect_board_takes(text_of(*pack, "mill/lower-board.nc"), plans->plans[0], zero);
+        expect_board_takes(text_of(*pack, "mill/lid-board.nc"), plans->plans[1], zero);
+    }
+}
+
+TEST(MillTest, EveryProgramSaysWhichSideIsUpWhereBackIsAndWhereZeroIs) {
+    test::PrintDesign design({{4, 8, 10}, {10, 10, 10}}, test::filled(8, 10, 2), test::filled(8, 10, 2));
+    design.foams.lower(4, 4) = design.foams.upper(4, 4) = 1;
+    design.blocks(4, 4) = {1, 3};
+    design.foams.available = {8, 10, {0, 4}};
+    design.foams.available(0, 0) = {1, 3};
+    const auto pack = mill_pack(design.view(), {}, {});
+    ASSERT_TRUE(pack);
+    struct Said {
+        const char *file, *up, *back, *zero;
+    };
+    const char* const corner = "(X0 Y0 at the near left corner of the stock, Z0 on its top)";
+    const char* const board = "(X0 Y0 at the near left corner of where the stock will lie, Z0 on the board)";
+    const std::vector<Said> all{
+        {"lower.nc", "(LOWER, cavity up. Object: L & co)", "(BACK away from you)", corner},
+        {"lid.nc", "(LID, cavity up. Object: L & co)", "(BACK towards you)", corner},
+        {"lower-outside.nc", "(LOWER, outer side up, cavity down. Object: L & co)", "(BACK towards you)",
+         corner},
+        {"lid-outside.nc", "(LID, outer side up, cavity down. Object: L & co)", "(BACK away from you)",
+         corner},
+        {"lower-board.nc", "(BOARD below LOWER. Object: L & co)", "cavity down, BACK towards you)", board},
+        {"lid-board.nc", "(BOARD below LID. Object: L & co)", "cavity down, BACK away from you)", board}};
+    EXPECT_EQ(pack->files.size(), all.size());
+    for (const Said& said : all) {
+        std::string text = text_of(*pack, std::string("mill/") + said.file);
+        expect_harmless(text);
+        // Long remarks go on in the next comment.
+        for (std::size_t at; (at = text.find(")\n(")) != std::string::npos;) text.replace(at, 3, " ");
+        text = text.substr(0, text.find('\n'));
+        for (const char* words : {said.up, said.back, said.zero}) {
+            std::string bare = words;
+            bare.erase(std::remove_if(bare.begin(), bare.end(), [](char c) { return c == '(' || c == ')'; }),
+                       bare.end());
+            EXPECT_NE(text.find(bare), std::string::npos) << said.file << ": " << bare << " in " << text;
+        }
+        EXPECT_EQ(text.find("cavity up") == std::string::npos,
+                  std::string(said.file).find('-') != std::string::npos)
+            << text;
+    }
 }
 
 TEST(MillTest, PinsFitOneWayAndMeetInBothHalves) {
@@ -363,12 +445,75 @@ TEST(MillTest, FlatHalvesNeedNoProgram) {
     EXPECT_EQ(pack->findings.front().code, "nothing_to_mill");
 }
 
-TEST(MillTest, NamesInOtherLettersBecomeCommentsThatGrblTakes) {
-    const std::string text =
-        grbl_program({}, {10, 10}, {}, "Snug: (壺) \n G0 Z-50 " + std::string(200, 'x'), {});
-    const GcodeProgram program = test::read_gcode(text);
-    EXPECT_TRUE(program.problems.empty());
-    EXPECT_TRUE(program.moves.empty());
+/// Names of any bytes, most of them of those that do harm.
+std::string hostile_name(Random& random) {
+    static const std::vector<std::string> parts{"!",
+                                                "~",
+                                                "?",
+                                                "%",
+                                                ";",
+                                                "(",
+                                                ")",
+                                                "$X",
+                                                "\n",
+                                                "\r",
+                                                "\t",
+                                                "\x18",
+                                                "\x7f",
+                                                "\x84",
+                                                "\x85",
+                                                "\xff",
+                                                "\xe5\xa3\xba",
+                                                "\xc3\xa4",
+                                                "\xf0\x9f\x8f\xba",
+                                                "\xe2\x80\xa8",
+                                                "M3 S9",
+                                                "G0 Z-50",
+                                                " ",
+                                                "vase",
+                                                "L",
+                                                "\xc3",
+                                                "\xcc\x88",
+                                                "*",
+                                                "[",
+                                                "/"};
+    std::string name;
+    for (int i = random.integer(0, 60); i > 0; --i)
+        name += random.chance(0.8)
+                    ? parts[static_cast<std::size_t>(random.integer(0, static_cast<int>(parts.size()) - 1))]
+                    : std::string(1, static_cast<char>(random.integer(0, 255)));
+    return name;
+}
+
+TEST(MillTest, NoNameStopsOrStartsTheMachine) {
+    Random random(17);
+    for (int i = 0; i < 3000; ++i) {
+        const std::string name = hostile_name(random);
+        SCOPED_TRACE("case " + std::to_string(i));
+        const std::string text =
+            grbl_program({}, {10, 10}, {}, {"LID, outer side up, cavity down", name}, {name, "BACK " + name});
+        expect_harmless(text);
+        EXPECT_EQ(text.rfind("(LID, outer side up, cavity down", 0), 0u) << text;
+        const GcodeProgram program = test::read_gcode(text);
+        EXPECT_TRUE(program.problems.empty());
+        EXPECT_TRUE(program.moves.empty());
+        EXPECT_TRUE(program.ended);
+    }
+}
+
+TEST(MillTest, ALongNameIsShortenedAndTheWordsAreNot) {
+    const auto first_line = [](const std::string& name) {
+        const std::string text = grbl_program({}, {10, 10}, {}, {"LOWER, cavity up", name}, {});
+        return text.substr(0, text.find('\n'));
+    };
+    EXPECT_EQ(first_line("fragile! ~ keep"), "(LOWER, cavity up. Object: fragile keep)");
+    EXPECT_EQ(first_line("M\xc3\xbcller \xe5\xa3\xba\xe5\xa3\xba 2"),
+              "(LOWER, cavity up. Object: Muller _ 2)");
+    EXPECT_EQ(first_line("!?"), "(LOWER, cavity up)");
+    const std::string line = first_line(std::string(500, 'x'));
+    EXPECT_EQ(line.size(), 72u);
+    EXPECT_EQ(line.substr(0, 30), "(LOWER, cavity up. Object: xxx");
+    EXPECT_EQ(line.substr(68), "...)");
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "snug/base/utf8.h"
 
 #include <algorithm>
-#include <cstddef>
 
 namespace snug {
 namespace {
@@ -13,24 +12,6 @@ bool is_high_half(char32_t unit) {
 }
 bool is_low_half(char32_t unit) {
     return unit >= 0xDC00 && unit < 0xE000;
-}
-
-/// Bytes of the character at the front, 0 if there is none.
-std::size_t length_of_first(std::string_view text) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const unsigned first = byte(0);
-    if (first < 0x80) return 1;
-    const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-    if (first < 0xC2 || first > 0xF4 || text.size() < length) return 0;
-    char32_t character = first & (0xFFu >> (length + 1));
-    for (std::size_t i = 1; i < length; ++i) {
-        if ((byte(i) & 0xC0) != 0x80) return 0;
-        character = character << 6 | (byte(i) & 0x3F);
-    }
-    constexpr char32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000};
-    const bool whole = character >= kLeast[length] && character <= 0x10FFFF && !is_high_half(character) &&
-                       !is_low_half(character);
-    return whole ? length : 0;
 }
 
 }  // namespace
@@ -53,9 +34,26 @@ void append_utf8(char32_t character, std::string& text) {
     put_rest(0);
 }
 
+std::size_t character_bytes(std::string_view text) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const unsigned first = byte(0);
+    if (first < 0x80) return 1;
+    const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+    if (first < 0xC2 || first > 0xF4 || text.size() < length) return 0;
+    char32_t character = first & (0xFFu >> (length + 1));
+    for (std::size_t i = 1; i < length; ++i) {
+        if ((byte(i) & 0xC0) != 0x80) return 0;
+        character = character << 6 | (byte(i) & 0x3F);
+    }
+    constexpr char32_t kLeast[] = {0, 0, 0x80, 0x800, 0x10000};
+    const bool whole = character >= kLeast[length] && character <= 0x10FFFF && !is_high_half(character) &&
+                       !is_low_half(character);
+    return whole ? length : 0;
+}
+
 bool is_utf8(std::string_view text) {
     while (!text.empty()) {
-        const std::size_t length = length_of_first(text);
+        const std::size_t length = character_bytes(text);
         if (length == 0) return false;
         text.remove_prefix(length);
     }

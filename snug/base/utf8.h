@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -10,6 +11,9 @@ namespace snug {
 
 /// Appends a character; what is no character of Unicode becomes U+FFFD.
 void append_utf8(char32_t character, std::string& text);
+
+/// Bytes of the character at the front of `text`, which is not empty; 0 where there is none.
+[[nodiscard]] std::size_t character_bytes(std::string_view text);
 
 /// Whether every byte belongs to a character: no overlong form, no half of a pair, nothing beyond U+10FFFF.
 [[nodiscard]] bool is_utf8(std::string_view text);

@@ -2,26 +2,38 @@
 
 #include <array>
 #include <cmath>
+#include <string_view>
 
 #include "snug/base/text.h"
+#include "snug/fabricate/plain_name.h"
+#include "snug/fabricate/svg.h"
 
 namespace snug {
 namespace {
 
 constexpr std::size_t kLongestComment = 70;  // of GRBL's line of 80 characters
+constexpr std::size_t kMostLines = 8;
+constexpr std::string_view kCutOff = "...";
 
-/// Letters that every controller reads; brackets would end the comment.
-std::string comment(const std::string& text) {
-    std::string plain;
-    for (const char c : text) {
-        const bool printable = c >= 32 && c < 127 && c != '(' && c != ')';
-        // Of a letter in UTF-8 the first byte alone becomes a mark.
-        if (printable)
-            plain += c;
-        else if (static_cast<unsigned char>(c) >= 0xC0)
-            plain += '?';
+std::string comments(const std::string& words) {
+    std::string lines;
+    for (const std::string& line : wrapped(plain_name(words), kLongestComment, kMostLines))
+        lines += "(" + line + ")\n";
+    return lines;
+}
+
+/// The name has what the other words leave of one line.
+std::string title_comment(const ProgramTitle& title) {
+    const std::string what = plain_name(title.what), between = ". Object: ";
+    const std::size_t taken = what.size() + between.size();
+    std::string name = taken < kLongestComment ? plain_name(title.object_name) : "";
+    const bool any_letter = name.find_first_not_of(" _.,:-+/=&'") != std::string::npos;
+    if (!any_letter) return comments(what);
+    if (taken + name.size() > kLongestComment) {
+        name.resize(kLongestComment - taken - kCutOff.size());
+        name += kCutOff;
     }
-    return "(" + plain.substr(0, kLongestComment) + ")\n";
+    return "(" + what + between + name + ")\n";
 }
 
 class Writer {
@@ -96,9 +108,9 @@ class Writer {
 }  // namespace
 
 std::string grbl_program(const MillPath& path, Vec2d stock_mm, const MillOptions& options,
-                         const std::string& title, const std::vector<std::string>& remarks) {
-    std::string text = comment(title);
-    for (const std::string& remark : remarks) text += comment(remark);
+                         const ProgramTitle& title, const std::vector<std::string>& remarks) {
+    std::string text = title_comment(title);
+    for (const std::string& remark : remarks) text += comments(remark);
     Writer writer(options.origin == MillOrigin::centre ? stock_mm * 0.5 : Vec2d{}, options);
     writer.begin();
     for (const MillMove& move : path.moves) writer.add(move);

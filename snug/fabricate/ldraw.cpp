@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "snug/base/one_line.h"
+
 namespace snug {
 namespace {
 
@@ -36,19 +38,12 @@ std::string brick_line(const Brick& brick, int color) {
                 std::string(part->number) + ".dat");
 }
 
-/// What stands behind "0 ".
-std::string one_line(const std::string& text) {
-    std::string line = text;
-    std::replace_if(
-        line.begin(), line.end(), [](char c) { return static_cast<unsigned char>(c) < 32; }, ' ');
-    return line;
-}
-
 }  // namespace
 
 std::string ldraw_file(std::span<const ColoredBuild> halves, const std::string& object_name) {
-    const std::string title = one_line(object_name);
-    std::string text = header("foams.ldr", title + ": foams of bricks");
+    // Behind other words: LDraw takes FILE, STEP or !LDRAW_ORG at a line's beginning for an order.
+    const std::string name = ": " + one_line(object_name);
+    std::string text = header("foams.ldr", "Foams of bricks" + name);
     for (const ColoredBuild& half : halves) {
         if (half.build->bricks.empty()) continue;
         const bool lower = half.build->half == Half::lower;
@@ -59,7 +54,7 @@ std::string ldraw_file(std::span<const ColoredBuild> halves, const std::string& 
     for (const ColoredBuild& half : halves) {
         if (half.build->bricks.empty()) continue;
         text += header(model_name(half.build->half),
-                       title + (half.build->half == Half::lower ? ": lower half" : ": lid") + ", cavity up");
+                       (half.build->half == Half::lower ? "Lower half, cavity up" : "Lid, cavity up") + name);
         const Brick* before = nullptr;
         for (const Brick& brick : half.build->bricks) {
             if (before && (before->bottom != brick.bottom || before->kind != brick.kind))

@@ -10,47 +10,53 @@
 #include "snug/fabricate/gcode.h"
 #include "snug/fabricate/mill_plan.h"
 #include "snug/fabricate/mill_setup.h"
+#include "snug/fabricate/page_builder.h"
 
 namespace snug {
 namespace {
 
-std::vector<std::string> remarks(const MillPlan& plan, const MillOptions& options) {
-    const Vec2d size = plan.field.size_mm();
-    return {
-        "Stock " + dimensions({size.x, size.y, plan.field.top_mm()}) + " mm, cavity side up",
-        std::string("BACK ") + ((plan.half == Half::lower) != plan.outside ? "away from you" : "towards you"),
-        "Flat cutter " + number(options.cutter_mm) + " mm, " + number(plan.depth_mm(), 1) + " mm deep",
-        "X0 Y0 at the " + std::string(options.origin == MillOrigin::corner ? "near left corner" : "middle") +
-            " of the stock, Z0 on its top",
-        "Feeds and speeds are starting values: try them on waste"};
+std::string zero_text(const MillOptions& options, const std::string& of, const std::string& on) {
+    return "X0 Y0 at the " +
+           std::string(options.origin == MillOrigin::corner ? "near left corner" : "middle") + " of " + of +
+           ", Z0 on " + on;
 }
 
-/// The board's holes that the turned halves lie on: as the holes lie after turning them over about x.
-MillPath board_path(const MillPlan& lower, const MillOptions& options) {
-    std::vector<MillPin> pins = lower.pins;
-    for (MillPin& pin : pins) pin.at.y = lower.field.size_mm().y - pin.at.y;
-    return mill_path(lower.field, {}, {}, pins, options);
+std::vector<std::string> remarks(const MillPlan& plan, const MillOptions& options) {
+    const Vec2d size = plan.field.size_mm();
+    return {"Stock " + dimensions({size.x, size.y, plan.field.top_mm()}) + " mm, " + mill_side_up(plan),
+            std::string("BACK ") + mill_back(plan),
+            "Flat cutter " + number(options.cutter_mm) + " mm, " + number(plan.depth_mm(), 1) + " mm deep",
+            zero_text(options, "the stock", "its top"),
+            "Feeds and speeds are starting values: try them on waste"};
+}
+
+/// The holes in the board for the pins that the turned half lies on: where its own come to lie when it is
+/// turned over about x.
+std::string board_program(const FoamDesign& design, const MillPlan& own, const MillPlan& outside,
+                          const MillOptions& options) {
+    std::vector<MillPin> pins = own.pins;
+    for (MillPin& pin : pins) pin.at.y = own.field.size_mm().y - pin.at.y;
+    return grbl_program(mill_path(own.field, {}, {}, pins, options), own.field.size_mm(), options,
+                        {"BOARD below " + std::string(half_title(own.half)), design.object_name},
+                        {"Holes for pins in the board, for " + mill_file_name(outside),
+                         zero_text(options, "where the stock will lie", "the board"),
+                         "Then lay the " + std::string(half_title(own.half)) +
+                             " on the pins, cavity down, BACK " + mill_back(outside)});
 }
 
 void add_programs(const FoamDesign& design, const MillPlans& plans, const MillOptions& options,
                   WorkshopPack& pack) {
-    bool turned = false;
     for (const MillPlan& plan : plans.plans) {
         if (plan.empty()) continue;
-        turned = turned || plan.outside;
-        pack.files.push_back(text_file(
-            "mill/" + mill_file_name(plan),
-            grbl_program(plan.path, plan.field.size_mm(), options,
-                         "Snug: " + design.object_name + ", " + mill_title(plan), remarks(plan, options))));
+        pack.files.push_back(
+            text_file("mill/" + mill_file_name(plan),
+                      grbl_program(plan.path, plan.field.size_mm(), options,
+                                   {mill_title(plan), design.object_name}, remarks(plan, options))));
+        const MillPlan& own = plans.plans[plan.half == Half::lower ? 0 : 1];
+        if (plan.outside && !own.pins.empty())
+            pack.files.push_back(
+                text_file("mill/" + mill_board_name(plan.half), board_program(design, own, plan, options)));
     }
-    const MillPlan& lower = plans.plans.front();
-    if (!turned || lower.pins.empty()) return;
-    pack.files.push_back(
-        text_file("mill/board.nc",
-                  grbl_program(board_path(lower, options), lower.field.size_mm(), options,
-                               "Snug: " + design.object_name + ", pins in the board for the outer sides",
-                               {"X0 Y0 where the stock's near left corner will lie, Z0 on the board",
-                                "Lay each half on its pins with the cavity down"})));
 }
 
 std::string stock_text(const MillPlan& plan) {
@@ -80,6 +86,11 @@ void tell_figures(const MillPlans& plans, WorkshopPack& pack) {
     pack.material.litres = litres;
 }
 
+/// One digit behind the point, rounded up: never less than it is, and never nothing where there is some.
+std::string at_most(double value) {
+    return number(std::ceil(value * 10 - 1e-9) / 10, 1);
+}
+
 void tell_round_corners(const MillPlans& plans, const MillOptions& options, WorkshopPack& pack) {
     double widest = 0, overcut = 0, left = 0;
     for (const MillPlan& plan : plans.plans) {
@@ -87,19 +98,20 @@ void tell_round_corners(const MillPlans& plans, const MillOptions& options, Work
         overcut += plan.relief.overcut_mm3;
         left += plan.relief.left_mm3;
     }
-    const auto cm3 = [](double mm3) { return number(mm3 * 1e-3, 1) + " cm3"; };
-    pack.figures.push_back({"Extra gap in corners",
-                            overcut > 0 ? "up to " + number(widest, 1) + " mm, " + cm3(overcut) : "none"});
-    if (overcut <= 0 && left <= 0) return;
-    pack.findings.push_back({Severity::note,
-                             "round_corners",
-                             "a round cutter of " + number(options.cutter_mm) + " mm leaves " + cm3(left) +
-                                 " of foam in inside corners where the object does not reach" +
-                                 (overcut > 0 ? ", and where it does takes up to " + number(widest, 1) +
-                                                    " mm (" + cm3(overcut) + ") more than the blocks"
-                                              : "") +
-                                 "; a thinner cutter makes both less",
-                             {}});
+    const std::string taken =
+        "up to " + at_most(widest) + " mm wide, " + at_most(overcut * 1e-3) + " cm3 together";
+    pack.figures.push_back({"Extra gap in corners", widest > 0 ? taken : "none"});
+    if (widest <= 0 && left <= 0) return;
+    std::string words = "a round cutter of " + number(options.cutter_mm) + " mm";
+    if (left > 0)
+        words += " leaves " + at_most(left * 1e-3) +
+                 " cm3 of foam in inside corners where the object does not reach";
+    if (left > 0 && widest > 0) words += ", and";
+    if (widest > 0)
+        words +=
+            " takes foam beside the blocks where it must go beyond them to reach a corner (" + taken + ")";
+    pack.findings.push_back(
+        {Severity::note, "round_corners", words + "; a thinner cutter makes both less", {}});
 }
 
 void tell_pins(const MillPlans& plans, const MillOptions& options, WorkshopPack& pack) {
@@ -120,7 +132,7 @@ void tell_pins(const MillPlans& plans, const MillOptions& options, WorkshopPack&
 }  // namespace
 
 Result<WorkshopPack> mill_pack(const FoamDesign& design, const std::optional<MilledObject>& object,
-                               const MillOptions& options) {
+                               const MillOptions& options, Vec2d page_mm) {
     const auto plans = mill_plans(design, object, options);
     if (!plans) return tl::unexpected(plans.error());
     WorkshopPack pack;
@@ -131,7 +143,7 @@ Result<WorkshopPack> mill_pack(const FoamDesign& design, const std::optional<Mil
     if (pack.files.empty())
         pack.findings.push_back(
             {Severity::note, "nothing_to_mill", "both halves are flat boards: there is nothing to mill", {}});
-    pack.documents.push_back(mill_setup(design, *plans, options, pack.figures));
+    pack.documents.push_back(mill_setup(design, *plans, options, pack.figures, page_mm));
     return pack;
 }
 

@@ -5,6 +5,7 @@
 #include "snug/base/result.h"
 #include "snug/design/design.h"
 #include "snug/design/mill_options.h"
+#include "snug/design/workshop_options.h"
 #include "snug/fabricate/workshop_pack.h"
 #include "snug/foam/placement.h"
 #include "snug/mesh/mesh.h"
@@ -21,9 +22,10 @@ struct MilledObject {
 
 /// Both halves for a three-axis mill, each from its cavity's side, as programs for GRBL 1.1. Fails (kind
 /// usage) for options out of range, a cutter wider than every pocket or a flute shorter than a pocket is
-/// deep. Without `object` no foam is left in any corner of the blocks that are cut.
+/// deep. Without `object` no foam is left in any corner of the blocks that are cut. `page_mm`: of the set-up
+/// sheet's paper.
 [[nodiscard]] Result<WorkshopPack> mill_pack(const FoamDesign& design,
                                              const std::optional<MilledObject>& object,
-                                             const MillOptions& options);
+                                             const MillOptions& options, Vec2d page_mm = paper_mm("a4"));
 
 }  // namespace snug

@@ -11,10 +11,13 @@
 namespace snug {
 namespace {
 
-constexpr Vec2d kPage{210, 297};  // mm; fits Letter when scaled to the page
-constexpr double kPictureHeight = 150;
-constexpr double kNames = 7;  // mm around the picture
+constexpr double kBesidePicture = 147;  // mm of the page's height
+constexpr double kNames = 7;            // mm around the picture
 constexpr int kMostCells = 220;
+
+bool back_is_far(const MillPlan& plan) {
+    return (plan.half == Half::lower) != plan.outside;
+}
 
 /// A side from above, as the operator sees it: the farther, the higher on the page.
 class TopView {
@@ -78,7 +81,7 @@ class TopView {
     }
 
     void back() {
-        const bool far = (plan_.half == Half::lower) != plan_.outside;
+        const bool far = back_is_far(plan_);
         const double y = far ? corner_.y : corner_.y + size_.y;
         page_.line({corner_.x, y}, {corner_.x + size_.x, y}, {kInk, 0.9, {}});
         page_.text({corner_.x + size_.x, far ? y - 1.4 : y + 4.2}, "BACK",
@@ -106,30 +109,59 @@ std::string feed_text(const MillOptions& options) {
            " mm/min, " + number(options.spindle_rpm, 0) + " rpm: starting values, try them on waste";
 }
 
+/// "lower.nc", "lower.nc and lid.nc"
+std::string programs(const MillPlans& plans, bool outside) {
+    std::string names;
+    for (const MillPlan& plan : plans.plans)
+        if (plan.outside == outside && !plan.empty())
+            names += (names.empty() ? "" : " and ") + mill_file_name(plan);
+    return names;
+}
+
+double highest_stock(const MillPlans& plans) {
+    double highest = 0;
+    for (const MillPlan& plan : plans.plans) highest = std::max(highest, plan.field.top_mm());
+    return highest;
+}
+
+/// How a half lies for its outer side.
+std::string turning(const MillPlans& plans) {
+    const std::string turn =
+        "turn it over about the line from left to right, so that its near edge comes to "
+        "lie far and its cavity down";
+    const bool lower_is_turned = std::any_of(
+        plans.plans.begin(), plans.plans.end(),
+        [](const MillPlan& plan) { return plan.outside && plan.half == Half::lower && !plan.empty(); });
+    if (plans.plans.front().pins.empty())
+        return "Outer sides (" + programs(plans, true) + "): after a half's cavity is milled, " + turn +
+               ", line it up by its edges, set Z0 on its top again, and run its outside program.";
+    return "Outer sides (" + programs(plans, true) + "): after a half's cavity is milled, run its board " +
+           "program (" + mill_board_name(lower_is_turned ? Half::lower : Half::lid) +
+           ") in the board and put pins in. Take the half, " + turn +
+           " on the pins, keep X0 Y0, set Z0 on its top, and run its outside program. Each half has its own "
+           "holes in the board.";
+}
+
 std::vector<std::string> order_of_work(const MillPlans& plans, const MillOptions& options) {
-    const bool turned = plans.plans.size() > 2;
     std::vector<std::string> steps{
         "Cut each stock to its size. Write LOWER or LID and BACK on it.",
         "Fix it on the machine, the cavity's side up and BACK as drawn: double-sided tape or a vacuum, for "
         "screws tear foam.",
         "Set X0 Y0 where it is drawn, Z0 on the top of the stock. Run the program once with Z0 " +
-            number(plans.plans.front().field.top_mm() + 20, 0) + " mm higher, in the air."};
+            number(highest_stock(plans) + 20, 0) + " mm higher, in the air."};
     if (!plans.plans.front().pins.empty())
         steps.push_back(
-            "Both programs begin with two holes for pins of " + number(options.pin_mm) +
+            "Both cavity programs begin with two holes for pins of " + number(options.pin_mm) +
             " mm. The halves meet on them one way only: where they do not, one of them lay turned.");
-    if (turned && !plans.plans.front().pins.empty())
-        steps.push_back(
-            "Outer sides: run board.nc in the board, put pins in, lay each half on them with its "
-            "cavity down, and run its outside program.");
+    if (!programs(plans, true).empty()) steps.push_back(turning(plans));
     steps.push_back(
         "Close the empty halves once, BACK over BACK, and try the object's outline before it goes in.");
     return steps;
 }
 
 std::vector<Drawing> first_pages(const FoamDesign& design, const MillPlans& plans, const MillOptions& options,
-                                 const std::vector<PackFigure>& figures) {
-    PageFlow flow(kPage, "Milling", design.object_name + " · set-up sheet", kInk);
+                                 const std::vector<PackFigure>& figures, Vec2d page_mm) {
+    PageFlow flow(page_mm, "Milling", design.object_name + " · set-up sheet", kInk);
     for (const PackFigure& figure : figures) flow.row({figure.label, figure.value}, {0, 0.3}, {});
     flow.row(
         {"Cutter", "flat, " + number(options.cutter_mm) + " mm, flute " + number(options.flute_mm) + " mm"},
@@ -146,15 +178,18 @@ std::vector<Drawing> first_pages(const FoamDesign& design, const MillPlans& plan
     return flow.finish();
 }
 
-std::vector<Drawing> side_page(const FoamDesign& design, const MillPlan& plan, const MillOptions& options) {
+std::vector<Drawing> side_page(const FoamDesign& design, const MillPlan& plan, const MillOptions& options,
+                               Vec2d page_mm) {
     PageFlow flow(
-        kPage, std::string(half_title(plan.half)) + (plan.outside ? ", outer side" : ""),
+        page_mm, std::string(half_title(plan.half)) + (plan.outside ? ", outer side" : ""),
         design.object_name + " · mill/" + mill_file_name(plan) + " · from above, as you stand before it",
         half_ink(plan.half));
     flow.space(kNames);
-    const Vec2d corner = flow.room(kPictureHeight + kNames);
-    TopView(flow.page(), plan, corner, {flow.width(), kPictureHeight}).draw(options);
+    const double picture = page_mm.y - kBesidePicture;
+    const Vec2d corner = flow.room(picture + kNames);
+    TopView(flow.page(), plan, corner, {flow.width(), picture}).draw(options);
     const Vec2d size = plan.field.size_mm();
+    flow.row({"Lies", mill_side_up(plan) + ", BACK " + mill_back(plan)}, {0, 0.3}, {});
     flow.row({"Stock", dimensions({size.x, size.y, plan.field.top_mm()}) + " mm (right, away from you, up)"},
              {0, 0.3}, {});
     flow.row({"Deepest", number(plan.depth_mm(), 1) + " mm; the darker, the deeper"}, {0, 0.3}, {});
@@ -174,17 +209,29 @@ std::string mill_file_name(const MillPlan& plan) {
     return (plan.half == Half::lower ? "lower" : "lid") + std::string(plan.outside ? "-outside" : "") + ".nc";
 }
 
+std::string mill_board_name(Half half) {
+    return half == Half::lower ? "lower-board.nc" : "lid-board.nc";
+}
+
+std::string mill_side_up(const MillPlan& plan) {
+    return plan.outside ? "outer side up, cavity down" : "cavity up";
+}
+
 std::string mill_title(const MillPlan& plan) {
-    return std::string(half_title(plan.half)) + (plan.outside ? ", outer side up" : ", cavity up");
+    return std::string(half_title(plan.half)) + ", " + mill_side_up(plan);
+}
+
+std::string mill_back(const MillPlan& plan) {
+    return back_is_far(plan) ? "away from you" : "towards you";
 }
 
 DrawingDocument mill_setup(const FoamDesign& design, const MillPlans& plans, const MillOptions& options,
-                           const std::vector<PackFigure>& figures) {
+                           const std::vector<PackFigure>& figures, Vec2d page_mm) {
     DrawingDocument document{"mill-setup", design.object_name + ": milling",
-                             first_pages(design, plans, options, figures), false};
+                             first_pages(design, plans, options, figures, page_mm), false};
     for (const MillPlan& plan : plans.plans) {
         if (plan.empty()) continue;
-        auto pages = side_page(design, plan, options);
+        auto pages = side_page(design, plan, options, page_mm);
         std::move(pages.begin(), pages.end(), std::back_inserter(document.pages));
     }
     return document;

@@ -13,9 +13,7 @@
 namespace snug {
 namespace {
 
-constexpr Vec2d kPage{210, 297};  // mm; fits Letter when scaled to the page
 constexpr double kMargin = 15;
-constexpr double kWidth = kPage.x - 2 * kMargin;
 constexpr int kPicturesAcross = 4;
 constexpr double kBetween = 6;
 constexpr double kCaption = 9;  // mm below a picture
@@ -29,10 +27,10 @@ std::string half_name(const SheetStack& stack) {
     return stack.half == Half::lower ? "LOWER" : "LID";
 }
 
-Drawing new_page(const std::string& title) {
+Drawing new_page(const std::string& title, Vec2d size_mm) {
     Drawing page;
     page.title = title;
-    page.size_mm = kPage;
+    page.size_mm = size_mm;
     page.layers = {{"assembly", kInk}};
     return page;
 }
@@ -47,11 +45,15 @@ void draw(Drawing& page, std::vector<std::vector<Vec2d>> lines, bool closed, std
     page.items.push_back({0, PathItem{std::move(lines), closed, fill, std::move(pen)}});
 }
 
+double width_of(const Drawing& page) {
+    return page.size_mm.x - 2 * kMargin;
+}
+
 /// Lines of body text; gives where the next may begin.
 double paragraph(Drawing& page, double y, const std::string& mark, const std::string& text) {
     constexpr double height = 3.6, indent = 8;
     if (!mark.empty()) write(page, {kMargin, y}, mark, height, kInk, true);
-    constexpr auto letters = static_cast<std::size_t>((kWidth - indent) / (0.53 * height));
+    const auto letters = static_cast<std::size_t>((width_of(page) - indent) / (0.53 * height));
     for (const std::string& line : wrapped(text, letters, 40)) {
         write(page, {kMargin + indent, y}, line, height);
         y += 1.45 * height;
@@ -102,10 +104,28 @@ std::vector<std::string> steps(const SheetAssembly& half, const SheetOptions& op
     return text;
 }
 
+/// A length to measure in the cutter's program, and one on this page.
+double scale_check(Drawing& page, double y, const ScaleCheck& check) {
+    y = paragraph(page, y, "mm",
+                  "All lengths in the cutter's files are millimetres; in a DXF file one unit is one "
+                  "millimetre. Measure before you cut: in " +
+                      check.file + " piece " + check.piece + " is " + number(check.width_mm, 2) +
+                      " mm wide from its leftmost to its rightmost edge. If the cutter's program says "
+                      "otherwise, open the file there again as millimetres.");
+    constexpr double bar = 100;
+    const double x = kMargin + 8;
+    std::vector<std::vector<Vec2d>> lines{{{x, y}, {x + bar, y}}};
+    for (int tick = 0; tick <= 10; ++tick)
+        lines.push_back({{x + 10 * tick, y}, {x + 10 * tick, y - (tick % 5 == 0 ? 2.4 : 1.4)}});
+    draw(page, std::move(lines), false, {}, Pen{kInk, 0.15, {}});
+    write(page, {x + bar + 2, y}, "100 mm on paper printed at 100 %", 2.7, kSoft);
+    return y + 3;
+}
+
 /// The stack from the side, the first sheet at the bottom.
 void side_view(Drawing& page, double top, const SheetAssembly& half) {
     const SheetStack& stack = half.stack;
-    const double room = kPage.y - kMargin - top - 8, width = 90;
+    const double room = page.size_mm.y - kMargin - top - 8, width = 90;
     const double bar = std::min(9.0, room / std::max(stack.count, 1));
     const double bottom = top + bar * stack.count;
     const int every = std::max(1, static_cast<int>(std::ceil(3.2 / bar)));
@@ -204,18 +224,19 @@ class Picture {
     double scale_;
 };
 
-void add_pictures(std::vector<Drawing>& pages, const SheetAssembly& half, const std::string& object_name) {
+void add_pictures(std::vector<Drawing>& pages, const SheetAssembly& half, const std::string& object_name,
+                  Vec2d page_mm) {
     const SheetStack& stack = half.stack;
-    const double width = (kWidth - (kPicturesAcross - 1) * kBetween) / kPicturesAcross;
+    const double width = (page_mm.x - 2 * kMargin - (kPicturesAcross - 1) * kBetween) / kPicturesAcross;
     const Vec2d size = stack.size_mm();
     const double scale = std::min(width / size.x, 100 / size.y);
     const double step = size.y * scale + kCaption + kBetween;
-    const int down = std::max(1, static_cast<int>((kPage.y - 2 * kMargin - 30) / step));
+    const int down = std::max(1, static_cast<int>((page_mm.y - 2 * kMargin - 30) / step));
     std::size_t next = 0;
     for (int sheet = 0; sheet < stack.count; ++sheet) {
         const int on_page = sheet % (down * kPicturesAcross);
         if (on_page == 0) {
-            pages.push_back(new_page(half_name(stack) + ", sheets in their order"));
+            pages.push_back(new_page(half_name(stack) + ", sheets in their order", page_mm));
             heading(pages.back(), half, "sheets in their order, cavity facing you", object_name);
         }
         std::size_t end = next;
@@ -231,11 +252,11 @@ void add_pictures(std::vector<Drawing>& pages, const SheetAssembly& half, const 
 }  // namespace
 
 DrawingDocument sheet_assembly(std::span<const SheetAssembly> halves, const std::string& object_name,
-                               const SheetOptions& options) {
+                               const SheetOptions& options, const ScaleCheck& check, Vec2d page_mm) {
     DrawingDocument document{"sheets-assembly", object_name + ": how to glue the sheets", {}, false};
     for (const SheetAssembly& half : halves) {
         if (half.stack.count == 0) continue;
-        Drawing page = new_page(half_name(half.stack) + ", order of work");
+        Drawing page = new_page(half_name(half.stack) + ", order of work", page_mm);
         double y = heading(page, half,
                            counted(static_cast<unsigned long long>(half.stack.count), "sheet", "sheets") +
                                ", cavity facing you",
@@ -247,9 +268,10 @@ DrawingDocument sheet_assembly(std::span<const SheetAssembly> halves, const std:
                       "Ask the maker of the foam whether it may be cut by laser: never PVC (chlorine); "
                       "polystyrene, polypropylene, polyethylene and polyurethane foams burn or give off "
                       "poisonous gases, and many workshops forbid them. A knife or water jet cuts all.");
+        y = scale_check(page, y, check);
         side_view(page, y + 4, half);
         document.pages.push_back(std::move(page));
-        add_pictures(document.pages, half, object_name);
+        add_pictures(document.pages, half, object_name, page_mm);
     }
     return document;
 }

@@ -104,6 +104,21 @@ std::string index_csv(const AllPieces& all, const Nesting& nesting) {
     return text;
 }
 
+/// The widest piece of the first stock sheet: the longer, the surer.
+ScaleCheck scale_check(const AllPieces& all, const Nesting& nesting, const SheetOptions& options) {
+    ScaleCheck check{stock_name(0) + (options.dxf ? ".dxf" : ".svg"), {}, 0};
+    for (std::size_t i = 0; i < all.pieces.size(); ++i) {
+        if (nesting.places[i].stock != 0) continue;
+        const std::vector<Vec2d>& outer = all.cuts[i].outer;
+        const auto [left, right] = std::minmax_element(
+            outer.begin(), outer.end(), [](const Vec2d a, const Vec2d b) { return a.x < b.x; });
+        if (right->x - left->x <= check.width_mm) continue;
+        check.width_mm = right->x - left->x;
+        check.piece = all.pieces[i]->name;
+    }
+    return check;
+}
+
 void add_figures(WorkshopPack& pack, const Stacks& stacks, const AllPieces& all, const Nesting& nesting) {
     int sheets = 0;
     for (const SheetStack& stack : stacks.halves) sheets += stack.count;
@@ -140,7 +155,7 @@ void add_stock_files(WorkshopPack& pack, const AllPieces& all, const Nesting& ne
 
 }  // namespace
 
-Result<WorkshopPack> sheets_pack(const FoamDesign& design, const SheetOptions& options) {
+Result<WorkshopPack> sheets_pack(const FoamDesign& design, const SheetOptions& options, Vec2d page_mm) {
     const auto stacks = stacks_of(design, options);
     if (!stacks) return tl::unexpected(stacks.error());
     const AllPieces all = all_pieces(*stacks, options);
@@ -155,7 +170,8 @@ Result<WorkshopPack> sheets_pack(const FoamDesign& design, const SheetOptions& o
     std::vector<SheetAssembly> halves;
     for (std::size_t half = 0; half < stacks->halves.size(); ++half)
         halves.push_back({stacks->halves[half], stacks->dowels[half], stacks->measure.thickness_mm});
-    pack.documents.push_back(sheet_assembly(halves, design.object_name, options));
+    pack.documents.push_back(
+        sheet_assembly(halves, design.object_name, options, scale_check(all, *nesting, options), page_mm));
     add_figures(pack, *stacks, all, *nesting);
     for (const SheetAssembly& half : halves) add_sheet_findings(pack.findings, design, half, options);
     add_unnumbered_finding(pack.findings, all.unnumbered);

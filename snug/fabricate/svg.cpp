@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "snug/base/text.h"
+#include "snug/base/utf8.h"
 
 namespace snug {
 namespace {
@@ -13,25 +14,16 @@ namespace {
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
 constexpr std::string_view kEllipsis = "\xE2\x80\xA6";
 
-/// Bytes of the UTF-8 character at the front of `text`, 0 if there is none that XML allows.
-std::size_t character_bytes(std::string_view text) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-    const unsigned lead = byte(0);
-    if (lead < 0x80) return lead >= 0x20 || lead == '\t' || lead == '\n' || lead == '\r' ? 1 : 0;
-    const std::size_t bytes = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
-    if (lead < 0xC2 || lead > 0xF4 || text.size() < bytes) return 0;
-    unsigned code = lead & (0x7Fu >> bytes);
-    for (std::size_t i = 1; i < bytes; ++i) {
-        if ((byte(i) & 0xC0u) != 0x80u) return 0;
-        code = (code << 6) | (byte(i) & 0x3Fu);
-    }
-    const unsigned least = bytes == 4 ? 0x10000 : bytes == 3 ? 0x800 : 0x80;
-    const bool surrogate = code >= 0xD800 && code <= 0xDFFF;
-    return code < least || code > 0x10FFFF || surrogate || code == 0xFFFE || code == 0xFFFF ? 0 : bytes;
+/// Bytes of the character at the front of `text`, 0 if there is none that XML allows.
+std::size_t xml_character_bytes(std::string_view text) {
+    const auto lead = static_cast<unsigned char>(text.front());
+    if (lead < 0x20 && lead != '\t' && lead != '\n' && lead != '\r') return 0;
+    const std::string_view character = text.substr(0, character_bytes(text));
+    return character == "\xEF\xBF\xBE" || character == "\xEF\xBF\xBF" ? 0 : character.size();
 }
 
 std::size_t step(std::string_view text) {
-    return std::max<std::size_t>(1, character_bytes(text));
+    return std::max<std::size_t>(1, xml_character_bytes(text));
 }
 
 /// Bytes of the first `count` characters, or of all.
@@ -114,7 +106,7 @@ Color mixed(Color a, Color b, double share) {
 std::string xml_text(std::string_view text) {
     std::string safe;
     while (!text.empty()) {
-        const std::size_t bytes = character_bytes(text);
+        const std::size_t bytes = xml_character_bytes(text);
         switch (text.front()) {
             case '&':
                 safe += "&amp;";
