@@ -128,6 +128,46 @@ void expect_no_more_lost_than_told(const GcodeStock& stock, const MillPlan& plan
     }
 }
 
+/// Foam of the blocks that the program takes, measured at many arbitrary places.
+struct Lost {
+    int places = 0;
+    double mm3 = 0;
+    double farthest_mm = 0;  ///< from where the blocks are cut as deep
+};
+
+double away_from_pocket(const MillField& field, Vec2d at, double height, double reach) {
+    double least = reach;
+    const auto index = [](double mm, double cell) { return static_cast<int>(std::floor(mm / cell)); };
+    for (int row = index(at.y - reach, field.cell_mm.y); row <= index(at.y + reach, field.cell_mm.y); ++row)
+        for (int column = index(at.x - reach, field.cell_mm.x);
+             column <= index(at.x + reach, field.cell_mm.x); ++column) {
+            if (!field.height.contains(row, column) ||
+                field.height(row, column) * field.step_mm > height + 1e-3)
+                continue;
+            const auto away = [](double value, int cell, double mm) {
+                return std::max({cell * mm - value, value - (cell + 1) * mm, 0.0});
+            };
+            least = std::min(least,
+                             length({away(at.x, column, field.cell_mm.x), away(at.y, row, field.cell_mm.y)}));
+        }
+    return least;
+}
+
+Lost lost_of(const GcodeStock& stock, const MillPlan& plan, const MillOptions& options) {
+    Lost lost;
+    for (int row = 0; row < stock.height().ny(); ++row)
+        for (int column = 0; column < stock.height().nz(); ++column) {
+            const Vec2d at = stock.middle(row, column);
+            const double height = stock.height()(row, column), wanted = height_of(plan.field, at);
+            if (height >= wanted - 1e-3 || in_a_pin(plan, at, options.pin_mm / 2 + 0.01)) continue;
+            ++lost.places;
+            lost.mm3 += (wanted - height) * stock.cell() * stock.cell();
+            lost.farthest_mm =
+                std::max(lost.farthest_mm, away_from_pocket(plan.field, at, height, 3 * options.cutter_mm));
+        }
+    return lost;
+}
+
 /// The block map at the middles of columns that are wider than the cutter.
 void expect_the_blocks(const GcodeStock& stock, const MillPlan& plan, const FoamDesign& design) {
     const bool lid = plan.half == Half::lid;
@@ -238,6 +278,69 @@ TEST(MillTest, NoFoamIsLeftWhereRealObjectsAre) {
         expect_milled(packed(*read_mesh(*bytes, name), 60, 12), options, random);
     }
     if (objects == 0) GTEST_SKIP() << "the shared models are not there";
+}
+
+/// An object in any position, in a case of any shape, with clearances of its own on six sides, notches, ribs.
+std::optional<MilledCase> random_milled_case(Random& random) {
+    static const std::vector<const char*> names{"torus",    "figurine",           "vase",         "camera",
+                                                "spot.obj", "stanford-bunny.obj", "armadillo.obj"};
+    const char* name = names[static_cast<std::size_t>(random.integer(0, static_cast<int>(names.size()) - 1))];
+    const auto bytes = test::model_file(name);
+    const auto made = sample(name);
+    if (!bytes && !made) return {};
+    MilledCase result;
+    Design& design = result.design;
+    apply(*find_preset(built_in_presets(), "mill"), design);
+    design.space.wall_mm = equal_walls(0);
+    design.object.longest_mm = random.between(40, 60);
+    for (const int axis : {0, 1, 2}) design.placement.rotation_deg[axis] = random.between(0, 360);
+    design.case_options.inside_mm = Vec3d{90, 110, 100};
+    design.case_options.division = Division::all;
+    const int shape = random.integer(0, 2);
+    if (shape == 1) design.case_options.corner_radius_mm = 30;
+    if (shape == 2) design.case_options.base_mm = CrossSection{100, 90};
+    if (shape == 2) design.case_options.top_mm = CrossSection{104, 92};
+    if (random.chance(0.4))
+        for (const int axis : {0, 1, 2}) {
+            design.cut.clearance_mm.lower[axis] = random.between(0, 3);
+            design.cut.clearance_mm.upper[axis] = random.between(0, 3);
+        }
+    if (random.chance(0.3)) design.fit.notches = NotchOptions{20, 15, 12, {}, {}, {}};
+    if (random.chance(0.3)) design.fit.least_rib_mm = random.between(3, 10);
+    design = *checked(design);
+    result.object = *prepare(bytes ? *read_mesh(*bytes, name) : *made, design);
+    result.packing = *pack(result.object, design);
+    return result;
+}
+
+TEST(MillTest, WhatIsTakenOfTheBlocksIsToldWithItsWidthAndVolume) {
+    Lost all;
+    double told_mm3 = 0;
+    for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(cases(14)); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const auto milled = random_milled_case(random);
+        if (!milled || !milled->packing.foams) continue;
+        MillOptions options;
+        options.flute_mm = 200;
+        options.cutter_mm = random.between(2, 7);
+        const auto plans = mill_plans(milled->foams(), milled->milled(), options);
+        ASSERT_TRUE(plans) << plans.error().message;
+        for (const MillPlan& plan : plans->plans) {
+            const GcodeProgram program =
+                test::read_gcode(grbl_program(plan.path, plan.field.size_mm(), options, {"", ""}, {}));
+            // At places that have nothing to do with blocks or cells.
+            const Lost lost =
+                lost_of(carved(program, plan, options, random.between(0.3, 0.45)), plan, options);
+            EXPECT_LE(lost.farthest_mm, plan.relief.widest_mm + 2e-3);
+            EXPECT_EQ(plan.relief.widest_mm > 0, plan.relief.overcut_mm3 > 0);
+            all.places += lost.places;
+            all.mm3 += lost.mm3;
+            told_mm3 += plan.relief.overcut_mm3;
+        }
+    }
+    EXPECT_GT(all.places, 500);
+    EXPECT_NEAR(told_mm3 / all.mm3, 1, 0.1);
 }
 
 TEST(MillTest, TheCarvedStockRebuildsRandomHeightFieldsAndNothingStaysInCorners) {
