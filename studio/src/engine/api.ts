@@ -316,6 +316,9 @@ export interface Engine {
    *  load keeps the last good object. An implausible size is no failure: size_mm is null then, and pack() says
    *  why it cannot. `bytes` stays the caller's. */
   load(name: string, bytes: ArrayBuffer | Blob, object: Design['object']): Promise<ObjectInfo | Failure>;
+  /** Ends load() and everything else that the object is asked for, at once: they give a Failure of kind `cancelled`, and
+   *  the last good object is read again. */
+  stopReading(): Promise<void>;
   /** Applies other object options (units, scale, cap) to the object that is loaded. pack() does so by itself,
    *  too; this tells what they made of the object. */
   reprepare(design: Design): Promise<ObjectInfo | Failure>;

@@ -199,6 +199,11 @@ class PageEngine implements Engine {
     else if (searches > 0) await this.#slow?.handle.core.cancel();
   }
 
+  async stopReading(): Promise<void> {
+    this.#restart(CANCELLED);
+    await this.#restored;
+  }
+
   #tooLarge(name: string, object: Design['object']): Failure {
     const defaults = this.#defaults;
     const line = defaults ? firstMakeLine(name, defaults, object) : 'snug make';
@@ -226,7 +231,8 @@ class PageEngine implements Engine {
       if (handle === this.#quick) this.#restart(answer);
       await this.#restored;
     }
-    return answer;
+    // What it answered with its last breath belongs to a core that is gone.
+    return handle === this.#quick ? answer : handle.stopped;
   }
 
   #restart(reason: Failure) {
@@ -234,14 +240,17 @@ class PageEngine implements Engine {
     this.#endSlow(reason);
     this.#quick = this.#start();
     const object = this.#object;
-    const {core, stopped} = this.#quick;
+    const handle = this.#quick;
+    const {core, stopped} = handle;
     const reload = object ? core.load(object.name, object.content, object.options) : core.version();
     this.#restored = Promise.race([reload, stopped])
       .catch(brokenModule)
       .then((answer) => {
+        if (handle !== this.#quick) return; // ended in its turn: the next one tells
         // The object alone is too much now; it stays with the page, which may save it.
         if (isFailure(answer)) this.#object = null;
-        this.#options.onRestart?.(isFailure(answer) ? answer : reason);
+        if (isFailure(answer)) this.#options.onRestart?.(answer);
+        else if (reason.kind !== 'cancelled') this.#options.onRestart?.(reason);
       });
   }
 

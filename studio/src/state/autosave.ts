@@ -1,8 +1,10 @@
-import {openDB} from 'idb';
+import {openDB, type IDBPTransaction} from 'idb';
 import type {Design} from '../engine/api';
-import type {History} from './history';
+import type {Picture} from '../search/thumbnail';
+import {present, type History} from './history';
 
-// The browser's own database: the work of this browser, and of nobody else.
+// The browser's own database: the works of this browser, and of nobody else. Each tab of the page has a work of
+// its own; objects are shared by all that name them.
 
 /** An object by the name of its content. */
 export interface StoredObject {
@@ -23,45 +25,114 @@ export interface StoredWork {
   history: History<Moment>;
 }
 
-export interface Autosave {
-  load(): Promise<{work: StoredWork; objects: StoredObject[]} | null>;
-  /** Whole or not at all. Objects that no moment names are dropped. */
-  save(work: StoredWork, objects: Iterable<StoredObject>): Promise<void>;
-  clear(): Promise<void>;
+/** What a person chooses a work by. */
+export interface WorkSummary {
+  id: string;
+  /** Of the object's file; empty while there is none. */
+  name: string;
+  /** Of the object's file; 0 while there is none. */
+  bytes: number;
+  /** When it was saved last, ms since 1970; 0: not known. */
+  saved: number;
+  picture: Picture | null;
+  /** Ids of the objects in all its moments. */
+  objects: string[];
 }
 
-const WORK = 'work';
-const OBJECTS = 'objects';
-const KEY = 'last';
+export interface Autosave {
+  /** The newest first. */
+  list(): Promise<WorkSummary[]>;
+  load(id: string): Promise<{work: StoredWork; objects: StoredObject[]} | null>;
+  /** Whole or not at all. `objects` may be more than the work names. */
+  save(summary: WorkSummary, work: StoredWork, objects: Iterable<StoredObject>): Promise<void>;
+  /** Forgets a work, and the objects that no other one names. */
+  remove(id: string): Promise<void>;
+}
 
-export async function openAutosave(name = 'snug'): Promise<Autosave> {
-  const db = await openDB(name, 1, {
-    upgrade(fresh) {
-      fresh.createObjectStore(WORK);
-      fresh.createObjectStore(OBJECTS, {keyPath: 'id'});
+const WORKS = 'works';
+const SUMMARIES = 'summaries';
+const OBJECTS = 'objects';
+/** Of version 1: one work for the whole browser, by one key. */
+const WORK_1 = 'work';
+const KEY_1 = 'last';
+
+export interface AutosaveNews {
+  /** A tab with the page of an earlier version keeps the database from being opened until it is closed. */
+  onBlocked?: () => void;
+}
+
+export async function openAutosave({onBlocked}: AutosaveNews = {}, name = 'snug'): Promise<Autosave> {
+  const db = await openDB(name, 2, {
+    async upgrade(fresh, from, _, change) {
+      fresh.createObjectStore(WORKS);
+      fresh.createObjectStore(SUMMARIES, {keyPath: 'id'});
+      if (from === 0) fresh.createObjectStore(OBJECTS, {keyPath: 'id'});
+      if (from !== 1) return;
+      const work = (await change.objectStore(WORK_1).get(KEY_1)) as StoredWork | undefined;
+      const objects = (await change.objectStore(OBJECTS).getAll()) as StoredObject[];
+      if (work) {
+        void change.objectStore(WORKS).put(work, KEY_1);
+        void change.objectStore(SUMMARIES).put(summaryOf(KEY_1, work, objects, 0, null));
+      }
+      fresh.deleteObjectStore(WORK_1);
     },
+    blocked: () => onBlocked?.(),
+    // A page of a later version shall not wait for this tab.
+    blocking: () => db.close(),
   });
   return {
-    async load() {
-      const work = (await db.get(WORK, KEY)) as StoredWork | undefined;
-      if (!work) return null;
-      return {work, objects: (await db.getAll(OBJECTS)) as StoredObject[]};
+    async list() {
+      const all = (await db.getAll(SUMMARIES)) as WorkSummary[];
+      return all.sort((a, b) => b.saved - a.saved || (a.id < b.id ? -1 : 1));
     },
-    async save(work, objects) {
-      const used = new Set(work.history.moments.map(({object}) => object));
-      const change = db.transaction([WORK, OBJECTS], 'readwrite');
+    async load(id) {
+      const work = (await db.get(WORKS, id)) as StoredWork | undefined;
+      const summary = (await db.get(SUMMARIES, id)) as WorkSummary | undefined;
+      if (!work || !summary) return null;
+      const objects = await Promise.all(summary.objects.map((object) => db.get(OBJECTS, object)));
+      return {work, objects: objects.filter((object) => object !== undefined) as StoredObject[]};
+    },
+    async save(summary, work, objects) {
+      const change = db.transaction([WORKS, SUMMARIES, OBJECTS], 'readwrite');
       const known = new Set(await change.objectStore(OBJECTS).getAllKeys());
       for (const object of objects)
-        if (used.has(object.id) && !known.has(object.id)) void change.objectStore(OBJECTS).put(object);
-      for (const id of known) if (!used.has(id as string)) void change.objectStore(OBJECTS).delete(id);
-      void change.objectStore(WORK).put(work, KEY);
+        if (summary.objects.includes(object.id) && !known.has(object.id)) void change.objectStore(OBJECTS).put(object);
+      void change.objectStore(WORKS).put(work, summary.id);
+      void change.objectStore(SUMMARIES).put(summary);
+      await dropUnnamed(change);
       await change.done;
     },
-    async clear() {
-      const change = db.transaction([WORK, OBJECTS], 'readwrite');
-      void change.objectStore(WORK).clear();
-      void change.objectStore(OBJECTS).clear();
+    async remove(id) {
+      const change = db.transaction([WORKS, SUMMARIES, OBJECTS], 'readwrite');
+      void change.objectStore(WORKS).delete(id);
+      void change.objectStore(SUMMARIES).delete(id);
+      await dropUnnamed(change);
       await change.done;
     },
   };
+}
+
+export function summaryOf(
+  id: string,
+  {history}: StoredWork,
+  objects: Iterable<StoredObject>,
+  saved: number,
+  picture: Picture | null,
+): WorkSummary {
+  const known = new Map([...objects].map((object) => [object.id, object]));
+  const now = present(history).object;
+  // Undone to before it was opened, a work still has its object.
+  const named = now ?? [...history.moments].reverse().find(({object}) => object !== null)?.object ?? null;
+  const object = named === null ? undefined : known.get(named);
+  const all = new Set(history.moments.flatMap(({object: used}) => (used === null ? [] : [used])));
+  return {id, name: object?.name ?? '', bytes: object?.content.size ?? 0, saved, picture, objects: [...all]};
+}
+
+type Change = IDBPTransaction<unknown, string[], 'readwrite'>;
+
+async function dropUnnamed(change: Change): Promise<void> {
+  const summaries = (await change.objectStore(SUMMARIES).getAll()) as WorkSummary[];
+  const named = new Set(summaries.flatMap(({objects}) => objects));
+  for (const id of await change.objectStore(OBJECTS).getAllKeys())
+    if (!named.has(id as string)) void change.objectStore(OBJECTS).delete(id as string);
 }

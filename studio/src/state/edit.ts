@@ -179,6 +179,11 @@ export function withUnits(design: Design, units: Unit): Design {
   return {...design, object: {...design.object, units, longest_mm: null}};
 }
 
+/** Whatever the unit of the file is. */
+export function withLongest(design: Design, longest_mm: number): Design {
+  return {...design, object: {...design.object, units: null, scale: 1, longest_mm}};
+}
+
 export const MM_PER_UNIT: Record<Unit, number> = {mm: 1, cm: 10, m: 1000, in: 25.4};
 
 /** Scales the object so that what is `length` of the file's units long becomes `mm` long. */
@@ -201,13 +206,23 @@ export function completed(design: Design, defaults: Design): Design {
   return Object.fromEntries(parts) as Design;
 }
 
-/** What a fresh object starts with: the foam stays as it was chosen, everything about the last object goes. */
-export function forNewObject(design: Design, defaults: Design): Design {
+/** What a fresh object starts with. To the person belongs how they work: the foam and its blocks, the way of working
+ *  with its machines and prices, what a search looks for. To the object belongs all that was chosen to hold or to
+ *  place it: walls, case, clearance, notches, which axis is up, what it weighs. The latter begins anew, with the
+ *  foam's own clearance, so that a thin wall for a ring never holds the next vase. */
+export function forNewObject(design: Design, defaults: Design, presets: readonly Preset[]): Design {
+  const preset = presets.find(({name}) => name === design.space.preset);
+  const {play_mm, division} = design.case;
   return {
     ...design,
     object: defaults.object,
     placement: defaults.placement,
     parting: {level: 'auto'},
-    space: {...design.space, blocks: 'auto'},
+    space: {...design.space, blocks: 'auto', wall_mm: defaults.space.wall_mm},
+    cut: {...design.cut, clearance_mm: preset?.clearance_mm ?? defaults.cut.clearance_mm},
+    fit: {...design.fit, notches: null},
+    case: {...defaults.case, play_mm, division},
+    search: {...design.search, upright: null},
+    workshop: {...design.workshop, mass_kg: null},
   };
 }

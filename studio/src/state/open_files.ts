@@ -1,8 +1,8 @@
-import type {Design, ObjectFile} from '../engine/api';
+import type {Design, Failure, ObjectFile} from '../engine/api';
 import {convert, needsConversion} from '../engine/convert';
 import {isFailure} from '../engine/failure';
 import {firstMakeLine} from '../engine/make_line';
-import type {Studio} from './studio.svelte';
+import type {Content, Studio} from './studio.svelte';
 
 /** More than a page can hold as a file, as a mesh and as foams at once: WebAssembly ends at 4 GB. */
 const MOST_BYTES = 1_000_000_000;
@@ -16,8 +16,8 @@ export interface OpenTexts {
 /** Projects that wait for their object. */
 let waiting: {object: ObjectFile; design: Design} | null = null;
 
-/** Whatever a person drops or chooses: an object, a project, or both. The sentence beside "Open object" says what
- *  went wrong; then everything stays as it was. */
+/** Whatever a person drops or chooses: an object, a project, or both. A sentence says what went wrong; then everything
+ *  stays as it was. */
 export async function openFiles(studio: Studio, files: readonly File[], texts: OpenTexts): Promise<void> {
   const project = files.find(({name}) => /\.json$/i.test(name));
   const object = files.find((file) => file !== project);
@@ -44,18 +44,10 @@ async function readProject(studio: Studio, file: File, texts: OpenTexts, objectC
 async function openObject(studio: Studio, file: File, texts: OpenTexts): Promise<void> {
   if (file.size > MOST_BYTES)
     return studio.refuse('object', texts.tooBig(file.name, firstMakeLine(file.name, studio.defaults)));
-  let content: Blob = file;
-  let name = file.name;
-  const converted = needsConversion(name);
-  if (converted) {
-    const answer = await convert(name, await file.arrayBuffer());
-    if (isFailure(answer)) return studio.refuse('object', answer.error);
-    name = answer.name;
-    content = new Blob([answer.bytes]);
-  }
   const project = waiting;
   waiting = null;
-  const failed = await studio.openObject(name, content, {converted, design: project?.design});
+  const source = needsConversion(file.name) ? () => converted(file) : file;
+  const failed = await studio.openObject(file.name, source, {bytes: file.size, design: project?.design});
   if (failed) {
     waiting = project;
     return;
@@ -66,8 +58,15 @@ async function openObject(studio: Studio, file: File, texts: OpenTexts): Promise
       : null;
 }
 
+async function converted(file: File): Promise<Content | Failure> {
+  const answer = await convert(file.name, await file.arrayBuffer());
+  return isFailure(answer) ? answer : {name: answer.name, content: new Blob([answer.bytes]), converted: true};
+}
+
 export async function openSample(studio: Studio, name: string): Promise<void> {
-  const file = await studio.engine.sampleFile(name);
-  if (isFailure(file)) return studio.refuse('object', file.error);
-  await studio.openObject(file.name, new Blob([file.bytes]), {converted: true});
+  const failed = await studio.openObject(name, async () => {
+    const file = await studio.engine.sampleFile(name);
+    return isFailure(file) ? file : {name: file.name, content: new Blob([file.bytes]), converted: true};
+  });
+  if (!failed) studio.notice = null;
 }

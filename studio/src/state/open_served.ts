@@ -1,3 +1,4 @@
+import {isFailure} from '../engine/failure';
 import type {OpenTexts} from './open_files';
 import {openFiles} from './open_files';
 import type {Studio} from './studio.svelte';
@@ -24,9 +25,12 @@ export async function openServed(studio: Studio, texts: OpenTexts): Promise<bool
   const answer = await fetch('object/info').catch(() => null);
   if (!answer?.ok) return false;
   const info = (await answer.json()) as ServedObject;
-  const files = [new File([await (await fetch('object/file')).blob()], info.name)];
-  if (info.project)
-    files.push(new File([await (await fetch('object/project')).blob()], `${info.name}.snug.json`));
+  const files = await studio.reading(info, async () => {
+    const served = [new File([await (await fetch('object/file')).blob()], info.name)];
+    if (info.project) served.push(new File([await (await fetch('object/project')).blob()], `${info.name}.snug.json`));
+    return served;
+  });
+  if (isFailure(files)) return true;
   await openFiles(studio, files, texts);
   if (info.thinned) {
     studio.thinned = {name: info.original, deviation: info.deviation ?? 0};

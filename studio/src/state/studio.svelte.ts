@@ -10,11 +10,16 @@ import type {
   Packing,
   Preset,
 } from '../engine/api';
-import {isFailure} from '../engine/failure';
+import {failure, isFailure} from '../engine/failure';
 import {makeLine} from '../engine/make_line';
-import type {Autosave, Moment, StoredObject} from './autosave';
+import {language} from '../i18n/language.svelte';
+import {thumbnail, type Picture} from '../search/thumbnail';
+import {typing} from '../ui/typing.svelte';
+import type {Moment, StoredObject} from './autosave';
 import {completed, forNewObject, withPlacement, withSpace} from './edit';
 import {canRedo, canUndo, moved, present, record, startHistory, type History} from './history';
+import {newId} from './claims';
+import type {Works} from './works.svelte';
 
 /** Drawn while something moves, and when it stands still. */
 const MOVING_TRIANGLES = 10_000;
@@ -24,18 +29,48 @@ const GAPS_BY_THEMSELVES = 200_000;
 const REST_MS = 900;
 const SAVE_MS = 250;
 
-/** A sentence for the person and the control that it stands beside. */
+/** In pixels, and the colour of the object in it. */
+const PICTURE_SIZE = 96;
+const PICTURE_COLOR = [214, 200, 170];
+
+/** A sentence for the person, and what it is about. */
 export interface Problem {
   control: string;
   text: string;
 }
 
+/** Refusals that no later change of a control answers: they stay until they are read. */
+const LASTING: readonly string[] = ['object', 'project', 'make'];
+const CANCELLED = failure('cancelled', 'cancelled');
+
 export type Work = 'start' | 'read' | 'gaps' | 'search' | 'map' | 'make';
 /** What takes long just now. `fraction`: 0 to 1 where it is known. */
 export interface Busy {
   work: Work;
+  /** What is read. */
+  file?: FileFacts;
   fraction: number | null;
   cancel: (() => void) | null;
+}
+
+export interface FileFacts {
+  name: string;
+  bytes: number;
+}
+
+/** A reading under way: whoever works on it looks after each step whether it still goes on. */
+export interface Reading {
+  cancelled: boolean;
+  cancel(): void;
+  /** Settles when the page is as it was, or shows what was read. */
+  ended: Promise<void>;
+}
+
+/** A file's content as an object. */
+export interface Content {
+  name: string;
+  content: Blob;
+  converted: boolean;
 }
 
 export interface DisplayMeshes {
@@ -55,7 +90,6 @@ export interface Timing {
 /** The work on the page: one object, one design, and what the library makes of them. */
 export class Studio {
   readonly engine: Engine;
-  readonly #autosave: Autosave | null;
   readonly defaults: Design;
   readonly presets: Preset[];
   readonly samples: string[];
@@ -78,25 +112,35 @@ export class Studio {
   /** The object is only a copy for looking: its foams are made elsewhere. */
   thinned: {name: string; deviation: number} | null = $state.raw(null);
   #history: History<Moment> = $state.raw(startHistory<Moment>({design: {} as Design, object: null}));
+  /** The object has no size before its unit is known, and no foams. */
+  asksForUnit = $derived(this.object?.sizeProblem != null);
+  /** The person closed that question for now. */
+  unitLater = $state(false);
+  /** All that is known to say about the foams, the worst first. */
+  findings = $derived(this.gap?.findings ?? this.packing?.findings ?? []);
   canUndo = $derived(canUndo(this.#history));
   canRedo = $derived(canRedo(this.#history));
 
+  /** The works of this browser; null while there are none to be had. */
+  works: Works | null = $state.raw(null);
   #objects = new Map<string, StoredObject>();
   #shown: string | null = null;
   #saving: ReturnType<typeof setTimeout> | undefined;
   #resting: ReturnType<typeof setTimeout> | undefined;
   #meshesOf = 0;
-  #arrival: Promise<void> = Promise.resolve();
+  #arrival: Promise<unknown> = Promise.resolve();
+  #reading: Reading | null = null;
+  /** Nothing is saved while what was saved is not back yet, or shall be forgotten. */
+  #keeping = true;
+  #picture: {of: string; picture: Picture} | null = null;
   /** Settles when the last long work has ended. */
   #work: Promise<void> = Promise.resolve();
 
   private constructor(
     engine: Engine,
-    autosave: Autosave | null,
     facts: {defaults: Design; presets: Preset[]; samples: string[]; version: string},
   ) {
     this.engine = engine;
-    this.#autosave = autosave;
     this.defaults = facts.defaults;
     this.presets = facts.presets;
     this.samples = facts.samples;
@@ -105,14 +149,14 @@ export class Studio {
     this.#history = startHistory({design: this.design, object: null});
   }
 
-  static async start(engine: Engine, autosave: Autosave | null): Promise<Studio> {
+  static async start(engine: Engine): Promise<Studio> {
     const [defaults, presets, samples, version] = await Promise.all([
       engine.defaultDesign(),
       engine.presets(),
       engine.samples(),
       engine.version(),
     ]);
-    return new Studio(engine, autosave, {defaults, presets, samples, version});
+    return new Studio(engine, {defaults, presets, samples, version});
   }
 
   get file(): StoredObject | null {
@@ -127,38 +171,97 @@ export class Studio {
   change(edit: (design: Design) => Design, control: string): void {
     const next = edit(this.design);
     if (JSON.stringify(next) === JSON.stringify(this.design)) return;
-    this.design = next;
+    this.#changes(next);
     void this.#show(next, control);
   }
 
   undo = () => this.#go(-1);
   redo = () => this.#go(1);
 
-  /** Puts a file's content on the screen. Null where it worked. */
+  /** Puts a file's content on the screen. `source` may make it first, from another format or from several files.
+   *  Null where it worked; refused or cancelled, everything is as it was. */
   async openObject(
     name: string,
-    content: Blob,
-    options: {converted?: boolean; design?: Design} = {},
+    source: Blob | (() => Promise<Content | Failure>),
+    options: {bytes?: number; converted?: boolean; design?: Design | undefined} = {},
   ): Promise<Failure | null> {
-    this.#stopResting();
-    // A search or an export of the last object ends first, and leaves the design alone.
-    if (this.busy) await this.engine.cancel();
-    await this.#work;
-    this.busy = {work: 'read', fraction: null, cancel: null};
-    const design = options.design ?? forNewObject(this.design, this.defaults);
+    const bytes = options.bytes ?? (source instanceof Blob ? source.size : 0);
+    const before = present(this.#history);
+    const answer = await this.reading({name, bytes}, async (reading) => {
+      const own = {name, converted: options.converted ?? false};
+      const made = source instanceof Blob ? {...own, content: source} : await source();
+      if (reading.cancelled || isFailure(made)) return isFailure(made) ? made : CANCELLED;
+      const wanted = options.design ?? forNewObject(this.design, this.defaults, this.presets);
+      const failed = await this.#open(made, wanted, reading);
+      // A design that this object cannot have is no reason to lose the object.
+      const again = failed && options.design && failed.kind !== 'cancelled' && this.#shown !== before.object;
+      return again ? this.#open(made, forNewObject(this.design, this.defaults, this.presets), reading) : failed;
+    });
+    if (!isFailure(answer)) return null;
+    await this.#backTo(before);
+    return this.#refuse('object', {...answer, error: named(name, answer.error)});
+  }
+
+  async #open({name, content, converted}: Content, design: Design, reading: Reading): Promise<Failure | null> {
     const info = await this.engine.load(name, content, design.object);
-    this.busy = null;
-    if (isFailure(info)) return this.#refuse('object', {...info, error: named(name, info.error)});
-    const id = info.file.sha256 || crypto.randomUUID();
-    this.thinned = null;
-    this.#objects.set(id, {id, name, content, converted: options.converted ?? false});
-    this.#shown = id;
-    this.design = design;
-    this.packing = null;
-    await this.#objectIs(info);
+    if (reading.cancelled || isFailure(info)) return isFailure(info) ? info : CANCELLED;
+    const id = info.file.sha256 || newId();
+    this.#objects.set(id, {id, name, content, converted});
+    await this.#switchTo(id, info, design);
+    if (reading.cancelled) return CANCELLED;
     const failed = await this.#show(design, '');
-    // A design that this object cannot have is no reason to lose the object.
-    return failed && options.design ? this.openObject(name, content, {converted: options.converted}) : failed;
+    if (reading.cancelled) return CANCELLED;
+    if (!failed) this.thinned = null;
+    return failed;
+  }
+
+  /** Another object is on the screen; nothing of the last one is. */
+  async #switchTo(id: string, info: ObjectInfo, design: Design): Promise<void> {
+    this.#shown = id;
+    this.#changes(design);
+    this.packing = null;
+    this.gap = null;
+    this.unitLater = false;
+    await this.#objectIs(info);
+  }
+
+  /** Says from the first moment on what is read, with a way out that ends it at once. Other long work, and the reading
+   *  before, end first. */
+  async reading<T>(file: FileFacts, run: (reading: Reading) => Promise<T | Failure>): Promise<T | Failure> {
+    this.#stopResting();
+    this.#reading?.cancel();
+    // A search or an export of the last object ends, too, and leaves the design alone.
+    if (this.busy) void this.engine.cancel();
+    const before = [this.#reading?.ended, this.#work];
+    let stop: (answer: Failure) => void = () => {};
+    let end = () => {};
+    const cancelled = new Promise<Failure>((resolve) => (stop = resolve));
+    const cancel = () => {
+      if (reading.cancelled) return;
+      reading.cancelled = true;
+      void this.engine.stopReading();
+      stop(CANCELLED);
+    };
+    const reading: Reading = {cancelled: false, cancel, ended: new Promise((resolve) => (end = resolve))};
+    this.#reading = reading;
+    const busy = {work: 'read', file, fraction: null, cancel} as const;
+    this.busy = busy;
+    this.problem = null;
+    await Promise.all(before);
+    this.busy = busy;
+    const answer = reading.cancelled ? CANCELLED : await Promise.race([run(reading), cancelled]);
+    end();
+    if (this.#reading === reading) {
+      this.#reading = null;
+      this.busy = null;
+    }
+    return answer;
+  }
+
+  /** The moment that was there before a reading which ended in nothing. */
+  async #backTo(moment: Moment): Promise<void> {
+    if (this.#shown !== moment.object) await this.#arrive(moment);
+    else this.#changes(moment.design);
   }
 
   /** Looks for the placement that cuts the least foam away, and shows the best so far on the way. */
@@ -191,7 +294,7 @@ export class Studio {
       this.#refuse('optimize', fitted);
       return;
     }
-    this.design = fitted.design;
+    this.#changes(fitted.design);
     await this.#show(this.design, 'optimize');
   }
 
@@ -239,15 +342,15 @@ export class Studio {
       const next = withSpace(withPlacement(start, step), blocks);
       if (JSON.stringify(next.placement) === shown) return;
       shown = JSON.stringify(next.placement);
-      this.design = next;
+      this.#changes(next);
       void this.#pack(next);
     });
     this.busy = null;
     if (isFailure(best)) {
-      this.design = start;
+      this.#changes(start);
       this.#refuse('optimize', best);
     } else {
-      this.design = await this.#asFound(withPlacement(start, best), best.cut_blocks, blocks);
+      this.#changes(await this.#asFound(withPlacement(start, best), best.cut_blocks, blocks));
       this.#found({distinct: best.distinct});
     }
     await this.#show(this.design, 'optimize');
@@ -289,24 +392,62 @@ export class Studio {
     return answer;
   }
 
-  /** What the last session left, if anything. */
-  async restore(): Promise<void> {
-    const saved = await this.#autosave?.load().catch(() => null);
-    if (!saved) return;
+  /** Keeps what is on the page from now on; what was there before waits. */
+  async keepIn(works: Works): Promise<void> {
+    this.works = works;
+    await works.begin();
+    await works.renew();
+    await works.look();
+    await this.saveNow();
+  }
+
+  /** Brings back what this tab had before it was loaded anew. */
+  async restore(works: Works): Promise<void> {
+    this.#keeping = false;
+    this.works = works;
+    const id = await works.begin();
+    if (id && !(await this.#resume(id))) await works.renew();
+    await works.look();
+    this.#keeping = true;
+  }
+
+  /** Goes on with a work that no tab has open; this tab's own stays as it was saved. */
+  async resume(id: string): Promise<void> {
+    const works = this.works;
+    if (!works) return;
+    await this.saveNow();
+    this.#keeping = false;
+    if (!(await works.take(id))) this.notice = language.text.works.elsewhere;
+    else if (!(await this.#resume(id))) await works.renew();
+    await works.look();
+    this.#keeping = true;
+  }
+
+  /** False where nothing came back; then what was saved stays as it is. */
+  async #resume(id: string): Promise<boolean> {
+    const saved = await this.works?.load(id);
+    if (!saved) return true;
     for (const object of saved.objects) this.#objects.set(object.id, object);
     // Designs of another version may say less, or other things, than this one's.
     const moments = saved.work.history.moments.map((at) => ({...at, design: completed(at.design, this.defaults)}));
-    const history = {...saved.work.history, moments, control: ''};
-    const moment = present(history);
-    const checked = await this.engine.parseProject(JSON.stringify(moment.design));
-    if (isFailure(checked)) return;
+    const history = {...saved.work.history, moments, control: '', time: -Infinity};
+    const checked = await this.#checked(present(history).design);
+    if (checked) {
+      this.refuse('object', language.text.works.broken(checked.error));
+      return false;
+    }
+    const before = this.#history;
     this.#history = history;
-    await this.#arrive(moment);
+    if (await this.#arrive(present(history))) return true;
+    this.#history = before;
+    await this.#backTo(present(before));
+    return false;
   }
 
-  /** Forgets everything, on the screen and in the browser. */
+  /** Forgets everything of this tab, on the screen and in the browser. */
   async clear(): Promise<void> {
-    await this.#autosave?.clear();
+    this.#keeping = false;
+    await this.works?.discardOwn();
     location.reload();
   }
 
@@ -317,48 +458,89 @@ export class Studio {
   /** The library had to start anew. */
   restarted(reason: Failure) {
     this.notice = reason.error;
-    this.busy = null;
+    if (!this.#reading) this.busy = null;
   }
 
-  saveNow = (): Promise<void> => {
+  saveNow = async (): Promise<void> => {
     clearTimeout(this.#saving);
-    const write = this.#autosave?.save({history: $state.snapshot(this.#history)}, this.#objects.values());
-    return write?.catch((reason: unknown) => this.#refuseSaving(reason)) ?? Promise.resolve();
+    // A page on which nothing happened is no work.
+    if (!this.#keeping || !this.works || this.#history.moments.length < 2) return;
+    const work = {history: $state.snapshot(this.#history)};
+    await this.works.save(work, [...this.#objects.values()], this.#drawn()).catch((reason: unknown) => this.#refuseSaving(reason));
   };
 
+  /** The object as it lies, small. */
+  #drawn(): Picture | null {
+    if (!this.meshes || !this.#shown) return null;
+    const {rotation_deg} = this.design.placement;
+    const of = JSON.stringify([this.#preparedFor, this.#shown, rotation_deg]);
+    if (this.#picture?.of !== of)
+      this.#picture = {of, picture: thumbnail(this.meshes.moving, rotation_deg, PICTURE_SIZE, PICTURE_COLOR)};
+    return this.#picture.picture;
+  }
+
   async #go(by: -1 | 1): Promise<void> {
-    const history = moved(this.#history, by);
-    if (history.at === this.#history.at) return;
+    const before = this.#history;
+    const history = moved(before, by);
+    if (history.at === before.at) return;
     this.#history = history;
-    this.problem = null;
-    this.design = present(history).design;
+    this.#answered();
+    this.#changes(present(history).design);
     // One after the other: each may have to load its object.
-    this.#arrival = this.#arrival.then(() => this.#arrive(present(this.#history)));
-    await this.#arrival;
+    const arrival = this.#arrival.then(() => this.#arrive(present(this.#history)));
+    this.#arrival = arrival;
+    if (!(await arrival) && this.#history === history) {
+      this.#history = before;
+      await this.#backTo(present(before));
+    }
     this.#saveSoon();
   }
 
-  /** Shows a moment of the history, loading its object where that is another one. */
-  async #arrive({design, object}: Moment): Promise<void> {
+  /** Shows a moment of the history, loading its object where that is another one; false where it cannot be had. */
+  async #arrive({design, object}: Moment): Promise<boolean> {
     this.#stopResting();
-    this.design = design;
     if (object !== this.#shown) {
       const stored = object === null ? null : this.#objects.get(object);
-      this.packing = null;
-      this.#shown = stored ? object : null;
       if (!stored) {
-        this.object = null;
-        this.meshes = null;
-        return;
+        this.#showNothing(design);
+        if (object !== null) this.refuse('object', language.text.works.objectGone);
+        return true;
       }
-      this.busy = {work: 'read', fraction: null, cancel: null};
-      const info = await this.engine.load(stored.name, stored.content, design.object);
-      this.busy = null;
-      if (isFailure(info)) return void this.#refuse('object', info);
-      await this.#objectIs(info);
+      const failed = await this.reading({name: stored.name, bytes: stored.content.size}, async (reading) => {
+        const info = await this.engine.load(stored.name, stored.content, design.object);
+        if (reading.cancelled || isFailure(info)) return isFailure(info) ? info : CANCELLED;
+        await this.#switchTo(stored.id, info, design);
+        if (!reading.cancelled) await this.#pack(design);
+        return reading.cancelled ? CANCELLED : null;
+      });
+      if (failed) this.#refuse('object', {...failed, error: named(stored.name, failed.error)});
+      if (!failed) this.#rest();
+      return !failed;
     }
+    this.#changes(design);
     await this.#pack(design);
     this.#rest();
+    return true;
+  }
+
+  #showNothing(design: Design) {
+    this.#changes(design);
+    this.#shown = null;
+    this.object = null;
+    this.meshes = null;
+    this.packing = null;
+    this.gap = null;
+  }
+
+  /** What the fields show from now on. */
+  #changes(design: Design) {
+    this.design = design;
+    typing.designChanged();
+  }
+
+  /** A refusal that the next good change answers. */
+  #answered() {
+    if (this.problem && !LASTING.includes(this.problem.control)) this.problem = null;
   }
 
   /** Makes the foams of a design; a good one becomes a moment of the history. */
@@ -368,10 +550,11 @@ export class Studio {
     // A newer change is on its way, or the person went back meanwhile.
     if (failed?.kind === 'cancelled' || this.design !== design) return null;
     if (failed) {
+      // What is being typed stays as it is: it may be on its way to a number that can be.
       this.design = present(this.#history).design;
       return this.#refuse(control, failed);
     }
-    this.problem = null;
+    this.#answered();
     this.#history = record(this.#history, {design, object: this.#shown}, control, performance.now());
     this.#saveSoon();
     this.#rest();
@@ -386,7 +569,11 @@ export class Studio {
       if (isFailure(info)) return info;
       await this.#objectIs(info);
     }
-    if (this.object.sizeProblem) return this.#checked(design);
+    if (this.object.sizeProblem) {
+      this.packing = null;
+      this.gap = null;
+      return this.#checked(design);
+    }
     const packing = await this.engine.pack(design);
     if (isFailure(packing)) return packing;
     this.packing = packing;
@@ -421,7 +608,7 @@ export class Studio {
   }
 
   #refuseSaving(reason: unknown) {
-    this.notice = `This browser cannot keep the work (${reason instanceof Error ? reason.message : String(reason)}): save the project.`;
+    this.notice = language.text.works.cannotKeep(reason instanceof Error ? reason.message : String(reason));
   }
 
   #saveSoon() {

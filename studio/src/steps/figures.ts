@@ -10,6 +10,8 @@ export const percent = (share: number): string => `${share > 0 && share < 0.0001
 export const cm3 = (mm3: number): string => `${tidy(mm3 / 1000)} cm³`;
 export const cm2 = (mm2: number): string => `${tidy(mm2 / 100)} cm²`;
 export const kpa = (value: number): string => `${tidy(value)} kPa`;
+export const bytes = (value: number): string =>
+  value < 1e6 ? `${tidy(Math.max(value, 100) / 1e3)} kB` : `${tidy(value / 1e6)} MB`;
 export const count = (value: number): string => Math.round(value).toLocaleString('en').replaceAll(',', ' ');
 export const ratio = (value: number): string => value.toFixed(4);
 
