@@ -48,7 +48,8 @@ PrintOptions print_options(const Design& design) {
 std::optional<MilledObject> milled_object(const Object& object, const Packing& packing,
                                           const Design& design) {
     if (object.kind != ObjectKind::mesh) return {};
-    return MilledObject{object.mesh, packing.placement, design.cut};
+    return MilledObject{object.mesh, packing.placement, design.cut,
+                        packing.fitted_case ? &*packing.fitted_case : nullptr};
 }
 
 Result<WorkshopPack> pack_of(const FoamDesign& foams, const Object& object, const Packing& packing,

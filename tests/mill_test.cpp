@@ -220,7 +220,10 @@ struct MilledCase {
     Object object;
     Packing packing;
     [[nodiscard]] FoamDesign foams() const { return {packing.space, packing.blocks, *packing.foams, "vase"}; }
-    [[nodiscard]] MilledObject milled() const { return {object.mesh, packing.placement, design.cut}; }
+    [[nodiscard]] MilledObject milled() const {
+        return {object.mesh, packing.placement, design.cut,
+                packing.fitted_case ? &*packing.fitted_case : nullptr};
+    }
 };
 
 MilledCase packed(Mesh mesh, double longest_mm, double wall_mm) {
@@ -341,6 +344,112 @@ TEST(MillTest, WhatIsTakenOfTheBlocksIsToldWithItsWidthAndVolume) {
     }
     EXPECT_GT(all.places, 500);
     EXPECT_NEAR(told_mm3 / all.mm3, 1, 0.1);
+}
+
+/// Whether a place in the case lies within it and its play, from the case's own measures.
+bool within_case(const CaseSpace& fitted, double x, double y, double z) {
+    const CaseOptions& options = fitted.options;
+    const Vec3d inside = *options.inside_mm, middle = fitted.free.centre();
+    const double height = x - fitted.free.min.x + options.play_mm;
+    // No lid's line: widest at the roof.
+    const double share = std::clamp(height / inside.x, 0.0, 1.0);
+    const CrossSection base = options.base_mm.value_or(CrossSection{inside.y, inside.z});
+    const double half_y = (base.width + (inside.y - base.width) * share) / 2 - options.play_mm;
+    const double half_z = (base.length + (inside.z - base.length) * share) / 2 - options.play_mm;
+    const double radius = std::max(0.0, options.corner_radius_mm - options.play_mm);
+    const double dy = std::abs(y - middle.y), dz = std::abs(z - middle.z), slack = 5e-3;
+    if (dy > half_y + slack || dz > half_z + slack) return false;
+    const double cy = dy - (half_y - radius), cz = dz - (half_z - radius);
+    return cy <= 0 || cz <= 0 || std::hypot(cy, cz) <= radius + slack;
+}
+
+TEST(MillTest, WhatIsMilledGoesIntoItsCase) {
+    int places = 0;
+    for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(cases(10)); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(1000 + seed);
+        const auto milled = random_milled_case(random);
+        if (!milled || !milled->packing.foams || milled->design.case_options.top_mm) continue;
+        MillOptions options;
+        options.flute_mm = 200;
+        options.cutter_mm = random.between(2, 8);
+        const auto plans = mill_plans(milled->foams(), milled->milled(), options);
+        ASSERT_TRUE(plans) << plans.error().message;
+        const DesignSpace& space = milled->packing.space;
+        for (const MillPlan& plan : plans->plans) {
+            if (plan.outside) continue;
+            const bool lower = plan.half == Half::lower;
+            const auto carved_by = [&](const MillPlan& each, double cell) {
+                return carved(
+                    test::read_gcode(grbl_program(each.path, each.field.size_mm(), options, {"", ""}, {})),
+                    each, options, cell);
+            };
+            const double cell = random.between(0.4, 0.5);
+            const GcodeStock stock = carved_by(plan, cell);
+            std::optional<GcodeStock> outer;
+            for (const MillPlan& other : plans->plans)
+                if (other.outside && other.half == plan.half) outer = carved_by(other, cell);
+            const Vec2d size = plan.field.size_mm();
+            for (int row = 0; row < stock.height().ny(); ++row)
+                for (int column = 0; column < stock.height().nz(); ++column) {
+                    const Vec2d at = stock.middle(row, column);
+                    // What stands, from its own side of the space.
+                    const double high = stock.height()(row, column);
+                    const double low = outer ? plan.field.top_mm() - outer->at({at.x, size.y - at.y}) : 0;
+                    if (high <= low + 1e-3) continue;
+                    ++places;
+                    const double y = lower ? space.face(1, space.blocks.y) - at.y : space.face(1, 0) + at.y;
+                    const double z = space.face(2, 0) + at.x;
+                    for (const double up : {low, high}) {
+                        const double x = lower ? space.face(0, 0) + up : space.face(0, space.blocks.x) - up;
+                        ASSERT_TRUE(within_case(*milled->packing.fitted_case, x, y, z))
+                            << (lower ? "lower " : "lid ") << at.x << " " << at.y << " " << up;
+                    }
+                }
+        }
+    }
+    EXPECT_GT(places, 10000);
+}
+
+TEST(MillTest, AStripAtTheEdgeThatIsNarrowerThanTheCutterIsClearedFromBesideTheStock) {
+    test::Heights lower = test::filled(20, 20, 4);
+    for (int j = 0; j < 20; ++j)
+        for (int k = 0; k < 20; ++k)
+            if (j == 0 || k == 19) lower(j, k) = 1;
+    const test::PrintDesign design({{5, 20, 20}, {6, 2, 2}}, lower, test::filled(20, 20, 1));
+    MillOptions options;
+    options.pin_mm = 0;
+    const auto plans = mill_plans(design.view(), {}, options);
+    ASSERT_TRUE(plans) << plans.error().message;
+    const MillPlan& plan = plans->plans.front();
+    const GcodeProgram program =
+        test::read_gcode(grbl_program(plan.path, plan.field.size_mm(), options, {"", ""}, {}));
+    expect_sound(program, plan, options);
+    EXPECT_EQ(plan.relief.overcut_mm3, 0);
+    const GcodeStock stock = carved(program, plan, options, 0.3);
+    EXPECT_EQ(lost_of(stock, plan, options).places, 0);
+    for (int row = 0; row < stock.height().ny(); ++row)
+        for (int column = 0; column < stock.height().nz(); ++column)
+            ASSERT_LE(stock.height()(row, column), height_of(plan.field, stock.middle(row, column)) + 1e-3);
+}
+
+TEST(MillTest, WhatIsLeftOutBesideMissingColumnsIsNoSlot) {
+    test::PrintDesign design({{5, 20, 20}, {6, 2, 2}}, test::filled(20, 20, 3), test::filled(20, 20, 2));
+    design.foams.available = {20, 20, {0, 5}};
+    for (int j = 0; j < 20; ++j)
+        for (int k = 0; k < 20; ++k) {
+            const int in = std::min({j, k, 19 - j, 19 - k});
+            if (in < 2) design.foams.lower(j, k) = design.foams.upper(j, k) = 0;
+            if (in < 2) design.foams.available(j, k) = {};       // not there at all
+            if (in == 2) design.foams.available(j, k) = {1, 5};  // 2 mm beside the air
+        }
+    MillOptions options;
+    options.pin_mm = 0;
+    const auto plans = mill_plans(design.view(), {}, options);
+    ASSERT_TRUE(plans) << plans.error().message;
+    ASSERT_EQ(plans->plans.size(), 3u);
+    EXPECT_EQ(plans->plans[2].relief.overcut_mm3, 0);
+    EXPECT_TRUE(plans->plans[2].relief.reliefs.empty());
 }
 
 TEST(MillTest, TheCarvedStockRebuildsRandomHeightFieldsAndNothingStaysInCorners) {

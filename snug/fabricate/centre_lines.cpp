@@ -89,20 +89,22 @@ std::vector<Stretch> CentreLines::along(const Runs& runs, double at, const Axis&
         return a.begin != b.begin ? a.begin < b.begin : a.end < b.end;
     });
     std::vector<Stretch> left;
-    double from = 0;
+    double from = -radius_;
+    const double end = axis.length + radius_;
     for (const Stretch& stretch : taken) {
-        if (stretch.begin >= from - kTouch && from <= axis.length)
-            left.push_back({from, std::clamp(stretch.begin, from, axis.length)});
+        if (stretch.begin >= from - kTouch && from <= end)
+            left.push_back({from, std::clamp(stretch.begin, from, end)});
         from = std::max(from, stretch.end);
     }
-    if (from <= axis.length + kTouch) left.push_back({std::min(from, axis.length), axis.length});
+    if (from <= end + kTouch) left.push_back({std::min(from, end), end});
     return left;
 }
 
 bool CentreLines::free(Vec2d from, Vec2d to) const {
     const Vec2d low{std::min(from.x, to.x), std::min(from.y, to.y)};
     const Vec2d high{std::max(from.x, to.x), std::max(from.y, to.y)};
-    if (low.x < -kTouch || low.y < -kTouch || high.x > x_.length + kTouch || high.y > y_.length + kTouch)
+    const double beyond = radius_ + kTouch;
+    if (std::min(low.x, low.y) < -beyond || high.x > x_.length + beyond || high.y > y_.length + beyond)
         return false;
     const int first = std::max(0, static_cast<int>(std::floor((low.y - radius_) / y_.cell)));
     const int last = std::min(static_cast<int>(rows_.size()) - 1,

@@ -12,8 +12,8 @@ struct Stretch {
 };
 
 /// Where the middle of a flat cutter may be while its end is at `level` (steps): no nearer than its radius to
-/// any column that is to stay higher, and above the stock. Exact: the foam's columns grown by a disc, line by
-/// line.
+/// any column that is to stay higher, and no farther beyond the stock's edges, where narrow strips are
+/// cleared from. Exact: the foam's columns grown by a disc, line by line.
 class CentreLines {
   public:
     /// The field must live as long.

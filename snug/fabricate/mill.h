@@ -7,6 +7,7 @@
 #include "snug/design/mill_options.h"
 #include "snug/design/workshop_options.h"
 #include "snug/fabricate/workshop_pack.h"
+#include "snug/foam/case_space.h"
 #include "snug/foam/placement.h"
 #include "snug/mesh/mesh.h"
 
@@ -18,6 +19,7 @@ struct MilledObject {
     const Mesh& mesh;
     const Placement& placement;
     CutOptions cut;
+    const CaseSpace* fitted_case = nullptr;  ///< nor beyond its walls; none: the space's box alone
 };
 
 /// Both halves for a three-axis mill, each from its cavity's side, as programs for GRBL 1.1. Fails (kind

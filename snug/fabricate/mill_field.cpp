@@ -42,8 +42,13 @@ MillField mill_outside(const FoamDesign& design, Half half, double step_down_mm)
     const int ny = kept.ny();
     for (int j = 0; j < ny; ++j)
         for (int k = 0; k < kept.nz(); ++k)
-            // Turned over about x, near and far change places.
-            field.height(ny - 1 - mill_row(half, j, ny), k) -= kept(j, k).first * field.steps_a_block;
+            field.height(outside_row(half, j, ny), k) -= kept(j, k).first * field.steps_a_block;
+    // Where the cavity's side took all foam the cutter goes through air, or what is left out beside it would
+    // be a slot.
+    const int lowest = field.lowest();
+    for (int j = 0; j < ny; ++j)
+        for (int k = 0; k < kept.nz(); ++k)
+            if (kept(j, k).none()) field.height(outside_row(half, j, ny), k) = lowest;
     return field;
 }
 

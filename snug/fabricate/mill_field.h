@@ -1,8 +1,8 @@
 #pragma once
 
 #include "snug/base/grid.h"
-#include "snug/base/vec2.h"
 #include "snug/base/half.h"
+#include "snug/base/vec2.h"
 #include "snug/fabricate/workshop_pack.h"
 
 // What is milled, as the machine sees it: x to the right, y away from the operator, z up, the origin at the
@@ -36,6 +36,10 @@ struct MillField {
 /// Row (from the operator) of the columns j of the design.
 [[nodiscard]] inline int mill_row(Half half, int j, int ny) {
     return half == Half::lower ? ny - 1 - j : j;
+}
+/// The same after the half was turned over about x: near and far change places.
+[[nodiscard]] inline int outside_row(Half half, int j, int ny) {
+    return ny - 1 - mill_row(half, j, ny);
 }
 
 }  // namespace snug

@@ -19,11 +19,12 @@ std::vector<Stretch> common(const std::vector<Stretch>& a, const std::vector<Str
 }
 
 void add_fill(const CentreLines& lines, double stepover, std::vector<CutLine>& fill) {
-    const double length = lines.field().size_mm().y;
+    const Vec2d size = lines.field().size_mm();
+    const double length = size.y;
     const int count = std::max(1, static_cast<int>(std::ceil(length / stepover)));
     for (int i = 0; i <= count; ++i) {
         const double y = length * i / count;
-        for (const Stretch& stretch : lines.along_x(y))
+        for (const Stretch& stretch : common({{0, size.x}}, lines.along_x(y)))
             fill.push_back({{stretch.begin, y}, {stretch.end, y}});
     }
 }
@@ -42,6 +43,13 @@ std::vector<Stretch> walls_of(int cells, double cell_mm, Higher wall_at) {
     return walls;
 }
 
+/// Beside the stock no filling clears what lies round the ends: the lines go on.
+std::vector<Stretch> beside(std::vector<Stretch> walls, double at, double size, double radius) {
+    if (at >= 0 && at <= size) return walls;
+    for (Stretch& wall : walls) wall = {wall.begin - radius, wall.end + radius};
+    return walls;
+}
+
 void add_walls(const CentreLines& lines, std::vector<CutLine>& walls) {
     const MillField& field = lines.field();
     const int ny = field.height.ny(), nx = field.height.nz();
@@ -55,8 +63,8 @@ void add_walls(const CentreLines& lines, std::vector<CutLine>& walls) {
             const auto wanted = walls_of(nx, field.cell_mm.x, [&](int column) {
                 return higher(foam, column) && !higher(pocket, column);
             });
-            if (wanted.empty() || y < 0 || y > size.y) continue;
-            for (const Stretch& stretch : common(wanted, lines.along_x(y)))
+            if (wanted.empty()) continue;
+            for (const Stretch& stretch : common(beside(wanted, y, size.y, lines.radius()), lines.along_x(y)))
                 walls.push_back({{stretch.begin, y}, {stretch.end, y}});
         }
         for (int line = 1; line < nx; ++line) {
@@ -64,8 +72,8 @@ void add_walls(const CentreLines& lines, std::vector<CutLine>& walls) {
             const double x = line * field.cell_mm.x + side * lines.radius();
             const auto wanted = walls_of(ny, field.cell_mm.y,
                                          [&](int row) { return higher(row, foam) && !higher(row, pocket); });
-            if (wanted.empty() || x < 0 || x > size.x) continue;
-            for (const Stretch& stretch : common(wanted, lines.along_y(x)))
+            if (wanted.empty()) continue;
+            for (const Stretch& stretch : common(beside(wanted, x, size.x, lines.radius()), lines.along_y(x)))
                 walls.push_back({{x, stretch.begin}, {x, stretch.end}});
         }
     }

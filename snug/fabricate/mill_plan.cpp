@@ -69,7 +69,7 @@ Result<void> work_out(MillPlan& plan, const FoamDesign& design, const std::optio
     for (const LevelPass& pass : passes)
         for (const std::vector<CutLine>* lines : {&pass.fill, &pass.walls})
             for (const CutLine& line : *lines) stock.cut(line, pass.level);
-    const Grid<int> allowed = plan.outside ? field_heights(plan.field, stock)
+    const Grid<int> allowed = plan.outside ? allowed_outside(design, plan.half, plan.field, stock, object)
                                            : allowed_heights(design, plan.half, plan.field, stock, object);
     plan.relief = relieve(plan.field, passes, allowed, radius, stock);
     plan.path = mill_path(plan.field, passes, plan.relief.reliefs, plan.pins, options);

@@ -178,13 +178,12 @@ class Reliever {
     }
 
     [[nodiscard]] Vec2d cheapest_place(const Violation& violation) const {
-        const Vec2d middle = stock_.middle(violation.row, violation.column), size = field_.size_mm();
+        const Vec2d middle = stock_.middle(violation.row, violation.column);
         Vec2d best = middle;
         long long least = std::numeric_limits<long long>::max();
         for (int i = -kPlacesAcross / 2; i <= kPlacesAcross / 2; ++i)
             for (int k = -kPlacesAcross / 2; k <= kPlacesAcross / 2; ++k) {
-                const Vec2d at{std::clamp(middle.x + 2 * radius_ * k / kPlacesAcross, 0.0, size.x),
-                               std::clamp(middle.y + 2 * radius_ * i / kPlacesAcross, 0.0, size.y)};
+                const Vec2d at = middle + Vec2d{1.0 * k, 1.0 * i} * (2 * radius_ / kPlacesAcross);
                 if (!covers(at, violation)) continue;
                 const long long lost = cost(at, violation.allowed, least);
                 if (lost >= least) continue;

@@ -146,7 +146,8 @@ std::vector<std::string> order_of_work(const MillPlans& plans, const MillOptions
     std::vector<std::string> steps{
         "Cut each stock to its size. Write LOWER or LID and BACK on it.",
         "Fix it on the machine, the cavity's side up and BACK as drawn: double-sided tape or a vacuum, for "
-        "screws tear foam.",
+        "screws tear foam. Keep " +
+            number(options.cutter_mm) + " mm free around it: strips at an edge are cleared from beside it.",
         "Set X0 Y0 where it is drawn, Z0 on the top of the stock. Run the program once with Z0 " +
             number(highest_stock(plans) + 20, 0) + " mm higher, in the air."};
     if (!plans.plans.front().pins.empty())
