@@ -12,10 +12,13 @@
 #include <unistd.h>
 #include <vector>
 
+#include "snug/formats/bundle.h"
+#include "snug/formats/zip_read.h"
 #include "snug/mesh/read_cloud.h"
 
 #include "cli/assimp_scene.h"
 #include "cli/descriptor.h"
+#include "cli/inflate.h"
 
 namespace snug::cli {
 namespace {
@@ -139,6 +142,13 @@ Result<Mesh> read_in_a_process(Bytes file, SceneFormat format, const fs::path& p
 }  // namespace
 
 Result<Mesh> read_object(Bytes file, const fs::path& path) {
+    if (is_zip(file)) {
+        SceneTools tools;
+        tools.inflate = inflate;
+        return read_zip(file, tools, [](Bytes inner, std::string_view name, const SceneTools&) {
+            return read_object(inner, fs::path(name));
+        });
+    }
     if (const auto format = scene_format(file, path)) return read_in_a_process(file, *format, path);
     return read_mesh_or_cloud(file, path.string());
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "snug/base/box.h"
@@ -15,6 +16,7 @@ struct ReadNotes {
     std::size_t left_out_faces = 0;   ///< of fewer than three corners, or with one that is no number
     std::size_t left_out_points = 0;  ///< of a cloud, places that are no numbers
     bool no_end = false;              ///< the file stops where its format wants an end to be said
+    std::vector<std::string> left_out_objects{};  ///< a bundle's other objects, by name
 };
 
 /// The object: a triangle mesh of any quality. Open, self-crossing, badly wound and degenerate triangles are

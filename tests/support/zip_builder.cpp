@@ -69,7 +69,7 @@ void write_entry(const ZipPart& part, const Written& done, std::string& file) {
     put(file, part.zip64 ? kBeyond : done.size, 4);
     put(file, part.name.size(), 2);
     put(file, part.zip64 ? 33 : 0, 2);
-    put(file, 0, 2 + 2 + 2 + 4);
+    file.append(10, '\0');  // no comment, the first disk, no attributes
     put(file, part.zip64 ? kBeyond : done.offset, 4);
     file += part.name;
     if (!part.zip64) return;

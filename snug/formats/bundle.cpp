@@ -1,0 +1,142 @@
+#include "snug/formats/bundle.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "snug/base/text.h"
+#include "snug/formats/threemf_read.h"
+#include "snug/formats/zip_read.h"
+#include "snug/mesh/text_scan.h"
+
+namespace snug {
+namespace {
+
+constexpr std::array<std::string_view, 9> kEndings = {".stl",  ".obj", ".ply", ".off", ".glb",
+                                                      ".gltf", ".3mf", ".xyz", ".pts"};
+constexpr std::string_view kProjectEnding = ".snug.json";
+
+bool has_ending(std::string_view name, std::string_view lower) {
+    return name.size() > lower.size() && same_word(name.substr(name.size() - lower.size()), lower);
+}
+
+std::string_view without_folders(std::string_view name) {
+    return name.substr(name.rfind('/') + 1);
+}
+
+std::string folder_of(std::string_view name) {
+    return std::string(name.substr(0, name.size() - without_folders(name).size()));
+}
+
+std::ptrdiff_t folders(std::string_view name) {
+    return std::count(name.begin(), name.end(), '/');
+}
+
+bool is_hidden(std::string_view name) {
+    return name.substr(0, 1) == "." || name.find("/.") != name.npos || name.find("__MACOSX/") != name.npos;
+}
+
+bool is_object(std::string_view name) {
+    return !is_hidden(name) && std::any_of(kEndings.begin(), kEndings.end(),
+                                           [&](std::string_view ending) { return has_ending(name, ending); });
+}
+
+/// The member of that name; of equal names the last counts.
+const ZipMember* find(const ZipReader& zip, std::string_view name) {
+    const auto& members = zip.members();
+    const auto found = std::find_if(members.rbegin(), members.rend(),
+                                    [&](const ZipMember& member) { return member.name == name; });
+    return found == members.rend() ? nullptr : &*found;
+}
+
+/// What a project calls its object; none where it is no project.
+std::optional<std::string> object_in_project(const FileBytes& text) {
+    const auto* begin = reinterpret_cast<const char*>(text.data());
+    const auto project = nlohmann::json::parse(begin, begin + text.size(), nullptr, false);
+    if (!project.is_object() || !project.contains("snug")) return {};
+    nlohmann::json object = project.value("object", nlohmann::json());
+    if (const auto all = project.find("objects"); all != project.end() && all->is_array() && !all->empty())
+        object = all->front();
+    if (!object.is_object() || !object.contains("name") || !object["name"].is_string()) return {};
+    return std::string(without_folders(object["name"].get<std::string>()));
+}
+
+/// The object of a pack that Snug made, where the zip is one.
+Result<const ZipMember*> find_packed(ZipReader& zip) {
+    for (const ZipMember& member : zip.members()) {
+        if (is_hidden(member.name) || !has_ending(member.name, kProjectEnding)) continue;
+        const auto text = zip.unpack(member);
+        if (!text) return tl::unexpected(text.error());
+        const auto name = object_in_project(*text);
+        if (!name) continue;
+        if (const ZipMember* object = find(zip, folder_of(member.name) + *name)) return object;
+        return fail(ErrorKind::input,
+                    "it holds foams and the project that they were made from, but not their "
+                    "object " +
+                        quoted(*name, 80) + ": unpack it, and open the project with its object");
+    }
+    return nullptr;
+}
+
+}  // namespace
+
+Result<BundleObject> find_bundle_object(const std::vector<std::string>& names) {
+    BundleObject found{names.size(), {}};
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (is_object(names[i]) &&
+            (found.file == names.size() || folders(names[i]) < folders(names[found.file])))
+            found.file = i;
+    if (found.file == names.size())
+        return fail(
+            ErrorKind::input,
+            "there is no object in it: Snug looks for STL, OBJ, PLY, OFF, glTF, 3MF and points as PLY, "
+            "XYZ or PTS");
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (i != found.file && is_object(names[i])) found.left_out.push_back(names[i]);
+    return found;
+}
+
+namespace {
+
+Result<Mesh> read_bundle(Bytes file, const SceneTools& tools, const ReadFile& read) {
+    auto zip = ZipReader::open(file, tools.inflate);
+    if (!zip) return tl::unexpected(zip.error());
+    const auto packed = find_packed(*zip);
+    if (!packed) return tl::unexpected(packed.error());
+    const ZipMember* member = *packed;
+    std::vector<std::string> left_out;
+    if (member == nullptr) {
+        std::vector<std::string> names;
+        for (const ZipMember& each : zip->members()) names.push_back(each.name);
+        auto object = find_bundle_object(names);
+        if (!object) return tl::unexpected(object.error());
+        member = &zip->members()[object->file];
+        left_out = std::move(object->left_out);
+    }
+    const auto bytes = zip->unpack(*member);
+    if (!bytes) return tl::unexpected(bytes.error());
+    SceneTools inside = tools;
+    inside.beside = [&](const std::string& name) -> Result<FileBytes> {
+        if (const ZipMember* other = find(*zip, folder_of(member->name) + name)) return zip->unpack(*other);
+        return fail(ErrorKind::input, "its geometry lies in " + quoted(name, 80) +
+                                          ", which is not in the zip archive: pack both into one");
+    };
+    auto mesh =
+        is_zip(*bytes) ? read_3mf(*bytes, inside) : read(*bytes, without_folders(member->name), inside);
+    if (!mesh)
+        return fail(mesh.error().kind,
+                    quoted(member->name, 80) + " in the zip archive: " + mesh.error().message);
+    mesh->read.left_out_objects = std::move(left_out);
+    return mesh;
+}
+
+}  // namespace
+
+Result<Mesh> read_zip(Bytes file, const SceneTools& tools, const ReadFile& read) {
+    return is_3mf(file, tools) ? read_3mf(file, tools) : read_bundle(file, tools, read);
+}
+
+}  // namespace snug

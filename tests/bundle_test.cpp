@@ -1,0 +1,90 @@
+#include "snug/formats/bundle.h"
+
+#include <string>
+
+#include <gtest/gtest.h>
+
+#include "snug/mesh/read_cloud.h"
+
+#include "cli/inflate.h"
+#include "tests/support/read_checks.h"
+#include "tests/support/threemf_builder.h"
+
+namespace snug::test {
+namespace {
+
+Result<Mesh> read(const std::string& zip) {
+    SceneTools tools;
+    tools.inflate = cli::inflate;
+    return read_zip(bytes_of(zip), tools, [](Bytes file, std::string_view name, const SceneTools& beside) {
+        if (name == "scene.gltf") {  // stands for a reader of scenes, which asks for its buffer
+            const auto buffer = beside.beside("a b.bin");
+            if (!buffer) return Result<Mesh>(tl::unexpected(buffer.error()));
+            return read_obj(*buffer);
+        }
+        return read_mesh_or_cloud(file, name);
+    });
+}
+
+const std::string kObj = square_obj("f 1 2 3 4\n");
+const std::string kOther = square_obj("f 1 2 3\n");
+
+TEST(Bundle, TheObjectIsFoundAndTheRestIsPassedOver) {
+    const Mesh mesh = good(read(zip_of({{"bust/", ""},
+                                        {"__MACOSX/bust/._bust.obj", "fork"},
+                                        {"bust/bust.mtl", "newmtl a"},
+                                        {"bust/bust.jpg", "picture"},
+                                        {"bust/bust.obj", kObj, true}})));
+    EXPECT_EQ(mesh.triangles.size(), 2u);
+    EXPECT_TRUE(mesh.read.left_out_objects.empty());
+    EXPECT_FALSE(mesh.read.in_mm);
+}
+
+TEST(Bundle, ASecondObjectIsLeftOutByName) {
+    const Mesh mesh = good(read(zip_of({{"parts/lid.stl", "x"}, {"a.obj", kObj}, {"b.OBJ", kOther}})));
+    EXPECT_EQ(mesh.triangles.size(), 2u);
+    EXPECT_EQ(mesh.read.left_out_objects, (std::vector<std::string>{"parts/lid.stl", "b.OBJ"}));
+}
+
+TEST(Bundle, ASceneTakesWhatLiesBesideItInTheZip) {
+    const Mesh mesh = good(read(zip_of({{"a b.bin", "x"}, {"s/scene.gltf", "{}"}, {"s/a b.bin", kObj}})));
+    EXPECT_EQ(mesh.triangles.size(), 2u);
+    const auto alone = read(zip_of({{"s/scene.gltf", "{}"}}));
+    ASSERT_FALSE(alone);
+    expect_holds(alone.error().message, "a b.bin");
+}
+
+TEST(Bundle, OurOwnPackGivesItsObjectAndNeverAFoam) {
+    const std::string project = R"({"snug": 1, "object": {"name": "vase.obj", "bytes": 1, "sha256": ""}})";
+    const std::vector<ZipPart> pack = {
+        {"lower.obj", kOther}, {"project.snug.json", project}, {"upper.obj", kOther}};
+    const auto without = read(zip_of(pack));
+    ASSERT_FALSE(without);
+    expect_holds(without.error().message, "not their object \"vase.obj\"");
+    std::vector<ZipPart> with = pack;
+    with.push_back({"vase.obj", kObj});
+    const Mesh mesh = good(read(zip_of(with)));
+    EXPECT_EQ(mesh.triangles.size(), 2u);
+    EXPECT_TRUE(mesh.read.left_out_objects.empty());
+}
+
+TEST(Bundle, A3mfInAZipIsReadAndAZipInAZipIsNot) {
+    const std::string threemf =
+        threemf_of(model_of(object_of(1, tetrahedron_mesh("3")), "<item objectid=\"1\"/>"));
+    EXPECT_EQ(good(read(zip_of({{"a.3mf", threemf}}))).triangles.size(), 4u);
+    EXPECT_EQ(good(read(threemf)).triangles.size(), 4u);
+    const std::string zip = zip_of({{"a.obj", kObj}});
+    for (const char* name : {"a.zip", "a.3mf", "a.stl"}) EXPECT_FALSE(read(zip_of({{name, zip}}))) << name;
+    const auto nothing = read(zip_of({{"readme.txt", "x"}}));
+    ASSERT_FALSE(nothing);
+    expect_holds(nothing.error().message, "no object in it");
+}
+
+TEST(Bundle, AnErrorNamesTheFileInTheZip) {
+    const auto wrong = read(zip_of({{"folder/a.obj", "v 0 0 0\nf 1 2 3\n"}}));
+    ASSERT_FALSE(wrong);
+    expect_holds(wrong.error().message, "\"folder/a.obj\" in the zip archive: line 2");
+}
+
+}  // namespace
+}  // namespace snug::test
