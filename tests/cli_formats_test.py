@@ -14,6 +14,7 @@ import struct
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 import zipfile
 from pathlib import Path
@@ -199,12 +200,46 @@ class Formats(unittest.TestCase):
 
     def test_what_is_not_read_says_what_to_export(self):
         for name, start, word in (("a.step", b"ISO-10303-21;\nHEADER;", "STEP"), ("a.e57", b"ASTM-E57", "E57"), ("a.las", b"LASF", "LAS"), ("a.fbx", b"Kaydara FBX Binary  ", "FBX"),
-                                  ("a.blend", b"BLENDER-v300", "Blender"), ("a.zip", b"PK\x03\x04", "zip")):
+                                  ("a.blend", b"BLENDER-v300", "Blender")):
             path = self.folder / name
             path.write_bytes(start + bytes(100))
             sentence = self.refused(path)
             self.assertIn(word, sentence)
             self.assertIn("export it as STL", sentence)
+
+    def test_a_zip_gives_the_one_object_in_it(self):
+        vertices, triangles = l_shape()
+        mesh = self.folder / "l.stl"
+        write_stl(mesh, vertices, triangles)
+        path = self.folder / "bust.zip"
+        with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+            archive.writestr("bust/bust.mtl", "newmtl a")
+            archive.writestr("bust/bust.jpg", bytes(1000))
+            archive.write(mesh, "bust/bust.stl")
+        self.assertEqual(self.depths(path), self.plain())
+        # The project speaks of the zip, so that it can be made again.
+        done = snug("make", self.folder / "out-bust.zip" / "project.snug.json", "--object", path, "-o",
+                    self.folder / "again", "--quiet")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with zipfile.ZipFile(path, "w") as archive:
+            archive.writestr("readme.txt", "x")
+        self.assertIn("no object in it", self.refused(path))
+
+    def test_an_archive_that_claims_too_much_is_refused_at_once(self):
+        path = self.folder / "bomb.3mf"
+        with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+            archive.writestr("3D/3dmodel.model", bytes(100_000_000))
+        begun = time.monotonic()
+        self.assertIn("64 MiB", self.refused(path))
+        self.assertLess(time.monotonic() - begun, 10)
+
+    def test_pictures_and_comments_in_a_3mf_change_nothing(self):
+        vertices, triangles = l_shape()
+        path = self.folder / "object.3mf"
+        write_3mf(path, vertices, triangles)
+        with zipfile.ZipFile(path, "a") as archive:
+            archive.writestr("Metadata/thumbnail.png", b"\x89PNG\r\n\x1a\n" + bytes(500))
+        self.assertEqual(self.depths(path), self.plain())
 
     def test_damaged_scenes_are_sentences(self):
         vertices, triangles = l_shape()
