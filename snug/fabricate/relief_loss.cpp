@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -25,7 +26,15 @@ class Measure {
         : field_(field), radius_(radius) {
         lines_a_row_ = std::max(1, static_cast<int>(std::ceil(field.cell_mm.y * kLinesInRadius / radius)));
         spacing_ = field.cell_mm.y / lines_a_row_;
-        for (const MillRelief& relief : reliefs) add(relief);
+        // Level by level: what lies higher is gathered once for each.
+        std::vector<MillRelief> by_level(reliefs.begin(), reliefs.end());
+        std::stable_sort(by_level.begin(), by_level.end(),
+                         [](const MillRelief& a, const MillRelief& b) { return a.level < b.level; });
+        std::optional<CentreLines> lines;
+        for (const MillRelief& relief : by_level) {
+            if (!lines || lines->level() != relief.level) lines.emplace(field_, relief.level, radius_);
+            add(relief, *lines);
+        }
         // From near to far, so that a line meets few of them.
         std::stable_sort(ways_.begin(), ways_.end(),
                          [](const Way& a, const Way& b) { return a.low < b.low; });
@@ -56,9 +65,9 @@ class Measure {
         double low, high;
     };
 
-    void add(const MillRelief& relief) {
+    void add(const MillRelief& relief, const CentreLines& lines) {
         const CutLine line{relief.from.value_or(relief.at), relief.at};
-        if (CentreLines(field_, relief.level, radius_).free(line.from, line.to)) return;
+        if (lines.free(line.from, line.to)) return;
         ways_.push_back({line, relief.level, std::min(line.from.y, line.to.y) - radius_,
                          std::max(line.from.y, line.to.y) + radius_});
     }
@@ -96,9 +105,19 @@ class Measure {
                          end = std::min(piece.end, (column + 1) * width);
             if (lost <= 0 || begin >= end) continue;
             loss_.mm3 += lost * field_.step_mm * (end - begin) * spacing_;
-            for (const double x : {begin, (begin + end) / 2, end})
-                loss_.widest_mm = std::max(loss_.widest_mm, away_from_pocket({x, y}, level));
+            for (const double x : {begin, (begin + end) / 2, end}) look_at({x, y}, level);
         }
+    }
+
+    /// Distances grow no faster than the way between two places: near the last place that was looked at none
+    /// can be wider.
+    void look_at(Vec2d at, int level) {
+        const bool known = level == last_level_ && at.y == last_.y;
+        if (known && last_away_ + std::abs(at.x - last_.x) <= loss_.widest_mm) return;
+        last_away_ = away_from_pocket(at, level);
+        last_ = at;
+        last_level_ = level;
+        loss_.widest_mm = std::max(loss_.widest_mm, last_away_);
     }
 
     /// Millimetres to the nearest column that is cut as deep, ring by ring; whatever is no more than the
@@ -131,6 +150,9 @@ class Measure {
     double spacing_ = 0;
     std::vector<Way> ways_;
     ReliefLoss loss_;
+    Vec2d last_;  ///< where look_at() looked last, and what it found
+    int last_level_ = -1;
+    double last_away_ = 0;
 };
 
 }  // namespace
