@@ -167,6 +167,19 @@ test('an object too large for the memory leaves the last one in place and names 
   expect(await engine.projectText(design)).toContain('mine.stl');
 });
 
+test('a reading that is stopped ends at once, and the last object is there again', async () => {
+  await load(box([120, 80, 60]), 'first.stl');
+  const first = good(await engine.pack(design));
+  vi.spyOn(cores.started[0]!.core, 'load').mockReturnValue(new Promise(() => {}));
+  const reading = engine.load('second.stl', box([10, 10, 10]), design.object);
+  await engine.stopReading();
+  expect(refused(await reading).kind).toBe('cancelled');
+  expect(cores.started[0]!.ended).toBe(true);
+  expect(restarts).toEqual([]);
+  const again = good(await engine.pack(design));
+  expect(again.fit).toEqual(first.fit);
+});
+
 test('out of memory in long work leaves the quick core alone', async () => {
   await load(box([120, 80, 60]));
   good(await engine.outputFiles(design));

@@ -66,6 +66,8 @@ class PageEngine implements Engine {
   #restored: Promise<void> = Promise.resolve();
   #slow: {handle: CoreHandle; loaded: Promise<ObjectInfo | Failure | null>} | null = null;
   #slowWork = {gaps: 0, searches: 0, outputs: 0};
+  /** How often a reading was stopped. */
+  #stops = 0;
   /** What a new core needs. A Blob lies outside the page's memory. */
   #object: {name: string; content: Blob; options: Design['object']} | null = null;
   #packed: Design | null = null;
@@ -95,6 +97,10 @@ class PageEngine implements Engine {
   async load(name: string, bytes: ArrayBuffer | Blob, object: Design['object']): Promise<ObjectInfo | Failure> {
     const options = copied(object);
     const content = bytes instanceof Blob ? bytes : new Blob([bytes]);
+    const stops = this.#stops;
+    await this.#restored;
+    // Stopped while it waited for its turn.
+    if (stops !== this.#stops) return CANCELLED;
     const answer = await this.#quickly((core) => core.load(name, content, options)).catch((reason: unknown) =>
       failure('input', `${name}: cannot be read (${reason instanceof Error ? reason.message : String(reason)})`),
     );
@@ -200,6 +206,7 @@ class PageEngine implements Engine {
   }
 
   async stopReading(): Promise<void> {
+    this.#stops++;
     this.#restart(CANCELLED);
     await this.#restored;
   }
