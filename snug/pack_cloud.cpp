@@ -12,6 +12,7 @@
 #include "snug/foam/find_problems.h"
 #include "snug/foam/object_cut.h"
 #include "snug/foam/point_radius.h"
+#include "snug/foam/space_for.h"
 #include "snug/mesh/cap.h"
 #include "snug/mesh/shell.h"
 #include "snug/pack_placed.h"

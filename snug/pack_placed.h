@@ -25,7 +25,4 @@ struct PackSteps {
 /// From the file's unit to millimetres, for an object of this size in the file's unit.
 [[nodiscard]] double millimetres_per_unit(Vec3d size, const ObjectOptions& options);
 
-/// A space that is fitted to unequal walls does not have the object in its middle.
-[[nodiscard]] Vec3d shift_between_walls(const SpaceOptions& space, bool in_case);
-
 }  // namespace snug

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "snug/foam/space_for.h"
 #include "snug/foam/streamed_surface.h"
 #include "snug/mesh/raw_mesh.h"
 #include "snug/mesh/shell.h"

@@ -12,6 +12,7 @@
 #include "snug/foam/object_cut.h"
 #include "snug/foam/parting.h"
 #include "snug/foam/ribs.h"
+#include "snug/foam/space_for.h"
 #include "snug/mesh/cap.h"
 #include "snug/pack_cloud.h"
 #include "snug/pack_placed.h"
@@ -25,21 +26,6 @@ Placement placement_of(const Object& object, const PlacementOptions& options, Ve
     const Vec3d offset = options.offset_mm + shift_mm;
     if (object.surface) return place(*object.surface, options.rotation_deg, offset);
     return place(object.mesh, options.rotation_deg, offset);
-}
-
-/// The design space, fitted to the placed object where the design leaves the counts open.
-Result<DesignSpace> space_for(Box3d placed, const Design& design) {
-    const SpaceOptions& options = design.space;
-    if (options.blocks) return DesignSpace{*options.blocks, options.block_mm};
-    const Vec3d shift = shift_between_walls(options, false);
-    placed = {placed.min - shift, placed.max - shift};
-    Box3d room = grown(placed, design.cut.whole_clearance_mm());
-    if (design.fit.notches) room = with_room_for_notches(room, options.block_mm, *design.fit.notches);
-    const Vec3d counts = fitted_blocks(room, options.block_mm, wanted_wall_mm(options));
-    if (std::max({counts.x, counts.y, counts.z}) > kMostBlocks)
-        return fail(ErrorKind::usage, "the object and its walls would need " + dimensions(counts, 0) +
-                                          " blocks, more than 4096 on an axis: choose larger blocks");
-    return DesignSpace{vec_cast<int>(counts), options.block_mm};
 }
 
 /// Whether the object, grown by the clearance, leaves the space; a face that coincides with the space's does
@@ -98,8 +84,10 @@ void shape(Packing& packing, const Design& design, int level) {
 
 /// What may be wrong with the foams, whatever they are for.
 void find_foam_problems(const Packing& packing, const Design& design, std::vector<Finding>& findings) {
-    find_thin_walls(packing.fit, packing.blocks, packing.space, wanted_wall_mm(design.space), findings);
-    find_pieces(packing.fit, findings);
+    const bool in_case = packing.fitted_case.has_value();
+    find_thin_walls(packing.fit, packing.blocks, packing.space, wanted_wall_mm(design.space), in_case,
+                    findings);
+    find_pieces(packing.fit, in_case, findings);
     if (packing.fitted_case)
         find_case_problems(*packing.fitted_case, packing.fit, packing.foams->parting_level, findings);
 }
@@ -109,10 +97,6 @@ void find_foam_problems(const Packing& packing, const Design& design, std::vecto
 double millimetres_per_unit(Vec3d size, const ObjectOptions& options) {
     if (options.longest_mm) return *options.longest_mm / std::max({size.x, size.y, size.z});
     return millimetres(options.units.value_or(Unit::mm)) * options.scale;
-}
-
-Vec3d shift_between_walls(const SpaceOptions& space, bool in_case) {
-    return space.blocks || in_case ? Vec3d{} : fitted_shift(space.block_mm, wanted_wall_mm(space));
 }
 
 std::optional<Error> implausible_size(Vec3d size, const Design& design) {

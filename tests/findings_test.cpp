@@ -110,6 +110,21 @@ TEST(Findings, NoFoamUnderOrOverTheObjectIsADanger) {
     EXPECT_EQ(filled.fit.wall_mm[kFloor], 0);
 }
 
+TEST(Findings, NobodyIsToldToTakeMoreBlocksWhereACaseDecidesThem) {
+    const Mesh part = box({0, 0, 0}, {90, 120, 130});
+    for (const double side : {100.0, 130.0, 160.0})
+        for (const double level : {0.0, 60.0}) {
+            Design design = design_of({1, 1, 1}, 15);
+            design.space.blocks.reset();
+            design.case_options.inside_mm = Vec3d{side, side + 40, side + 60};
+            if (level > 0) design.case_options.lid_mm = level;
+            const Packing made = packed(part, design);
+            EXPECT_FALSE(made.findings.empty());
+            for (const Finding& finding : made.findings)
+                EXPECT_EQ(finding.message.find("more blocks"), std::string::npos) << finding.message;
+        }
+}
+
 TEST(Findings, AFoamInTwoPiecesIsNamed) {
     // A plate through the whole space parts the foam in two; it also touches the case.
     const auto found = codes(packed(box({0, 0, 0}, {150, 30, 150}), design_of({10, 10, 10}, 15)));

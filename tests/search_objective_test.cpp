@@ -149,27 +149,6 @@ TEST(SearchObjective, DistinctPlacementsDifferByMoreThanTwentyDegreesAndAreWhatT
     }
 }
 
-TEST(DirectionMap, EveryDirectionLiesAlongTheAxisAndCutsWhatThePointsSay) {
-    const Mesh mesh = *sample("camera");
-    const PreparedSurface surface = prepare_surface(mesh);
-    const Design design;
-    DirectionMap map(mesh, surface, design, DesignSpace{}, 150);
-    while (map.passes() < 2) map.step();
-    long long least = 1LL << 40, most = 0;
-    for (const DirectionCut& cut : map.cuts()) {
-        ASSERT_GE(cut.cut_blocks, 0);
-        EXPECT_NEAR(std::fabs(rotation_from_euler(cut.rotation_deg)(cut.direction).x), 1, 1e-9);
-        const auto exact = exact_cut(surface, DesignSpace{}, design.cut, cut.rotation_deg, cut.offset_mm);
-        ASSERT_TRUE(exact);
-        const double share = static_cast<double>(cut.cut_blocks) / static_cast<double>(exact->cut_blocks);
-        EXPECT_GT(share, 0.85);
-        EXPECT_LT(share, 1.02);
-        least = std::min(least, cut.cut_blocks);
-        most = std::max(most, cut.cut_blocks);
-    }
-    EXPECT_LT(least, most);
-}
-
 TEST(DirectionMap, EqualAreasFaceEqualShares) {
     const Mesh box = test::box_mesh({0, 0, 0}, {50, 40, 30});
     const PreparedSurface surface = prepare_surface(box);

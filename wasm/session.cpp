@@ -211,7 +211,8 @@ val Session::start_map(const std::string& design_text) {
     prepare_for_many(*object_);
     const auto packing = snug::pack(*object_, *design);
     if (!packing) return to_val(packing.error());
-    map_.emplace(object_->mesh, *object_->surface, *design, packing->space);
+    map_.emplace(object_->mesh, *object_->surface, *design, packing->space, kMapDirections,
+                 packing->available);
     return to_val(*map_);
 }
 

@@ -283,9 +283,11 @@ val to_val(const PlacementSearch& search, const DesignSpace& space) {
 }
 
 val to_val(const DirectionMap& map) {
-    std::vector<float> directions, cut_blocks, rotations, offsets;
-    const auto add = [](std::vector<float>& list, Vec3d v) {
-        for (int axis = 0; axis < 3; ++axis) list.push_back(static_cast<float>(v[axis]));
+    std::vector<float> directions, cut_blocks;
+    std::vector<double> rotations, offsets;  // what is taken must be what was looked at, to the last bit
+    const auto add = [](auto& list, Vec3d v) {
+        for (int axis = 0; axis < 3; ++axis)
+            list.push_back(static_cast<typename std::decay_t<decltype(list)>::value_type>(v[axis]));
     };
     for (const DirectionCut& cut : map.cuts()) {
         if (cut.cut_blocks < 0) continue;

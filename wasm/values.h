@@ -55,6 +55,7 @@ template <class T>
 [[nodiscard]] val to_val(const PlacementSearch& search, const DesignSpace& space);
 /// Directions that fit alone.
 [[nodiscard]] val to_val(const DirectionMap& map);
+constexpr std::size_t kMapDirections = 500;
 constexpr std::size_t kMapPasses = 12;  ///< turns about each direction in a map
 [[nodiscard]] val to_val(const OutputFile& file);
 [[nodiscard]] val to_val(const std::vector<OutputFile>& files);

@@ -159,8 +159,9 @@ void find_uncut_parts(const Mesh& mesh, const MeshMeasure& measure, const Placem
 }
 
 void find_thin_walls(const FitReport& fit, const BlockMap& blocks, const DesignSpace& space,
-                     const Walls& wanted_mm, std::vector<Finding>& findings) {
+                     const Walls& wanted_mm, bool in_case, std::vector<Finding>& findings) {
     if (fit.cut_blocks == 0) return;
+    const std::string more = in_case ? "take a larger case" : "use more blocks";
     for (int i = 0; i < 6; ++i) {
         const auto side = static_cast<Side>(i);
         const double wall = fit.wall_mm[static_cast<std::size_t>(i)];
@@ -170,8 +171,8 @@ void find_thin_walls(const FitReport& fit, const BlockMap& blocks, const DesignS
         const auto where = thinnest_place(blocks, space, side);
         if (wall <= 0)
             add(findings, Severity::danger, kSides[i].none_code,
-                "no foam is left " + place +
-                    ": the object would touch the case; use more blocks or turn the object",
+                "no foam is left " + place + ": the object would touch the case; " + more +
+                    ", or move or turn the object",
                 where);
         else if (wall < kLeastGoodWall)
             add(findings, Severity::warning, kSides[i].thin_code,
@@ -180,21 +181,22 @@ void find_thin_walls(const FitReport& fit, const BlockMap& blocks, const DesignS
                 where);
         else
             add(findings, Severity::warning, "wall_below_wanted",
-                "only " + mm(wall) + " of foam " + place + " where " + mm(wanted) +
-                    " is wanted; use more blocks",
+                "only " + mm(wall) + " of foam " + place + " where " + mm(wanted) + " is wanted; " + more,
                 where);
     }
 }
 
-void find_pieces(const FitReport& fit, std::vector<Finding>& findings) {
+void find_pieces(const FitReport& fit, bool in_case, std::vector<Finding>& findings) {
     const auto look = [&](int pieces, const char* half, const char* no_code, const char* pieces_code) {
         if (pieces == 0)
             add(findings, Severity::danger, no_code,
-                std::string("the ") + half + " foam is empty: choose another parting level or more blocks");
+                std::string("the ") + half + " foam is empty: choose another parting level or " +
+                    (in_case ? "a higher case" : "more blocks"));
         if (pieces > 1)
             add(findings, Severity::warning, pieces_code,
                 std::string("the ") + half + " foam falls into " + std::to_string(pieces) +
-                    " pieces: glue them to the case, or use more blocks along x");
+                    " pieces: glue them to the case, or " +
+                    (in_case ? "take a higher case" : "use more blocks along x"));
     };
     look(fit.lower_pieces, "lower", "no_lower", "lower_pieces");
     look(fit.upper_pieces, "upper", "no_upper", "upper_pieces");

@@ -11,7 +11,8 @@
 #include "snug/mesh/measure.h"
 #include "snug/mesh/mesh.h"
 
-// Each function looks for one kind of trouble and appends what it found.
+// Each function looks for one kind of trouble and appends what it found. `in_case`: the case decides how many
+// blocks there are, so that nobody is told to take more of them.
 
 namespace snug {
 
@@ -31,11 +32,11 @@ void find_uncut_parts(const Mesh& mesh, const MeshMeasure& measure, const Placem
 /// `thin_floor`, `thin_roof`, `thin_wall`; below the walls that the design wants: `wall_below_wanted`
 /// (warnings).
 void find_thin_walls(const FitReport& fit, const BlockMap& blocks, const DesignSpace& space,
-                     const Walls& wanted_mm, std::vector<Finding>& findings);
+                     const Walls& wanted_mm, bool in_case, std::vector<Finding>& findings);
 
 /// A foam half in more than one piece, or without any foam: `lower_pieces`, `upper_pieces` (warning),
 /// `no_lower`, `no_upper` (danger).
-void find_pieces(const FitReport& fit, std::vector<Finding>& findings);
+void find_pieces(const FitReport& fit, bool in_case, std::vector<Finding>& findings);
 
 /// An object in several separate parts, with sizes: `parts` (note), `specks` (warning) where a part is tiny
 /// and far from all others.

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "snug/base/parallel.h"
+#include "snug/foam/placement.h"
+#include "snug/foam/space_for.h"
 #include "snug/foam/turned_bounds.h"
-#include "snug/search/quick_cut.h"
 #include "snug/search/turn.h"
 
 namespace snug {
@@ -14,6 +16,8 @@ namespace {
 
 constexpr double kPoints = 5000;
 constexpr std::size_t kBatch = 64, kTask = 16;
+/// Offsets of one spin that are looked at exactly, at most: the points may promise too much.
+constexpr std::size_t kMostExact = 4;
 
 /// Points of equal area on the half sphere x >= 0 (a Fibonacci lattice, Gonzalez 2010).
 Vec3d half_sphere_point(std::size_t i, std::size_t count) {
@@ -39,14 +43,39 @@ Turn turn_onto_x(Vec3d direction, double spin_deg) {
     return turn_about({1, 0, 0}, spin_deg) * turn_about(half, 180);
 }
 
+/// As people are shown it; never -0.
+Vec3d to_thousandths(Vec3d v) {
+    for (int axis = 0; axis < 3; ++axis) v[axis] = std::floor(v[axis] * 1000 + 0.5) / 1000 + 0.0;
+    return v;
+}
+
+/// Into half a block about 0.
+double wrapped(double value, double block) {
+    return value - block * std::floor(value / block + 0.5);
+}
+
+/// Holds an object of this length at every offset, with faces at the same places as any space of even counts.
+DesignSpace roomy(double longest, Vec3d block_mm, const CutOptions& cut) {
+    const Vec3d clearances = grown(Box3d{{}, {}}, cut.whole_clearance_mm()).size();
+    Vec3i blocks;
+    for (int axis = 0; axis < 3; ++axis)
+        blocks[axis] = 2 * static_cast<int>(std::ceil((longest + clearances[axis]) / 2 / block_mm[axis])) + 4;
+    return {blocks, block_mm};
+}
+
 }  // namespace
 
 DirectionMap::DirectionMap(const Mesh& mesh, const PreparedSurface& surface, const Design& design,
-                           const DesignSpace& space, std::size_t directions)
-    : surface_(surface), space_(space), cut_(design.cut) {
-    least_wall_ = wanted_wall_mm(design.space);
+                           const DesignSpace& space, std::size_t directions, Available available)
+    : surface_(surface), design_(design), space_(space), available_(std::move(available)) {
+    fitted_ = !design.space.blocks && !design.case_options.inside_mm;
     const Vec3d size = bounds(mesh).size();
     longest_ = std::sqrt(dot(size, size));
+    // A fitted space has the walls by itself.
+    if (fitted_)
+        space_ = roomy(longest_, space.block_mm, design.cut);
+    else
+        least_wall_ = wanted_wall_mm(design.space);
     const double area = surface_area(mesh);
     const double spacing = std::max(std::sqrt(area / kPoints), longest_ / 500);
     points_ = surface_points(mesh, spacing);
@@ -55,29 +84,77 @@ DirectionMap::DirectionMap(const Mesh& mesh, const PreparedSurface& surface, con
         cut.direction = half_sphere_point(i, directions);
         cuts_.push_back(cut);
     }
+    promised_.assign(directions, -1);
 }
 
 void DirectionMap::step() {
     const std::size_t end = std::min(cuts_.size(), next_ + kBatch);
     const double spin = 180 * spread_fraction(passes_);  // half a turn more cuts the same
     parallel_for((end - next_ + kTask - 1) / kTask, [&](std::size_t task) {
-        QuickCut quick(space_, cut_, least_wall_, longest_, 4, 8);
+        QuickCut quick(space_, design_.cut, least_wall_, longest_, 4, 8);
         const std::size_t first = next_ + task * kTask;
         for (std::size_t i = first; i < std::min(end, first + kTask); ++i) {
-            DirectionCut& cut = cuts_[i];
-            const Vec3d rotation_deg = euler_of(rotation_of(turn_onto_x(cut.direction, spin)));
+            const Vec3d rotation_deg =
+                to_thousandths(euler_of(rotation_of(turn_onto_x(cuts_[i].direction, spin))));
             const Rotation rotation = rotation_from_euler(rotation_deg);
-            const auto found = quick.least(points_, rotation, turned_bounds(surface_.body, rotation), 1);
-            if (found.empty() || (cut.cut_blocks >= 0 && found.front().blocks >= cut.cut_blocks)) continue;
-            cut.cut_blocks = found.front().blocks;
-            cut.rotation_deg = rotation_deg;
-            cut.offset_mm = found.front().offset_mm;
+            improve(i, rotation_deg,
+                    quick.least(points_, rotation, turned_bounds(surface_.body, rotation), kMostExact));
         }
     });
     next_ = end;
     if (next_ < cuts_.size()) return;
     next_ = 0;
     ++passes_;
+}
+
+/// The surface is looked at where its points promise more than before, or where what they promised cannot be.
+void DirectionMap::improve(std::size_t direction, const Vec3d& rotation_deg,
+                           const std::vector<OffsetCut>& offsets) {
+    DirectionCut& cut = cuts_[direction];
+    long long& promised = promised_[direction];
+    for (const OffsetCut& candidate : offsets) {
+        if (promised >= 0 && candidate.blocks >= promised) return;
+        const Vec3d offset_mm = to_thousandths(fitted_ ? offset_when_fitted(rotation_deg, candidate.offset_mm)
+                                                       : candidate.offset_mm);
+        const auto found = exact(rotation_deg, offset_mm);
+        if (!found) continue;
+        promised = candidate.blocks;
+        if (cut.cut_blocks < 0 || found->cut_blocks < cut.cut_blocks)
+            cut = {cut.direction, found->cut_blocks, rotation_deg, offset_mm};
+        return;
+    }
+}
+
+/// What the design makes of the placement; none where it does not fit or a wall is thinner than wanted.
+std::optional<ExactCut> DirectionMap::exact(Vec3d rotation_deg, Vec3d offset_mm) const {
+    const Vec3d lies = offset_mm + shift_between_walls(design_.space, !fitted_);
+    DesignSpace space = space_;
+    if (fitted_) {
+        const auto own = space_for(place(surface_, rotation_deg, lies).bounds, design_);
+        if (!own) return {};
+        space = *own;
+    }
+    auto found = exact_cut(surface_, space, design_.cut, rotation_deg, lies, available_);
+    if (found && !keeps_walls(found->wall_mm, wanted_wall_mm(design_.space))) return {};
+    return found;
+}
+
+/// The offset at which the object meets the blocks of its fitted space as it meets those of space_: a fitted
+/// space with an odd number of blocks begins half a block elsewhere, and further from its middle it has one
+/// more.
+Vec3d DirectionMap::offset_when_fitted(Vec3d rotation_deg, Vec3d offset_mm) const {
+    const Vec3d shift = shift_between_walls(design_.space, false);
+    const Vec3d block = space_.block_mm;
+    Vec3d even, odd;
+    for (int axis = 0; axis < 3; ++axis) {
+        even[axis] = wrapped(offset_mm[axis] - shift[axis], block[axis]);
+        odd[axis] = wrapped(offset_mm[axis] - shift[axis] - block[axis] / 2, block[axis]);
+    }
+    const auto own = space_for(place(surface_, rotation_deg, even + shift).bounds, design_);
+    if (!own) return even;
+    Vec3d result;
+    for (int axis = 0; axis < 3; ++axis) result[axis] = own->blocks[axis] % 2 == 0 ? even[axis] : odd[axis];
+    return result;
 }
 
 }  // namespace snug

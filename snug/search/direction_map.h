@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "snug/base/vec.h"
@@ -9,6 +10,8 @@
 #include "snug/foam/design_space.h"
 #include "snug/foam/prepared_surface.h"
 #include "snug/mesh/mesh.h"
+#include "snug/search/exact_cut.h"
+#include "snug/search/quick_cut.h"
 #include "snug/search/surface_points.h"
 
 namespace snug {
@@ -17,19 +20,22 @@ namespace snug {
 struct DirectionCut {
     Vec3d
         direction;  ///< of the object's own, of length 1, x not below 0: it lies along +x or -x of the space
-    long long cut_blocks = -1;  ///< the least so far over spins and offsets, from points; -1 if none fits yet
-    Vec3d rotation_deg;         ///< there
-    Vec3d offset_mm;
+    long long cut_blocks = -1;  ///< the least so far over spins and offsets; -1 if none fits yet
+    Vec3d rotation_deg;         ///< there; to a thousandth of a degree, as people are shown it
+    Vec3d offset_mm;            ///< to a thousandth of a mm
 };
 
 /// The cut volume over insertion directions: a map of the half sphere in equal areas, finer in its spins with
-/// every pass. The same everywhere and for any number of threads.
+/// every pass. Whoever takes one of its placements into the design gets exactly the cut that it names, and
+/// the walls that the design wants. The same everywhere and for any number of threads.
 class DirectionMap {
   public:
-    /// Keeps the wanted walls. `directions`: of the half sphere; 250 to 1000 make a picture. `surface` is
-    /// prepared from `mesh` and must outlive the map.
+    /// In `space`, or, where the design leaves the number of blocks open, each placement in the space that is
+    /// fitted to it. `available`: the blocks that exist in `space`, as exact_cut() has them. `directions`: of
+    /// the half sphere; 250 to 1000 make a picture. `surface` is prepared from `mesh` and must outlive the
+    /// map.
     DirectionMap(const Mesh& mesh, const PreparedSurface& surface, const Design& design,
-                 const DesignSpace& space, std::size_t directions = 500);
+                 const DesignSpace& space, std::size_t directions = 500, Available available = {});
 
     /// Looks at one more spin of some directions: a few milliseconds of work.
     void step();
@@ -38,13 +44,20 @@ class DirectionMap {
     [[nodiscard]] const std::vector<DirectionCut>& cuts() const { return cuts_; }
 
   private:
+    void improve(std::size_t direction, const Vec3d& rotation_deg, const std::vector<OffsetCut>& offsets);
+    [[nodiscard]] std::optional<ExactCut> exact(Vec3d rotation_deg, Vec3d offset_mm) const;
+    [[nodiscard]] Vec3d offset_when_fitted(Vec3d rotation_deg, Vec3d offset_mm) const;
+
     const PreparedSurface& surface_;
-    DesignSpace space_;
-    CutOptions cut_;
+    Design design_;
+    bool fitted_ = false;  ///< every placement has a space of its own
+    DesignSpace space_;    ///< of the offsets: the design's, or one that holds the object however it lies
+    Available available_;
     std::array<double, 6> least_wall_{};
     double longest_ = 0;
     SurfacePoints points_;
     std::vector<DirectionCut> cuts_;
+    std::vector<long long> promised_;  ///< by the points, of the best so far
     std::size_t passes_ = 0, next_ = 0;
 };
 

@@ -1,7 +1,7 @@
 import {describe, expect, it} from 'vitest';
 import type {Triple} from '../src/engine/api';
 import {colourOf} from '../src/search/scale';
-import {fromDisc, nearest, onDisc} from '../src/search/sphere';
+import {fromDisc, near, nearest, onDisc} from '../src/search/sphere';
 import {thumbnail} from '../src/search/thumbnail';
 
 describe('the map of directions', () => {
@@ -32,6 +32,13 @@ describe('the map of directions', () => {
     const directions = new Float32Array([1, 0, 0, 0, 1, 0, 0, 0, 1]);
     expect(nearest(directions, [-0.9, 0.3, 0.1])).toBe(0);
     expect(nearest(directions, [0.1, 0.2, -0.8])).toBe(2);
+  });
+
+  it('says nothing where no direction is near, as on a map that has none yet', () => {
+    const directions = new Float32Array([1, 0, 0, 0, 1, 0]);
+    expect(near(directions, [-0.99, 0.1, 0])).toBe(0);
+    expect(near(directions, [0, 0, 1])).toBeNull();
+    expect(near(new Float32Array(), [0, 0, 1])).toBeNull();
   });
 
   it('gets lighter all the way', () => {

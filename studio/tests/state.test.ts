@@ -1,7 +1,24 @@
 import {Quaternion, Vector3} from 'three';
 import {describe, expect, it} from 'vitest';
 import type {Design, Triple} from '../src/engine/api';
-import {completed, mmPerFileUnit, walls, withBlocks, withClearanceOf, withLength, withSpace, withWalls} from '../src/state/edit';
+import {
+  completed,
+  forNewObject,
+  mmPerFileUnit,
+  walls,
+  withBlocks,
+  withCase,
+  withClearanceOf,
+  withLength,
+  withLongest,
+  withNotches,
+  withPreset,
+  withSpace,
+  withUpright,
+  withWalls,
+  withWorkshop,
+  USUAL_NOTCHES,
+} from '../src/state/edit';
 import {canRedo, canUndo, moved, present, record, startHistory} from '../src/state/history';
 import {angles, quarterTurned, quaternion, sideDown, SIDES, sideThatIsDown} from '../src/state/rotation';
 import {numbers} from './support/packing';
@@ -114,6 +131,30 @@ describe('edits', async () => {
         const after = withLength(before, 0.4, 250);
         expect(mmPerFileUnit(after, [1, 2, 3]) * 0.4).toBeCloseTo(250);
       }
+  });
+
+  it('the next object begins without what was chosen to hold the last one, and with what belongs to the person', async () => {
+    const presets = await (await startCore()).presets();
+    const preset = presets.find(({name}) => name === 'slit-10')!;
+    let used = withWorkshop(withPreset(design, preset), {for: 'sponge', mass_kg: 3, price_per_litre: 4, currency: 'EUR'});
+    used = withUpright(withNotches(withWalls(withClearanceOf(used, 0, -2), 5), USUAL_NOTCHES), 'z');
+    used = withCase(used, {name: 'box', inside_mm: [100, 200, 300], lid_mm: 20, play_mm: 5});
+    const next = forNewObject(used, design, presets);
+    expect(walls(next)).toEqual([50, 50, 50, 50, 50, 50]);
+    expect(next.cut.clearance_mm).toBe(preset.clearance_mm);
+    expect(next.fit.notches).toBeNull();
+    expect(next.case.inside_mm).toBeNull();
+    expect(next.case.name).toBe('');
+    expect(next.search.upright).toBeNull();
+    expect(next.workshop.mass_kg).toBeNull();
+    expect(next.space.preset).toBe('slit-10');
+    expect(next.case.play_mm).toBe(5);
+    expect(next.workshop).toMatchObject({for: 'sponge', price_per_litre: 4, currency: 'EUR'});
+  });
+
+  it('a known longest side is the size, whatever the unit of the file', () => {
+    const sized = withLongest({...design, object: {...design.object, units: 'in', scale: 7}}, 300);
+    expect(mmPerFileUnit(sized, [1, 2, 3]) * 3).toBeCloseTo(300);
   });
 
   it('a typed block count takes over from the fitted ones', () => {

@@ -283,14 +283,15 @@ export interface SearchResult extends SearchStep {
   distinct: FoundPlacement[];
 }
 
-/** What is cut by direction of insertion, at its best turn and offset, as points of the surface say; finer with every
- *  pass. Directions in which the object does not fit are left out. */
+/** What is cut by direction of insertion, at the best turn and offset so far, exactly; finer with every pass. Where the
+ *  design leaves the number of blocks open, each placement has the space that is fitted to it. Directions in which the
+ *  object does not fit with its walls are left out. */
 export interface DirectionMap {
   /** Unit vectors of the object's own, x, y, z after each other; the opposite ones cut the same. */
   directions: Float32Array<ArrayBuffer>;
   cut_blocks: Float32Array<ArrayBuffer>;
-  rotations_deg: Float32Array<ArrayBuffer>;
-  offsets_mm: Float32Array<ArrayBuffer>;
+  rotations_deg: Float64Array<ArrayBuffer>;
+  offsets_mm: Float64Array<ArrayBuffer>;
   /** 0 to 1 */
   fraction: number;
 }

@@ -31,3 +31,14 @@ export function nearest(directions: Float32Array, [x, y, z]: Triple): number {
   }
   return found;
 }
+
+/** Beyond this a direction says nothing of another one: twice as far as neighbours of a map lie apart. */
+const NEAR = Math.cos(0.22);
+
+/** As nearest(); null where none is near. */
+export function near(directions: Float32Array, direction: Triple): number | null {
+  if (directions.length === 0) return null;
+  const i = nearest(directions, direction);
+  const along = direction.reduce((sum, value, axis) => sum + value * directions[3 * i + axis]!, 0);
+  return Math.abs(along) >= NEAR ? i : null;
+}

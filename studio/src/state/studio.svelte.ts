@@ -4,7 +4,6 @@ import type {
   DisplayMesh,
   Engine,
   Failure,
-  FoundPlacement,
   Gap,
   ObjectInfo,
   Packing,
@@ -19,6 +18,7 @@ import type {Moment, StoredObject} from './autosave';
 import {completed, forNewObject, withPlacement, withSpace} from './edit';
 import {canRedo, canUndo, moved, present, record, startHistory, type History} from './history';
 import {newId} from './claims';
+import {Placements} from './placements.svelte';
 import type {Works} from './works.svelte';
 
 /** Drawn while something moves, and when it stands still. */
@@ -104,8 +104,8 @@ export class Studio {
   timing: Timing | null = $state.raw(null);
   gap: Gap | null = $state.raw(null);
   problem: Problem | null = $state.raw(null);
-  /** What the last search and the last map found; see knowsPlacementsOf(). */
-  #placements: {of: string; blocks: Design['space']['blocks']; distinct: FoundPlacement[]; map: DirectionMap | null} | null = $state.raw(null);
+  /** What searches found. */
+  readonly placements = new Placements(this);
   /** Something to know that is nobody's fault; stays until it is read. */
   notice: string | null = $state.raw(null);
   busy: Busy | null = $state.raw(null);
@@ -124,7 +124,7 @@ export class Studio {
   /** The works of this browser; null while there are none to be had. */
   works: Works | null = $state.raw(null);
   #objects = new Map<string, StoredObject>();
-  #shown: string | null = null;
+  #shown: string | null = $state.raw(null);
   #saving: ReturnType<typeof setTimeout> | undefined;
   #resting: ReturnType<typeof setTimeout> | undefined;
   #meshesOf = 0;
@@ -157,6 +157,11 @@ export class Studio {
       engine.version(),
     ]);
     return new Studio(engine, {defaults, presets, samples, version});
+  }
+
+  /** Which object is on the screen. */
+  get shown(): string | null {
+    return this.#shown;
   }
 
   get file(): StoredObject | null {
@@ -270,17 +275,6 @@ export class Studio {
     return this.#work;
   }
 
-  /** Of the present object and foam, wherever the object lies. */
-  get placements() {
-    return this.#placements?.of === this.#foundFor() ? this.#placements : null;
-  }
-
-  /** Puts the object where a search or a map found it. */
-  take({rotation_deg, offset_mm}: Design['placement'], control: string): void {
-    const blocks = this.#placements?.blocks ?? this.design.space.blocks;
-    this.change((design) => withSpace(withPlacement(design, {rotation_deg, offset_mm}), blocks), control);
-  }
-
   /** The fewest blocks that hold the object and its walls, and the placement for them. */
   fitCase(): Promise<void> {
     this.#work = this.#fitCase();
@@ -310,24 +304,12 @@ export class Studio {
     this.busy = {work: 'map', fraction: 0, cancel: () => void this.engine.cancel()};
     const grown = (map: DirectionMap) => {
       if (this.busy?.work === 'map') this.busy = {...this.busy, fraction: map.fraction};
-      this.#found({map});
+      this.placements.foundMap(design, map);
     };
     const map = await this.engine.directions(design, grown);
     this.busy = null;
     if (isFailure(map)) this.#refuse('optimize', map);
     else grown(map);
-  }
-
-  #found(news: {distinct?: FoundPlacement[]; map?: DirectionMap}): void {
-    const {distinct = [], map = null} = this.placements ?? {};
-    const blocks = this.packing?.blocks ?? this.design.space.blocks;
-    this.#placements = {of: this.#foundFor(), blocks, distinct, map, ...news};
-  }
-
-  /** All that placements depend on, but for the number of blocks where the space follows the object. */
-  #foundFor(): string {
-    const {object, space, cut} = this.design;
-    return JSON.stringify([this.#shown, object, space.block_mm, space.wall_mm, cut]);
   }
 
   async #search(): Promise<void> {
@@ -350,17 +332,10 @@ export class Studio {
       this.#changes(start);
       this.#refuse('optimize', best);
     } else {
-      this.#changes(await this.#asFound(withPlacement(start, best), best.cut_blocks, blocks));
-      this.#found({distinct: best.distinct});
+      this.#changes(await this.placements.asFound(withPlacement(start, best), best.cut_blocks, blocks));
+      this.placements.foundDistinct(start, blocks, best.distinct);
     }
     await this.#show(this.design, 'optimize');
-  }
-
-  /** A space that is fitted anew may begin half a block elsewhere and cut more: then the search's own stays. */
-  async #asFound(design: Design, cut_blocks: number, blocks: Design['space']['blocks']): Promise<Design> {
-    const packing = await this.engine.pack(design);
-    const asGood = !isFailure(packing) && packing.fit !== null && packing.fit.cut_blocks <= cut_blocks;
-    return asGood ? design : withSpace(design, blocks);
   }
 
   async measureGaps(): Promise<void> {

@@ -16,8 +16,9 @@ export class View {
   looks: Record<Part, Look> = $state({object: 'shown', lower: 'shown', upper: 'shown', space: 'shown'});
   handles: Handles = $state('none');
   drawing: Drawing = $state('slice');
-  /** The layer of blocks that is shown, from -x. */
-  layer = $state(0);
+  /** Where the section lies, mm along x from the middle of the space: the layer of blocks there is shown, however
+   *  thick and many they are. */
+  slice_mm = $state(0);
   hovered: Cell | null = $state.raw(null);
   gapColours = $state(false);
   /** The two clicks on the object, in its own mm, while a length is being shown to Snug. */

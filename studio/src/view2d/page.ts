@@ -64,3 +64,13 @@ export function blocksToRemove(kept: Uint16Array): {remove: Uint16Array; highest
   for (const blocks of kept) highest = Math.max(highest, blocks);
   return {remove: kept.map((blocks) => highest - blocks), highest};
 }
+
+/** The layer of blocks, from -x, in which a height (mm along x from the middle of the space) lies, or the nearest. */
+export function layerAt(mm: number, {blocks: [layers], block_mm: [thick]}: Pick<Packing, 'blocks' | 'block_mm'>): number {
+  return Math.min(Math.max(Math.floor(mm / thick + layers / 2), 0), layers - 1);
+}
+
+/** The height of a layer's middle. */
+export function middleOf(layer: number, {blocks: [layers], block_mm: [thick]}: Pick<Packing, 'blocks' | 'block_mm'>): number {
+  return (layer + 0.5 - layers / 2) * thick;
+}
