@@ -497,6 +497,7 @@ export const en = {
     tooBig: (name: string, line: string) => `${name} is too big for the browser. The command line makes its foams: ${line}`,
     openObjectOf: (name: string) => `The project is read. Now open its object: ${name}`,
     otherContent: (name: string) => `This file has another content than the ${name} that the project was made for: check the fit.`,
+    leftOut: (names: string[]) => `Left out, since there is one object at a time: ${names.join(', ')}`,
   },
   works: {
     heading: 'Go on where you left off',

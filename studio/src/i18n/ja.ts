@@ -518,6 +518,7 @@ export const ja: Texts = {
     tooBig: (name, line) => `${name} はブラウザーには大きすぎます。コマンドラインで作れます：${line}`,
     openObjectOf: (name) => `プロジェクトを読み込みました。次に対象物を開いてください：${name}`,
     otherContent: (name) => `このファイルの内容は、プロジェクトの ${name} と違います。合うか確かめてください。`,
+    leftOut: (names) => `対象物は一度に一つだけなので、次のファイルは使いませんでした：${names.join('、')}`,
   },
   works: {
     heading: '前回の続きから',

@@ -2,6 +2,7 @@ import type {Design, Failure, ObjectFile} from '../engine/api';
 import {convert, needsConversion} from '../engine/convert';
 import {isFailure} from '../engine/failure';
 import {firstMakeLine} from '../engine/make_line';
+import {bundled} from './bundle';
 import type {Content, Studio} from './studio.svelte';
 
 /** More than a page can hold as a file, as a mesh and as foams at once: WebAssembly ends at 4 GB. */
@@ -11,6 +12,7 @@ export interface OpenTexts {
   tooBig: (name: string, line: string) => string;
   openObjectOf: (name: string) => string;
   otherContent: (name: string) => string;
+  leftOut: (names: string[]) => string;
 }
 
 /** Projects that wait for their object. */
@@ -20,9 +22,12 @@ let waiting: {object: ObjectFile; design: Design} | null = null;
  *  stays as it was. */
 export async function openFiles(studio: Studio, files: readonly File[], texts: OpenTexts): Promise<void> {
   const project = files.find(({name}) => /\.json$/i.test(name));
-  const object = files.find((file) => file !== project);
+  const {object, leftOut} = bundled(files.filter((file) => file !== project));
   if (project && !(await readProject(studio, project, texts, object !== undefined))) return;
+  const before = studio.object;
   if (object) await openObject(studio, object, texts);
+  if (leftOut.length > 0 && studio.object !== before)
+    studio.notice = [studio.notice, texts.leftOut(leftOut.map(({name}) => name))].filter(Boolean).join(' ');
 }
 
 async function readProject(studio: Studio, file: File, texts: OpenTexts, objectComes: boolean): Promise<boolean> {
