@@ -69,13 +69,17 @@ Result<std::vector<std::byte>> read_file(const fs::path& path) {
     return bytes;
 }
 
-ObjectFile describe(const fs::path& path, std::span<const std::byte> bytes) {
+std::string sha256(std::span<const std::byte> bytes) {
     SHA2_CTX context;
     SHA256Init(&context);
     SHA256Update(&context, reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
     char digest[SHA256_DIGEST_STRING_LENGTH];
     SHA256End(&context, digest);
-    return {path.filename().string(), bytes.size(), digest};
+    return digest;
+}
+
+ObjectFile describe(const fs::path& path, std::span<const std::byte> bytes) {
+    return {path.filename().string(), bytes.size(), sha256(bytes)};
 }
 
 FileSet::~FileSet() {
@@ -84,6 +88,10 @@ FileSet::~FileSet() {
     for (const Pending& file : pending_) fs::remove(file.temporary, ignored);
     for (auto folder = made_folders_.rbegin(); folder != made_folders_.rend(); ++folder)
         fs::remove(*folder, ignored);
+}
+
+std::string FileSet::temporary_name(const std::string& name) {
+    return fmt::format(".{}.{}.part", name, ::getpid());
 }
 
 Result<void> FileSet::open() {
@@ -99,8 +107,9 @@ Result<void> FileSet::make_folder(const fs::path& folder) {
         at = at.parent_path();
     }
     for (auto next = missing.rbegin(); next != missing.rend(); ++next) {
-        if (!fs::create_directory(*next, error)) return cannot_write(folder, error ? error.value() : EEXIST);
-        made_folders_.push_back(*next);
+        const bool made = fs::create_directory(*next, error);
+        if (error) return cannot_write(folder, error.value());
+        if (made) made_folders_.push_back(*next);  // otherwise another run was faster
     }
     if (!fs::is_directory(folder, error)) return cannot_write(folder, ENOTDIR);
     return {};
@@ -112,9 +121,10 @@ Result<void> FileSet::write(const std::string& name, std::span<const std::byte> 
     if (fs::is_directory(final, ignored)) return cannot_write(final, EISDIR);
     if (final.parent_path() != folder_)
         if (auto done = make_folder(final.parent_path()); !done) return done;
-    const fs::path temporary =
-        final.parent_path() / fmt::format(".{}.{}.part", final.filename().string(), ::getpid());
-    Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+    const fs::path temporary = final.parent_path() / temporary_name(final.filename().string());
+    // What a killed run with the same number left, or a link to somewhere else, is not written through.
+    ::unlink(temporary.c_str());
+    Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
     if (!file.ok()) return cannot_write(final, errno);
     pending_.push_back({temporary, final});
     int error = write_all(file.get(), bytes);
@@ -127,8 +137,10 @@ Result<void> FileSet::write(const std::string& name, std::span<const std::byte> 
 }
 
 Result<void> FileSet::commit() {
-    for (const Pending& file : pending_)
+    for (const Pending& file : pending_) {
         if (::rename(file.temporary.c_str(), file.final.c_str()) != 0) return cannot_write(file.final, errno);
+        ++renamed_;
+    }
     committed_ = true;
     return {};
 }

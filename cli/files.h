@@ -14,6 +14,9 @@ namespace snug::cli {
 /// The bytes of a file, or an Error of kind `input` that names it.
 [[nodiscard]] Result<std::vector<std::byte>> read_file(const std::filesystem::path& path);
 
+/// SHA-256 in 64 small hexadecimal digits.
+[[nodiscard]] std::string sha256(std::span<const std::byte> bytes);
+
 /// Name, size and hash, as a project file keeps them.
 [[nodiscard]] ObjectFile describe(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
@@ -32,6 +35,10 @@ class FileSet {
     /// `name` may lie in a folder of its own within the set's ("sponge/lower-01.svg").
     [[nodiscard]] Result<void> write(const std::string& name, std::span<const std::byte> bytes);
     [[nodiscard]] Result<void> commit();
+    /// The name under which a file is written first, in the folder where it will lie: `.NAME.PID.part`.
+    [[nodiscard]] static std::string temporary_name(const std::string& name);
+    /// Whether a file has taken its name, even if a later one could not.
+    [[nodiscard]] bool begun() const { return renamed_ > 0; }
 
   private:
     [[nodiscard]] Result<void> make_folder(const std::filesystem::path& folder);
@@ -43,6 +50,7 @@ class FileSet {
     std::filesystem::path folder_;
     std::vector<std::filesystem::path> made_folders_;  ///< outermost first
     std::vector<Pending> pending_;
+    std::size_t renamed_ = 0;
     bool committed_ = false;
 };
 

@@ -19,7 +19,7 @@
 #include "cli/clp_solver.h"
 #include "cli/commands.h"
 #include "cli/console.h"
-#include "cli/files.h"
+#include "cli/folder_run.h"
 #include "cli/interrupt.h"
 #include "cli/make_case.h"
 #include "cli/make_clean.h"
@@ -62,7 +62,10 @@ void add_options(CLI::App& make, MakeArguments& arguments) {
                     "A mesh (STL, OBJ, PLY, OFF, glTF, 3MF), a point cloud (PLY, XYZ, PTS) or a project "
                     "(*.snug.json)")
         ->required();
-    make.add_option("-o,--output", a.folder, "The folder for the files that are made")
+    make.add_option(
+            "-o,--output", a.folder,
+            "The folder for the files that are made; what an earlier run made there and this one does not "
+            "goes, unless somebody changed it")
         ->required()
         ->type_name("DIR");
     make.add_option("--units", a.units, "The unit of the file (mm)")->type_name("mm|cm|m|in");
@@ -199,9 +202,9 @@ Result<Task> task_from(const MakeArguments& arguments) {
     return task;
 }
 
-/// Writes everything, the report last, since it tells how long the rest took.
+/// Writes everything, the report last, since it tells how long the rest took and what of earlier runs stays.
 Result<std::string> write_outputs(const Packed& packed, Packing& packing, const Project& project,
-                                  const Measured& measured, const std::string& folder) {
+                                  const Measured& measured, FolderRun&& run) {
     std::vector<OutputFile> files = output_files(packed.object, project, measured, packing);
     if (measured.pack) {
         auto more = workshop_files(*measured.pack);
@@ -209,16 +212,20 @@ Result<std::string> write_outputs(const Packed& packed, Packing& packing, const 
         std::move(more->begin(), more->end(), std::back_inserter(files));
     }
     const InterruptGuard guard;
-    FileSet set(folder);
     Stopwatch watch;
-    if (auto done = set.open(); !done) return tl::unexpected(done.error());
+    if (auto done = run.open(); !done) return tl::unexpected(done.error());
     for (const OutputFile& file : files)
-        if (auto done = set.write(file.name, file.bytes); !done) return tl::unexpected(done.error());
+        if (auto done = run.write(file.name, file.bytes); !done) return tl::unexpected(done.error());
     packing.timing.write = watch.lap();
+    const std::string report_name = "report.json";
+    const auto earlier = run.look_back({&report_name, 1});
+    if (!earlier) return tl::unexpected(earlier.error());
+    packing.findings.insert(packing.findings.end(), earlier->begin(), earlier->end());
+    sort_by_severity(packing.findings);
     const std::string report = report_json(packed.object, project, packing, measured);
-    if (auto done = set.write("report.json", std::as_bytes(std::span(report))); !done)
+    if (auto done = run.write(report_name, std::as_bytes(std::span(report))); !done)
         return tl::unexpected(done.error());
-    if (auto done = set.commit(); !done) return tl::unexpected(done.error());
+    if (auto done = run.commit(); !done) return tl::unexpected(done.error());
     return report;
 }
 
@@ -275,7 +282,8 @@ int make(const MakeArguments& arguments) {
     status->show("Writing");
     const auto report_text =
         dry ? Result<std::string>(report_json(packed->object, task->project, packing, *measured))
-            : write_outputs(*packed, packing, task->project, *measured, arguments.folder);
+            : write_outputs(*packed, packing, task->project, *measured,
+                            {arguments.folder, workshop_folders(), {arguments.object, task->object_path}});
     status.reset();
     if (!report_text) return report(report_text.error());
     if (arguments.json) {

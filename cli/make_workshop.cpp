@@ -85,6 +85,14 @@ Result<void> apply_workshop(const WorkshopArguments& a, Design& design) {
     return apply_tools(a.tools, options);
 }
 
+std::vector<std::string> workshop_folders() {
+    std::vector<std::string> folders;
+    for (const Workshop work : {Workshop::sponge, Workshop::sheets, Workshop::print, Workshop::bricks,
+                                Workshop::mill, Workshop::mould})
+        folders.emplace_back(workshop_name(work));
+    return folders;
+}
+
 std::string workshop_summary(const WorkshopPack& pack, const Design& design) {
     std::size_t widest = 0;
     for (const PackFigure& figure : pack.figures) widest = std::max(widest, figure.label.size());

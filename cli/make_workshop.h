@@ -41,6 +41,9 @@ struct FoamChoice {
 /// Applies what was typed. Errors are of kind `usage` and name the option.
 [[nodiscard]] Result<void> apply_workshop(const WorkshopArguments& arguments, Design& design);
 
+/// Where the files of packs lie within a run's folder: for each way of working its name.
+[[nodiscard]] std::vector<std::string> workshop_folders();
+
 /// The figures as lines under a heading.
 [[nodiscard]] std::string workshop_summary(const WorkshopPack& pack, const Design& design);
 

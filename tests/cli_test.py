@@ -22,6 +22,7 @@ from pathlib import Path
 SNUG = Path(sys.argv.pop(1)).resolve()
 FILES = {"lower.stl", "upper.stl", "lower.ply", "upper.ply", "depths.csv", "preview.svg", "report.json",
          "project.snug.json"}
+LIST = ".snug-files"  # of what was made, for the next run into the folder
 TETRAHEDRON = "OFF\n4 4 6\n0 0 0\n60 0 0\n0 60 0\n0 0 60\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n"
 
 
@@ -96,7 +97,7 @@ class CliTest(unittest.TestCase):
     def test_make_writes_every_file_and_tells_a_packer(self):
         done = self.make(self.object)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertEqual(files_in(self.out), FILES)
+        self.assertEqual(files_in(self.out), FILES | {LIST})
         for word in ["Object", "Space", "Foam", "Walls", "Gaps", "litres"]:
             self.assertIn(word, done.stdout)
         self.assertEqual(done.stderr, "", "no progress where standard error is no terminal")
@@ -133,7 +134,7 @@ class CliTest(unittest.TestCase):
 
     def test_formats_choose_the_foams(self):
         self.assertEqual(self.make(self.object, "--formats", "stl").returncode, 0)
-        self.assertEqual(files_in(self.out), FILES - {"lower.ply", "upper.ply"})
+        self.assertEqual(files_in(self.out), FILES - {"lower.ply", "upper.ply"} | {LIST})
 
     def test_a_project_gives_the_same_bytes_again(self):
         options = ["--rotate", "10,20,30", "--move", "1,2,3", "--clearance", "0.7", "--blocks", "auto", "--wall",
@@ -337,7 +338,7 @@ class CliTest(unittest.TestCase):
 
         done = snug("make", self.object, "--rotate", "0,45,0", "-o", self.out, preexec_fn=little_room)
         self.assertEqual(done.returncode, 4, done.stderr)
-        self.assertEqual(files_in(self.out), FILES)
+        self.assertEqual(files_in(self.out), FILES | {LIST})
         self.assertEqual(before, {name: (self.out / name).read_bytes() for name in FILES})
         done = snug("make", self.object, "-o", self.work / "new" / "deep", preexec_fn=little_room)
         self.assertEqual(done.returncode, 4)

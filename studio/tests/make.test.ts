@@ -40,9 +40,10 @@ async function designFor(work: Work | null): Promise<Design> {
   };
 }
 
+/** Without the hidden list of what was made, which a zip needs not. */
 function filesIn(path: string): Map<string, Buffer> {
   const names = readdirSync(path, {recursive: true, withFileTypes: true});
-  const paths = names.filter((name) => name.isFile()).map((name) => join(name.parentPath, name.name));
+  const paths = names.filter((name) => name.isFile() && !name.name.startsWith('.')).map((name) => join(name.parentPath, name.name));
   return new Map(paths.map((name) => [relative(path, name), readFileSync(name)]));
 }
 

@@ -31,8 +31,9 @@ beforeAll(async () => {
 });
 afterAll(() => rmSync(folder, {recursive: true, force: true}));
 
+/** Without the hidden list of what was made, which a zip needs not. */
 function filesIn(path: string): Map<string, Buffer> {
-  const entries = readdirSync(path, {recursive: true, withFileTypes: true}).filter((entry) => entry.isFile());
+  const entries = readdirSync(path, {recursive: true, withFileTypes: true}).filter((entry) => entry.isFile() && !entry.name.startsWith('.'));
   const paths = entries.map((entry) => join(entry.parentPath, entry.name));
   return new Map(paths.map((name) => [relative(path, name), readFileSync(name)]));
 }

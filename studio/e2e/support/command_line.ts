@@ -25,7 +25,7 @@ export function sample(name: string, ending = 'stl'): string {
 export function made(...options: string[]): Map<string, Buffer> {
   const out = join(folder(), 'out');
   snug('make', ...options, '-o', out, '--quiet');
-  return new Map(readdirSync(out).map((name) => [name, readFileSync(join(out, name))]));
+  return new Map(readdirSync(out).filter((name) => !name.startsWith('.')).map((name) => [name, readFileSync(join(out, name))]));
 }
 
 /** A report without what differs from run to run. */

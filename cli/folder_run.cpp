@@ -1,0 +1,223 @@
+#include "cli/folder_run.h"
+
+#include <algorithm>
+#include <cstring>
+#include <functional>
+#include <set>
+#include <sys/stat.h>
+#include <utility>
+
+#include <fmt/core.h>
+
+#include "snug/base/text.h"
+
+#include "cli/interrupt.h"
+
+namespace snug::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string kList = ".snug-files";
+const std::string kUnfinished = "UNFINISHED.txt";
+constexpr std::uint64_t kLongestList = 16 << 20;  // bytes; a file takes about 100
+constexpr std::size_t kNamed = 5;
+constexpr double kPatience = 60;  // seconds
+
+constexpr std::string_view kListNote =
+    "What snug made in this folder. The next run into it takes away those of these files\n"
+    "that it does not make again and that nobody changed. Without this list it takes nothing away.\n";
+constexpr std::string_view kUnfinishedNote =
+    "This folder holds a mix of two runs of snug: the last one was stopped before it had finished.\n"
+    "Do not make anything from these files. Run snug make into this folder again: that puts it right.\n";
+
+Result<void> write_text(FileSet& set, const std::string& name, const std::string& text) {
+    return set.write(name, std::as_bytes(std::span(text)));
+}
+
+/// "a, b and 3 more"
+std::string named(const std::vector<std::string>& names) {
+    std::string text;
+    for (std::size_t i = 0; i < std::min(names.size(), kNamed); ++i) text += (i ? ", " : "") + names[i];
+    if (names.size() > kNamed) text += " and " + grouped(names.size() - kNamed) + " more";
+    return text;
+}
+
+/// "2 files of an earlier run (a, b)"
+std::string of_earlier(const std::vector<std::string>& names) {
+    return counted(names.size(), "file", "files") + " of an earlier run (" + named(names) + ")";
+}
+
+std::string folder_of(const std::string& name) {
+    const std::size_t slash = name.rfind('/');
+    return slash == std::string::npos ? "" : name.substr(0, slash);
+}
+
+}  // namespace
+
+FolderRun::FolderRun(fs::path folder, std::vector<std::string> pack_folders, std::vector<fs::path> inputs)
+    : folder_(std::move(folder)),
+      pack_folders_(std::move(pack_folders)),
+      inputs_(std::move(inputs)),
+      set_(folder_) {}
+
+Result<void> FolderRun::open() {
+    return set_.open();
+}
+
+Result<void> FolderRun::write(const std::string& name, std::span<const std::byte> bytes) {
+    made_.push_back({name, bytes.size(), sha256(bytes)});
+    return set_.write(name, bytes);
+}
+
+Result<std::vector<Finding>> FolderRun::look_back(std::span<const std::string> to_come) {
+    auto inside = FolderInside::open(folder_);
+    if (!inside) return tl::unexpected(inside.error());
+    inside_ = std::move(*inside);
+    if (auto done = inside_->lock(kPatience); !done) return tl::unexpected(done.error());
+
+    was_unfinished_ = inside_->find(kUnfinished).state != FolderInside::State::missing;
+    if (was_unfinished_) {
+        const auto text = inside_->read(kUnfinished, kLongestList);
+        auto files = text ? parse_manifest(*text) : std::nullopt;
+        if (!files)
+            return fail(
+                ErrorKind::output,
+                fmt::format("{}: this is not a file of snug's, which needs that name while it writes: "
+                            "take it away, or choose another folder",
+                            (folder_ / kUnfinished).string()));
+        unfinished_ = std::move(*files);
+    }
+    if (inside_->find(kList).state != FolderInside::State::missing) {
+        const auto text = inside_->read(kList, kLongestList);
+        auto files = text ? parse_manifest(*text) : std::nullopt;
+        untrusted_ = !files;
+        if (files) earlier_ = std::move(*files);
+    }
+    earlier_.insert(earlier_.end(), unfinished_.begin(), unfinished_.end());
+    std::vector<std::string> names(to_come.begin(), to_come.end());
+    for (const MadeFile& file : made_) names.push_back(file.name);
+    sort_out(names);
+    if (InterruptGuard::interrupted()) return fail(ErrorKind::cancelled, "cancelled; nothing was written");
+    return findings();
+}
+
+/// Files of earlier runs that are not made again: which go, and which stay and why.
+void FolderRun::sort_out(const std::vector<std::string>& names) {
+    const std::set<std::string> again(names.begin(), names.end());
+    std::sort(earlier_.begin(), earlier_.end(), in_order);
+    for (auto next = earlier_.begin(); next != earlier_.end();) {
+        const auto first = next;
+        next = std::find_if(first, earlier_.end(),
+                            [&](const MadeFile& file) { return file.name != first->name; });
+        if (again.count(first->name) > 0) continue;
+        const FolderInside::Found found = inside_->find(first->name);
+        if (found.state == FolderInside::State::missing) continue;
+        const bool same = is_as_written(first->name, found, {first, next});
+        if (same && found.removable && !is_input(found)) {
+            gone_.push_back(first->name);
+            continue;
+        }
+        (!same ? changed_ : is_input(found) ? read_ : fixed_).push_back(first->name);
+        staying_.insert(staying_.end(), first, next);
+    }
+}
+
+/// Whether a file is what one of several runs wrote under its name.
+bool FolderRun::is_as_written(const std::string& name, const FolderInside::Found& found,
+                              std::span<const MadeFile> written) const {
+    const auto sized = [&](const MadeFile& file) { return file.bytes == found.bytes; };
+    if (found.state != FolderInside::State::file || std::none_of(written.begin(), written.end(), sized))
+        return false;
+    const auto hash = inside_->sha256(name);
+    return hash && std::any_of(written.begin(), written.end(),
+                               [&](const MadeFile& file) { return sized(file) && file.sha256 == *hash; });
+}
+
+bool FolderRun::is_input(const FolderInside::Found& found) const {
+    return std::any_of(inputs_.begin(), inputs_.end(), [&](const fs::path& input) {
+        struct stat status {};
+        return ::stat(input.c_str(), &status) == 0 && status.st_dev == found.device &&
+               status.st_ino == found.inode;
+    });
+}
+
+std::vector<Finding> FolderRun::findings() const {
+    std::vector<Finding> found;
+    const auto add = [&found](Severity severity, const char* code, std::string message) {
+        found.push_back({severity, code, std::move(message), {}});
+    };
+    if (untrusted_)
+        add(Severity::warning, "earlier_unknown",
+            "the list of what earlier runs made in the folder (" + kList +
+                ") is damaged or of another version, so nothing of theirs was taken away: look for files "
+                "that do not belong to this design");
+    const std::string apart = "; do not use them with the files of this run";
+    if (!changed_.empty())
+        add(Severity::warning, "earlier_files_stay",
+            "left in the folder, because they are not as they were written: " + of_earlier(changed_) + apart);
+    if (!fixed_.empty())
+        add(Severity::warning, "earlier_files_stay",
+            "left where they are, because their folder may not be written to: " + of_earlier(fixed_) + apart);
+    if (!read_.empty())
+        add(Severity::note, "earlier_files_stay",
+            "left in the folder, because this run read them: " + of_earlier(read_));
+    if (was_unfinished_)
+        add(Severity::note, "earlier_unfinished",
+            "an earlier run into the folder was stopped before it had finished; what it left is put right");
+    if (!gone_.empty())
+        add(Severity::note, "earlier_files",
+            "taken away, because this run does not make them: " + of_earlier(gone_));
+    return found;
+}
+
+Result<void> FolderRun::commit() {
+    std::vector<MadeFile> in_the_works = made_;
+    in_the_works.insert(in_the_works.end(), unfinished_.begin(), unfinished_.end());
+    std::vector<MadeFile> in_the_end = made_;
+    in_the_end.insert(in_the_end.end(), staying_.begin(), staying_.end());
+    FileSet marker(folder_), list(folder_);
+    if (auto done = write_text(marker, kUnfinished, manifest_text(in_the_works, kUnfinishedNote)); !done)
+        return done;
+    if (auto done = write_text(list, kList, manifest_text(in_the_end, kListNote)); !done) return done;
+
+    if (auto done = marker.commit(); !done) return done;
+    if (auto done = set_.commit(); !done) {
+        if (set_.begun())
+            return fail(done.error().kind, done.error().message +
+                                               "; the folder holds a mix of two runs now, as " + kUnfinished +
+                                               " says");
+        if (!was_unfinished_) (void)inside_->remove_file(kUnfinished);
+        return done;
+    }
+    if (auto done = take_away(); !done) return done;
+    if (auto done = list.commit(); !done) return done;
+    (void)inside_->remove_file(kUnfinished);
+    return {};
+}
+
+Result<void> FolderRun::take_away() {
+    std::set<std::string, std::greater<>> folders;  // inner ones first
+    for (const std::string& name : gone_)
+        if (const int error = inside_->remove_file(name); error != 0)
+            return fail(
+                ErrorKind::output,
+                fmt::format("{}: of an earlier run, cannot be taken away ({}); the folder holds a mix of "
+                            "two runs now, as {} says",
+                            (folder_ / name).string(), std::strerror(error), kUnfinished));
+    for (const MadeFile& file : earlier_) folders.insert(folder_of(file.name));
+    std::set<std::string> places(pack_folders_.begin(), pack_folders_.end());
+    places.insert(folders.begin(), folders.end());
+    for (const MadeFile& file : made_) places.insert(folder_of(file.name));
+    places.insert("");
+    for (const std::string& place : places)
+        for (const std::string& name : inside_->leftovers(place, {FileSet::temporary_name(kList)})) {
+            (void)inside_->remove_file(name);
+            folders.insert(place);
+        }
+    folders.erase("");
+    for (const std::string& folder : folders) inside_->remove_if_empty(folder);
+    return {};
+}
+
+}  // namespace snug::cli
