@@ -217,12 +217,26 @@ std::string caption(const Packing& packing, const std::string& object_name) {
 
 }  // namespace
 
-std::string depths_csv(const FoamPair& foams) {
-    std::string text = "j,k,lower_blocks,upper_blocks\n";
+std::string depths_csv(const FoamPair& foams, int nx) {
+    const bool shortened = foams.available.size() > 0;
+    std::string text = "j,k,lower_blocks,upper_blocks";
+    text += shortened ? ",lower_first,upper_first\n" : "\n";
+    const auto add = [&](int value) { text += "," + std::to_string(value); };
     for (int j = 0; j < foams.lower.ny(); ++j)
-        for (int k = 0; k < foams.lower.nz(); ++k)
-            text += std::to_string(j) + "," + std::to_string(k) + "," + std::to_string(foams.lower(j, k)) +
-                    "," + std::to_string(foams.upper(j, k)) + "\n";
+        for (int k = 0; k < foams.lower.nz(); ++k) {
+            const std::size_t column = foams.lower.index(j, k);
+            const Run lower = kept_run(foams, Half::lower, column, nx);
+            const Run upper = from_other_end(kept_run(foams, Half::lid, column, nx), nx);
+            text += std::to_string(j);
+            add(k);
+            add(lower.blocks());
+            add(upper.blocks());
+            if (shortened) {
+                add(lower.first);
+                add(upper.first);
+            }
+            text += "\n";
+        }
     return text;
 }
 
@@ -285,7 +299,7 @@ std::vector<OutputFile> output_files(const Object& object, const Project& projec
         files.push_back({"lower." + format, foam_file(lower, format, true)});
         files.push_back({"upper." + format, foam_file(upper, format, false)});
     }
-    files.push_back({"depths.csv", bytes_of(depths_csv(foams))});
+    files.push_back({"depths.csv", bytes_of(depths_csv(foams, packing.space.blocks.x))});
     files.push_back({"preview.svg", bytes_of(preview_svg(foams, packing.space, object.mesh, packing.placement,
                                                          caption(packing, project.object.name),
                                                          measured.gap ? &*measured.gap : nullptr))});

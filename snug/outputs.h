@@ -18,8 +18,10 @@ struct OutputFile {
     FileBytes bytes;
 };
 
-/// One line a column, j (y) over k (z), header `j,k,lower_blocks,upper_blocks`.
-[[nodiscard]] std::string depths_csv(const FoamPair& foams);
+/// One line a column, j (y) over k (z), header `j,k,lower_blocks,upper_blocks`: blocks that are kept, of nx.
+/// Where a case leaves blocks out, `lower_first,upper_first` follow: the first block that a half keeps, from
+/// -x; 0 and nx where it keeps none.
+[[nodiscard]] std::string depths_csv(const FoamPair& foams, int nx);
 
 /// What was found out about a packing besides what it says itself.
 struct Measured {

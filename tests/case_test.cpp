@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <sstream>
+#include <string>
 
 #include <gtest/gtest.h>
 
@@ -9,6 +11,7 @@
 #include "snug/foam/case_space.h"
 #include "snug/foam/find_case_problems.h"
 #include "snug/mesh/samples.h"
+#include "snug/outputs.h"
 #include "snug/pipeline.h"
 
 #include "tests/support/closedness.h"
@@ -191,6 +194,41 @@ TEST(Case, ShortenedColumnsHoldEveryBlockInsideTheCaseAndNoPointOutside) {
     }
 }
 
+/// depths.csv read line by line: it counts what the report counts, and every block that it names lies inside
+/// the case.
+void expect_depths_tell_the_foams(const Packing& packing) {
+    const DesignSpace& space = packing.space;
+    std::istringstream text(depths_csv(*packing.foams, space.blocks.x));
+    std::string header;
+    std::getline(text, header);
+    const bool shortened = packing.fit.shortened_blocks > 0;
+    ASSERT_EQ(header,
+              std::string("j,k,lower_blocks,upper_blocks") + (shortened ? ",lower_first,upper_first" : ""));
+    long long lower = 0, upper = 0, columns = 0;
+    int j = 0, k = 0, below = 0, above = 0;
+    char comma = 0;
+    while (text >> j >> comma >> k >> comma >> below >> comma >> above) {
+        int first = 0, upper_first = space.blocks.x - above;
+        if (shortened) text >> comma >> first >> comma >> upper_first;
+        for (int i = 0; i < space.blocks.x; ++i) {
+            const bool kept =
+                (i >= first && i < first + below) || (i >= upper_first && i < upper_first + above);
+            if (!kept) continue;
+            ASSERT_TRUE(lies_inside(*packing.fitted_case,
+                                    {space.face(0, i), space.face(1, j), space.face(2, k)},
+                                    {space.face(0, i + 1), space.face(1, j + 1), space.face(2, k + 1)}));
+        }
+        ASSERT_LE(first + below, upper_first);
+        ASSERT_LE(upper_first + above, space.blocks.x);
+        lower += below;
+        upper += above;
+        ++columns;
+    }
+    EXPECT_EQ(columns, 1LL * space.blocks.y * space.blocks.z);
+    EXPECT_EQ(lower, packing.fit.lower_blocks);
+    EXPECT_EQ(upper, packing.fit.upper_blocks);
+}
+
 TEST(Case, RandomObjectsInShapedCasesKeepEveryInvariant) {
     int shortened = 0;
     for (std::uint64_t seed = 0; seed < 40; ++seed) {
@@ -221,6 +259,7 @@ TEST(Case, RandomObjectsInShapedCasesKeepEveryInvariant) {
             const double wanted = static_cast<double>(blocks) * packing->space.block_volume();
             EXPECT_NEAR(test::signed_volume(solid.vertices, solid.triangles), wanted, wanted * 1e-5 + 1e-3);
         }
+        expect_depths_tell_the_foams(*packing);
         // It comes out: above what is kept of the lower half in a column there is none of it.
         for (std::size_t c = 0; c < packing->blocks.size(); ++c) {
             const CutRun cut = packing->blocks[c];
