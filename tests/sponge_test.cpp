@@ -18,6 +18,7 @@
 
 #include "tests/support/drawing_cells.h"
 #include "tests/support/random.h"
+#include "tests/support/random_available.h"
 #include "tests/support/shapes.h"
 
 namespace snug {
@@ -41,12 +42,12 @@ struct Foams {
     }
 };
 
-Foams foams_of(const DesignSpace& space, BlockMap blocks, int parting) {
-    FoamPair pair = split(blocks, space, parting);
+Foams foams_of(const DesignSpace& space, BlockMap blocks, int parting, const Available& available = {}) {
+    FoamPair pair = split(blocks, space, parting, available);
     return {space, std::move(blocks), std::move(pair)};
 }
 
-Foams random_foams(Random& random) {
+Foams random_foams(Random& random, bool in_a_case = false) {
     const DesignSpace space{{random.integer(1, 12), random.integer(1, 30), random.integer(1, 30)},
                             {random.between(1, 30), random.between(1, 30), random.between(1, 30)}};
     BlockMap blocks(space.blocks.y, space.blocks.z);
@@ -55,37 +56,80 @@ Foams random_foams(Random& random) {
         run.first = static_cast<std::int16_t>(random.integer(0, space.blocks.x));
         run.end = static_cast<std::int16_t>(random.integer(0, space.blocks.x));
     }
-    return foams_of(space, std::move(blocks), random.integer(0, space.blocks.x));
+    const int parting = random.integer(0, space.blocks.x);
+    return foams_of(space, std::move(blocks), parting,
+                    in_a_case ? test::random_available(random, space.blocks) : Available{});
 }
 
-/// Blocks kept in each column (j, k) of a half, as someone finds them who plucks what the maps show.
-Grid<int> worked(const Foams& foams, Half half) {
+/// What is left of each column (j, k) of a half, level by level from the case's side ('#' foam, '.' none), as
+/// someone finds it who plucks and cuts off what the maps show.
+Grid<std::string> worked(const Foams& foams, Half half) {
     const PluckPlan plan = pluck_plan(foams.design(), half);
     const int ny = foams.space.blocks.y, nz = foams.space.blocks.z;
-    Grid<int> kept(ny, nz, plan.layers);
-    long long plucked = 0;
+    Grid<std::string> left(ny, nz, std::string(static_cast<std::size_t>(plan.layers), '#'));
+    long long plucked = 0, cut_off = 0;
     for (const LayerRun& run : plan.runs) {
-        const ReadMap map = read_map(pluck_map(plan, run, "thing"), "pluck", ny, nz);
+        const Drawing drawing = pluck_map(plan, run, "thing");
+        ReadMap map = read_map(drawing, "pluck", ny, nz);
         EXPECT_EQ(static_cast<long long>(map.cells.size()), run.plucked);
+        if (run.cut_off > 0) {
+            const ReadMap off = read_map(drawing, "cut-off", ny, nz);
+            EXPECT_EQ(static_cast<long long>(off.cells.size()), run.cut_off);
+            for (const auto& cell : off.cells)
+                EXPECT_TRUE(map.cells.insert(cell).second) << "a block that is not there is plucked";
+        }
         for (const auto& [row, column] : map.cells)
-            kept(half == Half::lower ? row : ny - 1 - row, column) -= run.layers();
+            for (int layer = run.first; layer <= run.last; ++layer)
+                left(half == Half::lower ? row : ny - 1 - row,
+                     column)[static_cast<std::size_t>(plan.layers - layer)] = '.';
         plucked += run.plucked * run.layers();
+        cut_off += run.cut_off * run.layers();
     }
     EXPECT_EQ(plucked, plan.plucked);
-    return kept;
+    EXPECT_EQ(cut_off, plan.cut_off);
+    return left;
+}
+
+/// The same of a run of blocks that is kept.
+std::string column_of(Run kept, std::size_t layers) {
+    std::string column(layers, '.');
+    for (int i = kept.first; i < kept.end; ++i) column[static_cast<std::size_t>(i)] = '#';
+    return column;
 }
 
 TEST(SpongeTest, WhoPlucksWhatTheMapsShowHasTheFoams) {
-    for (int seed = 0; seed < 60; ++seed) {
+    int cut_off = 0;
+    for (int seed = 0; seed < 120; ++seed) {
         SCOPED_TRACE(seed);
         Random random(static_cast<std::uint64_t>(seed));
-        const Foams foams = random_foams(random);
-        const Grid<int> lower = worked(foams, Half::lower), lid = worked(foams, Half::lid);
-        for (std::size_t column = 0; column < lower.size(); ++column) {
-            EXPECT_EQ(lower[column], foams.foams.lower[column]);
-            EXPECT_EQ(lid[column], foams.foams.upper[column]);
+        const Foams foams = random_foams(random, seed >= 60);
+        for (const Half half : {Half::lower, Half::lid}) {
+            const Grid<std::string> left = worked(foams, half);
+            for (std::size_t column = 0; column < left.size(); ++column)
+                ASSERT_EQ(left[column], column_of(kept_run(foams.foams, half, column, foams.space.blocks.x),
+                                                  left[column].size()));
+            cut_off += pluck_plan(foams.design(), half).cut_off > 0;
         }
     }
+    EXPECT_GT(cut_off, 60);
+}
+
+TEST(SpongeTest, WhatACaseHasNoRoomForIsCutOffAndNeverCountedAsPlucked) {
+    // A column beside a leaning wall keeps two of four levels; the lid's is whole.
+    Available available(1, 2, {0, 6});
+    available(0, 1).first = 2;
+    const Foams foams = foams_of({{6, 1, 2}, {10, 10, 10}}, BlockMap(1, 2), 4, available);
+    const PluckPlan plan = pluck_plan(foams.design(), Half::lower);
+    EXPECT_EQ(plan.plucked, 0);
+    EXPECT_EQ(plan.cut_off, 2);
+    const auto pack = sponge_pack(foams.design(), {});
+    ASSERT_TRUE(pack);
+    EXPECT_EQ(pack->material.pieces, 0);
+    ASSERT_FALSE(pack->findings.empty());
+    EXPECT_EQ(pack->findings.front().code, "cut_off");
+    EXPECT_NE(pack->findings.front().message.find("2 blocks"), std::string::npos);
+    ASSERT_FALSE(pack->files.empty());
+    EXPECT_EQ(pack->files.front().name, "sponge/lower-03-04.svg");
 }
 
 TEST(SpongeTest, PluckedBlocksAreTheCutOnesAndWhatBothHalvesHaveTooMuch) {

@@ -98,6 +98,10 @@ void draw_depths(PageBuilder& page, const BlockGrid& grid, const PluckPlan& plan
                 page, grid,
                 [&](int row, int column) { return plan.removed(row, column) == static_cast<int>(removed); },
                 shade(plan, static_cast<int>(removed)));
+    if (plan.cut_off > 0)  // what keeps a block is white
+        draw_cells(
+            page, grid, [&](int row, int column) { return plan.exists_in(row, column).none(); },
+            mixed(kSoftInk, kPaper, 0.35));
     draw_grid(page, grid);
     draw_borders(page, grid, [&](int row, int column) { return plan.removed(row, column) > 0; },
                  {kInk, 0.35, {}});
@@ -131,11 +135,19 @@ void draw_scale(PageBuilder& page, const PluckPlan& plan, Vec2d at) {
 
 Drawing pluck_map(const PluckPlan& plan, const LayerRun& run, const std::string& object_name) {
     const CellTest plucked = [&](int row, int column) { return plan.plucked_at(row, column, run.first); };
-    const std::string pluck = "Pluck " +
-                              counted(static_cast<unsigned long long>(run.plucked), "block", "blocks") +
-                              (run.layers() > 1 ? " in each" : "") + ": the shaded ones.";
+    const std::string pluck =
+        run.plucked == 0
+            ? "Nothing to pluck."
+            : "Pluck " + counted(static_cast<unsigned long long>(run.plucked), "block", "blocks") +
+                  (run.layers() > 1 ? " in each" : "") + ": the shaded ones.";
+    const CellTest cut_off = [&](int row, int column) { return plan.cut_off_at(row, column, run.first); };
+    const std::string trim =
+        run.cut_off > 0
+            ? " Cut off " + counted(static_cast<unsigned long long>(run.cut_off), "block", "blocks") +
+                  (run.layers() > 1 ? " in each" : "") + ": the grey ones, for which the case has no room."
+            : "";
     const std::string task =
-        pluck + " Cavity facing you; layer 1 is the one at the cavity. True size. " + object_name;
+        pluck + trim + " Cavity facing you; layer 1 is the one at the cavity. True size. " + object_name;
     MapPage map = map_page(
         {plan.half, plan.removed.ny(), plan.removed.nz(), {}, {plan.column_mm, plan.row_mm}}, object_name,
         {std::string(half_title(plan.half)), layers_text(run) + " of " + std::to_string(plan.layers), task,
@@ -143,9 +155,14 @@ Drawing pluck_map(const PluckPlan& plan, const LayerRun& run, const std::string&
     const Color tint = mixed(half_color(plan.half), kPaper, 0.55);
     map.page.layer("pluck", half_color(plan.half));
     draw_cells(map.page, map.grid, plucked, tint);
+    if (run.cut_off > 0) {
+        map.page.layer("cut-off", kSoftInk);
+        draw_cells(map.page, map.grid, cut_off, mixed(kSoftInk, kPaper, 0.35));
+    }
     map.page.layer("grid", kHairline);
     draw_grid(map.page, map.grid);
     draw_borders(map.page, map.grid, plucked, {half_ink(plan.half), 0.6, {}});
+    if (run.cut_off > 0) draw_borders(map.page, map.grid, cut_off, {kInk, 0.6, {}});
     map.page.layer("edge", kInk);
     draw_edge(map.page, map.grid);
     map.page.layer("notes", kInk);

@@ -66,7 +66,7 @@ Result<Maps> true_size_maps(const FoamDesign& design, const SpongeWork& work, Ve
     }
     for (const PluckPlan* plan : {&work.lower, &work.lid})
         for (const LayerRun& run : plan->runs) {
-            if (run.plucked == 0) continue;
+            if (run.plucked + run.cut_off == 0) continue;
             const Drawing map = pluck_map(*plan, run, design.object_name);
             if (auto done = add_map(map, map_name(*plan, run), paper, maps); !done)
                 return tl::unexpected(done.error());
@@ -118,6 +118,14 @@ Result<WorkshopPack> sponge_pack(const FoamDesign& design, const WorkshopOptions
                                      " pages, so sponge-maps.pdf leaves the layers out: print the files in "
                                      "sponge/ on a plotter, work by the overview, or take larger blocks",
                                  {}});
+    if (const long long off = work.lower.cut_off + work.lid.cut_off; off > 0)
+        pack.findings.push_back(
+            {Severity::note,
+             "cut_off",
+             "the case has no room for " + counted(static_cast<unsigned long long>(off), "block", "blocks") +
+                 " at the sides of the layers: cut them off first; each map shows its own "
+                 "in grey",
+             {}});
     if (!maps->files.empty()) pack.documents.push_back(std::move(maps->document));
     pack.files = std::move(maps->files);
     return pack;

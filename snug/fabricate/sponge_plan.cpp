@@ -34,7 +34,8 @@ void tell_half(PageFlow& flow, const PluckPlan& plan) {
     flow.row({"from the cavity", "pluck in each", "together"}, shares, {kSmallText, kSoftInk, true});
     for (const LayerRun& run : plan.runs) {
         if (run.plucked == 0) {
-            flow.row({layers_text(run), "nothing: leave whole"}, shares, {kBodyText, kSoftInk});
+            flow.row({layers_text(run), run.cut_off > 0 ? "nothing" : "nothing: leave whole"}, shares,
+                     {kBodyText, kSoftInk});
             continue;
         }
         const long long all = run.plucked * run.layers();
@@ -52,7 +53,7 @@ std::string advice_on_high_columns(const PluckPlan& plan) {
     int last = 0;
     for (const LayerRun& run : plan.runs)
         if (2 * run.plucked > columns) {
-            kept += (columns - run.plucked) * run.layers();
+            kept += (columns - run.plucked - run.cut_off) * run.layers();
             last = run.last;
         }
     if (last == 0) return "";
@@ -78,6 +79,10 @@ std::vector<std::string> order_of_work(const SpongeWork& work) {
         "Cut the layers to size. Write LOWER or LID and its number on each, and BACK on its back edge. Layer "
         "1 "
         "is the one at the cavity.");
+    if (work.lower.cut_off + work.lid.cut_off > 0)
+        steps.push_back(
+            "Cut off each layer what its map shows in grey: the case has no room for it there. Some layers "
+            "have a map for this alone.");
     steps.push_back(
         "Lay the map of a layer on it, cavity side up, BACK on BACK, the black corner on column A1. Pluck "
         "the "
@@ -158,7 +163,8 @@ std::vector<Drawing> sponge_plan(const FoamDesign& design, const SpongeWork& wor
     for (Drawing& page : flow.finish())
         pages.push_back(titled(std::move(page), design.object_name + ": plan"));
     for (const PluckPlan* plan : {&work.lower, &work.lid})
-        if (plan->plucked > 0) pages.push_back(pluck_overview(*plan, page_mm, design.object_name));
+        if (plan->plucked + plan->cut_off > 0)
+            pages.push_back(pluck_overview(*plan, page_mm, design.object_name));
     for (const PluckPlan* plan : {&work.lower, &work.lid})
         if (plan->plucked > 0 && !overview_has_numbers(*plan, page_mm))
             add_table(design, *plan, page_mm, pages);

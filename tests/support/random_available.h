@@ -1,0 +1,49 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "snug/foam/foam_pair.h"
+
+#include "tests/support/random.h"
+
+namespace snug::test {
+
+/// The blocks that exist in a random case whose walls lean towards its floor and its roof and whose corners
+/// are rounded; at least one block does.
+[[nodiscard]] inline Available random_available(Random& random, Vec3i n) {
+    const double line = random.between(0, n.x), lean_below = random.between(0, 1.2),
+                 lean_above = random.chance(0.5) ? 0 : random.between(0, 1.2);
+    const int corner = random.integer(0, std::min(n.y, n.z) / 2);
+    Available available(n.y, n.z);
+    for (int j = 0; j < n.y; ++j)
+        for (int k = 0; k < n.z; ++k) {
+            const int in = std::min({j, k, n.y - 1 - j, n.z - 1 - k});
+            const bool cut_off = std::min(j, n.y - 1 - j) + std::min(k, n.z - 1 - k) < corner;
+            Run run;
+            for (int i = 0; i < n.x && !cut_off; ++i) {
+                const double lean = std::max((line - i) * lean_below, (i + 1 - line) * lean_above);
+                if (lean > in + 1) continue;
+                if (run.none()) run.first = static_cast<std::int16_t>(i);
+                run.end = static_cast<std::int16_t>(i + 1);
+            }
+            available(j, k) = run;
+        }
+    available(n.y / 2, n.z / 2) = {0, static_cast<std::int16_t>(n.x)};
+    return available;
+}
+
+/// Foams cut down to what exists.
+inline void shorten(FoamPair& foams, Available available, int nx) {
+    for (std::size_t column = 0; column < available.size(); ++column) {
+        const auto within = [](std::uint16_t height, Run exists) {
+            const int top = std::min<int>(height, exists.end);
+            return static_cast<std::uint16_t>(top > exists.first ? top : 0);
+        };
+        foams.lower[column] = within(foams.lower[column], available[column]);
+        foams.upper[column] = within(foams.upper[column], from_other_end(available[column], nx));
+    }
+    foams.available = std::move(available);
+}
+
+}  // namespace snug::test
