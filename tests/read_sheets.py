@@ -1,7 +1,7 @@
 """Reads the files of sheet packs as a cutter would and rebuilds the foams from them.
 
 Usage: read_sheets.py FOLDER... Each folder holds sheets/, and case.csv with one line:
-ny,nz,sy,sz,kerf,spacing,margin,dowel,dowel_edge. Writes rebuilt.csv (half,j,k,sheets) beside it; exits with 1
+ny,nz,sy,sz,kerf,spacing,margin,dowel,dowel_edge. Writes rebuilt.csv (half,j,k,first,end) beside it; exits with 1
 and says what is wrong where the files contradict themselves. Stands on Python alone, so that it shares nothing
 with what wrote the files.
 """
@@ -315,8 +315,10 @@ def rebuild(path):
             for j in range(ny):
                 for k in range(nz):
                     stack = sorted(sheets.get((half, j, k), []))
-                    check(stack == list(range(1, len(stack) + 1)), f"{half} {j} {k}: sheets {stack}")
-                    file.write(f"{half},{j},{k},{len(stack)}\n")
+                    first = stack[0] - 1 if stack else 0
+                    end = first + len(stack)
+                    check(stack == list(range(first + 1, end + 1)), f"{half} {j} {k}: sheets {stack}")
+                    file.write(f"{half},{j},{k},{first},{end}\n")
     return len(stocks)
 
 

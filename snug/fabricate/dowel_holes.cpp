@@ -18,7 +18,7 @@ double nearest(const Holes& holes, Vec2d to) {
     return least;
 }
 
-/// Counts of kept cells, for asking whether a rectangle of cells is whole.
+/// Counts of cells that all sheets up to one keep, for asking whether a rectangle of cells is whole.
 class KeptCounts {
   public:
     KeptCounts(const SheetStack& stack, int sheet)
@@ -26,7 +26,8 @@ class KeptCounts {
         for (int row = 0; row < rows_; ++row)
             for (int column = 0; column < columns_; ++column)
                 counts_(row + 1, column + 1) = counts_(row, column + 1) + counts_(row + 1, column) -
-                                               counts_(row, column) + (stack.kept(row, column) > sheet);
+                                               counts_(row, column) +
+                                               (stack.has(row, column, 0) && stack.has(row, column, sheet));
     }
 
     [[nodiscard]] bool whole(int first_row, int first_column, int end_row, int end_column) const {

@@ -18,7 +18,7 @@ void add(std::vector<Finding>& findings, Severity severity, std::string code, st
 
 void add_lost(std::vector<Finding>& findings, const FoamDesign& design, const SheetStack& stack) {
     if (stack.lost_blocks == 0) return;
-    const auto& heights = stack.half == Half::lower ? design.foams.lower : design.foams.upper;
+    const auto& heights = design.foams.heights(stack.half);
     int highest = 0;
     for (const auto blocks : heights) highest = std::max<int>(highest, blocks);
     const double lost = static_cast<double>(stack.lost_blocks) * design.space.block_volume();
@@ -35,6 +35,17 @@ void add_lost(std::vector<Finding>& findings, const FoamDesign& design, const Sh
     add(findings, missing > 0 ? Severity::warning : Severity::note, "sheets-lost", std::move(message));
 }
 
+/// Whether some of the piece lies on foam of the sheet before.
+bool lies_on_a_sheet(const SheetStack& stack, const SheetPiece& piece) {
+    if (piece.sheet == 0) return false;
+    for (int row = 0; row < piece.mask.height; ++row)
+        for (int column = 0; column < piece.mask.width; ++column)
+            if (piece.mask.inside(column, row) &&
+                stack.has(piece.row + row, piece.column + column, piece.sheet - 1))
+                return true;
+    return false;
+}
+
 void add_islands(std::vector<Finding>& findings, const SheetStack& stack) {
     const auto loose = island_names(stack, true), glued = island_names(stack, false);
     if (!loose.empty())
@@ -48,6 +59,22 @@ void add_islands(std::vector<Finding>& findings, const SheetStack& stack) {
             "Islands of the " + half_name(stack) +
                 " fall out of their sheets when cut; keep them and glue each onto the sheet before: " +
                 listed(glued) + ".");
+}
+
+/// Sheets that are wider than the one before, as the case is.
+void add_overhang(std::vector<Finding>& findings, const SheetStack& stack) {
+    if (stack.missing.size() == 0) return;
+    std::vector<char> wider(static_cast<std::size_t>(stack.count) + 1, 0);
+    for (std::size_t i = 0; i < stack.missing.size(); ++i)
+        if (stack.kept[i] > 0 && stack.missing[i] > 0) wider[static_cast<std::size_t>(stack.missing[i])] = 1;
+    const auto count = static_cast<unsigned long long>(std::count(wider.begin(), wider.end(), 1));
+    if (count == 0) return;
+    add(findings, Severity::note, "sheets-overhang",
+        "The case widens from the first sheet on, so " + counted(count, "sheet", "sheets") + " of the " +
+            half_name(stack) +
+            " reach over the sheet before: lay them by the dowels, or by the picture of each sheet within "
+            "the "
+            "dashed rectangle.");
 }
 
 void add_dowels(std::vector<Finding>& findings, const SheetAssembly& half, const SheetOptions& options) {
@@ -75,7 +102,7 @@ void add_dowels(std::vector<Finding>& findings, const SheetAssembly& half, const
 std::vector<std::string> island_names(const SheetStack& stack, bool first) {
     std::vector<std::string> names;
     for (const SheetPiece& piece : stack.pieces)
-        if (piece.island && (piece.sheet == 0) == first) names.push_back(piece.name);
+        if (piece.island && lies_on_a_sheet(stack, piece) != first) names.push_back(piece.name);
     return names;
 }
 
@@ -94,6 +121,7 @@ void add_sheet_findings(std::vector<Finding>& findings, const FoamDesign& design
                         const SheetOptions& options) {
     add_lost(findings, design, half.stack);
     add_islands(findings, half.stack);
+    add_overhang(findings, half.stack);
     add_dowels(findings, half, options);
 }
 

@@ -33,7 +33,7 @@ std::optional<Drawing> sheet_fit_test(const FoamDesign& design, const SheetOptio
     stack.kept = Grid<int>(test->ring.ny(), test->ring.nz(), 0);
     for (std::size_t i = 0; i < stack.kept.size(); ++i) stack.kept[i] = test->ring[i] != 0;
     stack.count = 1;
-    const std::vector<SheetPiece> pieces = sheet_pieces(stack.kept, 0, "FIT");
+    const std::vector<SheetPiece> pieces = sheet_pieces(stack, 0, "FIT");
     std::vector<PieceToNest> to_nest;
     std::vector<CutPiece> cuts;
     for (const SheetPiece& piece : pieces) {

@@ -90,7 +90,7 @@ std::vector<std::vector<Vec2d>> outline_above(const SheetStack& stack, const She
     for (int row = 0; row < above.height; ++row)
         for (int column = 0; column < above.width; ++column) {
             if (!piece.mask.inside(column, row)) continue;
-            if (stack.kept(piece.row + row, piece.column + column) > piece.sheet + 1)
+            if (stack.has(piece.row + row, piece.column + column, piece.sheet + 1))
                 above.set(column, row);
             else
                 less = true;

@@ -42,13 +42,13 @@ std::string nearest_thicknesses(double wanted, double depth, int most_levels) {
 
 class PieceFinder {
   public:
-    explicit PieceFinder(const Grid<int>& kept) : kept_(kept), seen_(kept.ny(), kept.nz(), -1) {}
+    explicit PieceFinder(const SheetStack& stack) : stack_(stack), seen_(stack.rows(), stack.columns(), -1) {}
 
     /// The pieces of a sheet, the largest first.
     std::vector<SheetPiece> find(int sheet) {
         std::vector<SheetPiece> pieces;
-        for (int row = 0; row < kept_.ny(); ++row)
-            for (int column = 0; column < kept_.nz(); ++column)
+        for (int row = 0; row < stack_.rows(); ++row)
+            for (int column = 0; column < stack_.columns(); ++column)
                 if (open(row, column, sheet)) pieces.push_back(flood(row, column, sheet));
         std::stable_sort(pieces.begin(), pieces.end(),
                          [](const SheetPiece& a, const SheetPiece& b) { return a.cells > b.cells; });
@@ -61,7 +61,7 @@ class PieceFinder {
     };
 
     [[nodiscard]] bool open(int row, int column, int sheet) const {
-        return kept_.contains(row, column) && kept_(row, column) > sheet && seen_(row, column) < sheet;
+        return seen_.contains(row, column) && stack_.has(row, column, sheet) && seen_(row, column) < sheet;
     }
 
     SheetPiece flood(int row, int column, int sheet) {
@@ -90,7 +90,7 @@ class PieceFinder {
         return piece;
     }
 
-    const Grid<int>& kept_;
+    const SheetStack& stack_;
     Grid<int> seen_;  ///< the last sheet in which a cell was found
     std::vector<Cell> found_;
 };
@@ -105,16 +105,21 @@ std::string island_letters(std::size_t number) {
 
 /// The sheets that each column keeps, as the half is seen, and what is lost by whole sheets.
 void count_sheets(const FoamDesign& design, const SheetMeasure& measure, SheetStack& stack) {
-    const auto& heights = stack.half == Half::lower ? design.foams.lower : design.foams.upper;
-    stack.kept = Grid<int>(heights.ny(), heights.nz(), 0);
+    const Grid<Run> runs = kept_runs(design.foams, stack.half, design.space.blocks.x);
+    stack.kept = Grid<int>(runs.ny(), runs.nz(), 0);
+    if (design.foams.available.size() > 0) stack.missing = stack.kept;
     for (int row = 0; row < stack.rows(); ++row) {
         const int j = stack.half == Half::lower ? row : stack.rows() - 1 - row;
         for (int k = 0; k < stack.columns(); ++k) {
-            const int blocks = heights(j, k);
-            const int sheets = blocks / measure.levels * measure.parts;
-            stack.kept(row, k) = sheets;
-            stack.count = std::max(stack.count, sheets);
-            stack.lost_blocks += blocks % measure.levels;
+            const Run blocks = runs(j, k);
+            const int first = (blocks.first + measure.levels - 1) / measure.levels;
+            const int end = blocks.end / measure.levels;
+            if (first < end) {
+                stack.kept(row, k) = end * measure.parts;
+                stack.count = std::max(stack.count, end * measure.parts);
+                if (stack.missing.size() > 0) stack.missing(row, k) = first * measure.parts;
+            }
+            stack.lost_blocks += blocks.blocks() - std::max(0, end - first) * measure.levels;
         }
     }
 }
@@ -150,8 +155,8 @@ Result<SheetMeasure> sheet_measure(const FoamDesign& design, double thickness_mm
     return thin ? SheetMeasure{thickness_mm, 1, count} : SheetMeasure{thickness_mm, count, 1};
 }
 
-std::vector<SheetPiece> sheet_pieces(const Grid<int>& kept, int sheet, const std::string& sheet_name) {
-    std::vector<SheetPiece> pieces = PieceFinder(kept).find(sheet);
+std::vector<SheetPiece> sheet_pieces(const SheetStack& stack, int sheet, const std::string& sheet_name) {
+    std::vector<SheetPiece> pieces = PieceFinder(stack).find(sheet);
     name_pieces(pieces, sheet, sheet_name);
     return pieces;
 }
@@ -162,7 +167,7 @@ Result<SheetStack> sheet_stack(const FoamDesign& design, Half half, const SheetM
     stack.cell_mm = {design.space.block_mm.z, design.space.block_mm.y};
     stack.levels = measure.levels;
     count_sheets(design, measure, stack);
-    PieceFinder finder(stack.kept);
+    PieceFinder finder(stack);
     for (int sheet = 0; sheet < stack.count; sheet += measure.parts) {
         std::vector<SheetPiece> found = finder.find(sheet);
         if (stack.pieces.size() + found.size() * static_cast<std::size_t>(measure.parts) > kMostPieces)

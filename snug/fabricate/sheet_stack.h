@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "snug/base/grid.h"
+#include "snug/base/half.h"
 #include "snug/base/result.h"
 #include "snug/base/vec2.h"
 #include "snug/fabricate/cell_loops.h"
-#include "snug/base/half.h"
 #include "snug/fabricate/workshop_pack.h"
 
 // A foam half as sheets that are glued on each other. Rows and columns as the half is seen, its cavity facing
@@ -40,21 +40,25 @@ struct SheetPiece {
 struct SheetStack {
     Half half = Half::lower;
     Vec2d cell_mm;
-    Grid<int> kept;  ///< sheets that stay in each column: (row, column)
-    int count = 0;   ///< sheets with foam
-    int levels = 1;  ///< of blocks in a sheet
+    Grid<int> kept;          ///< sheets up to the cavity in each column: (row, column)
+    Grid<int> missing = {};  ///< of them, those next to the case that it leaves no room for; empty: none
+    int count = 0;           ///< sheets with foam
+    int levels = 1;          ///< of blocks in a sheet
     std::vector<SheetPiece> pieces;
     long long lost_blocks = 0;  ///< foam that the design keeps and sheets of this thickness do not
 
     [[nodiscard]] int rows() const { return kept.ny(); }
     [[nodiscard]] int columns() const { return kept.nz(); }
+    [[nodiscard]] bool has(int row, int column, int sheet) const {
+        return kept(row, column) > sheet && (missing.size() == 0 || missing(row, column) <= sheet);
+    }
     [[nodiscard]] Vec2d size_mm() const { return {columns() * cell_mm.x, rows() * cell_mm.y}; }
     [[nodiscard]] char letter() const { return half == Half::lower ? 'L' : 'U'; }
     [[nodiscard]] std::string sheet_name(int sheet) const { return letter() + std::to_string(sheet + 1); }
 };
 
-/// The pieces of a sheet, the largest first, named after the sheet, with their loops. kept: (row, column).
-[[nodiscard]] std::vector<SheetPiece> sheet_pieces(const Grid<int>& kept, int sheet,
+/// The pieces of a sheet, the largest first, named after the sheet, with their loops.
+[[nodiscard]] std::vector<SheetPiece> sheet_pieces(const SheetStack& stack, int sheet,
                                                    const std::string& sheet_name);
 
 /// Fails (kind usage) where the foam falls into more pieces than anyone glues.
