@@ -17,6 +17,7 @@
 #include "tests/support/print_design.h"
 #include "tests/support/printed_checks.h"
 #include "tests/support/printed_files.h"
+#include "tests/support/random_available.h"
 
 namespace snug {
 namespace {
@@ -80,11 +81,13 @@ double cubic_mm(const std::vector<test::PrintedItem>& items, const std::string& 
 
 TEST(PrintPack, AnyFoamOnAnyBedIsClosedOnTheBedAndWhole) {
     int packs = 0;
-    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    for (std::uint64_t seed = 0; seed < 100; ++seed) {
         SCOPED_TRACE(seed);
         test::Random random(seed);
-        const test::PrintDesign design = test::random_print_design(random);
+        test::PrintDesign design = test::random_print_design(random);
         const PrintOptions options = test::random_print_options(random);
+        const int nx = design.space.blocks.x;
+        if (seed >= 60) test::shorten(design.foams, test::random_available(random, design.space.blocks), nx);
         const auto pack = print_pack(design.view(), options);
         if (!pack) {
             EXPECT_FALSE(pack.error().message.empty());
@@ -101,9 +104,12 @@ TEST(PrintPack, AnyFoamOnAnyBedIsClosedOnTheBedAndWhole) {
         for (const auto& item : all) test::expect_closed(item);
         const auto dowels =
             std::count_if(all.begin(), all.end(), [](const auto& i) { return i.name == "dowel"; });
-        const auto blocks = [](const Heights& h) { return std::accumulate(h.begin(), h.end(), 0); };
-        const double foam =
-            (blocks(design.foams.lower) + blocks(design.foams.upper)) * design.space.block_volume();
+        const auto blocks = [&](Half half) {
+            int count = 0;
+            for (const auto run : kept_runs(design.foams, half, nx)) count += run.blocks();
+            return count;
+        };
+        const double foam = (blocks(Half::lower) + blocks(Half::lid)) * design.space.block_volume();
         EXPECT_NEAR(cubic_mm(all, "lower") + cubic_mm(all, "lid"),
                     foam - 2 * static_cast<double>(dowels) * bore_volume_mm3(options), foam * 1e-4);
         const auto again = print_pack(design.view(), options);
@@ -138,9 +144,9 @@ std::vector<ListedPart> listed_parts(const WorkshopPack& pack) {
     return parts;
 }
 
-/// Asks the part for each block that it may have, and counts the block in the half that it belongs to.
+/// Asks the part for each block that it may have, and adds the block to the half that it belongs to.
 void add_blocks(const test::PrintedItem& item, const ListedPart& part, bool turned, Vec3d s,
-                Grid<int>& levels) {
+                Grid<snug::Run>& levels) {
     const bool lid = item.name.rfind("lid", 0) == 0;
     const auto& n = part.numbers;
     const Box3d box = test::bounds_of(item);
@@ -155,27 +161,31 @@ void add_blocks(const test::PrintedItem& item, const ListedPart& part, bool turn
                 const int turns = test::winding(item, p + box.min);
                 ASSERT_TRUE(turns == 0 || turns == 1);
                 // Levels of a column come in order, so a gap would show as a wrong one.
-                if (turns == 1) {
-                    ASSERT_EQ(levels(row - 1, column - 1), level - 1);
-                    ++levels(row - 1, column - 1);
-                }
+                if (turns == 0) continue;
+                auto& run = levels(row - 1, column - 1);
+                if (run.none())
+                    run = {static_cast<std::int16_t>(level - 1), static_cast<std::int16_t>(level - 1)};
+                ASSERT_EQ(run.end, level - 1);
+                ++run.end;
             }
 }
 
 TEST(PrintPack, ThePartsPutTogetherAgainAreTheFoam) {
     int parts = 0;
-    for (std::uint64_t seed = 0; seed < 40; ++seed) {
+    for (std::uint64_t seed = 0; seed < 80; ++seed) {
         SCOPED_TRACE(seed);
         test::Random random(seed);
-        const test::PrintDesign design = test::random_print_design(random);
+        test::PrintDesign design = test::random_print_design(random);
         PrintOptions options = test::random_print_options(random);
         options.joint = PrintJoint::none;
+        const int nx = design.space.blocks.x;
+        if (seed >= 40) test::shorten(design.foams, test::random_available(random, design.space.blocks), nx);
         const auto pack = print_pack(design.view(), options);
         if (!pack) continue;
         std::map<std::string, test::PrintedItem> items;
         for (const PackContainer& container : pack->containers)
             for (test::PrintedItem& item : test::read_printed(container)) items[item.name] = item;
-        Grid<int> lower(design.foams.lower.ny(), design.foams.lower.nz()), upper = lower;
+        Grid<snug::Run> lower(design.foams.lower.ny(), design.foams.lower.nz()), upper = lower;
         for (const ListedPart& part : listed_parts(*pack)) {
             const bool lid = part.name.rfind("lid", 0) == 0;
             const Heights& heights = lid ? design.foams.upper : design.foams.lower;
@@ -186,8 +196,12 @@ TEST(PrintPack, ThePartsPutTogetherAgainAreTheFoam) {
             add_blocks(items.at(part.name), part, turned, design.space.block_mm, lid ? upper : lower);
             ++parts;
         }
-        EXPECT_TRUE(std::equal(lower.begin(), lower.end(), design.foams.lower.begin()));
-        EXPECT_TRUE(std::equal(upper.begin(), upper.end(), design.foams.upper.begin()));
+        const auto same = [&](const Grid<snug::Run>& found, Half half) {
+            const auto kept = kept_runs(design.foams, half, nx);
+            return std::equal(found.begin(), found.end(), kept.begin());
+        };
+        EXPECT_TRUE(same(lower, Half::lower));
+        EXPECT_TRUE(same(upper, Half::lid));
     }
     EXPECT_GT(parts, 200);
 }

@@ -22,11 +22,14 @@ struct PrintedHalf {
     std::vector<Bore> bores;
     int without_joint = 0;
     long long blocks = 0;
-    std::string places;  ///< lines of print/parts.csv
+    int overhanging = 0;  ///< parts whose floor is no plane
+    std::string places;   ///< lines of print/parts.csv
 };
 
-int greatest(const Grid<std::uint16_t>& heights) {
-    return heights.size() == 0 ? 0 : *std::max_element(heights.begin(), heights.end());
+int greatest(const Grid<Run>& kept) {
+    int levels = 0;
+    for (const Run run : kept) levels = std::max<int>(levels, run.end);
+    return levels;
 }
 
 std::string csv_range(int first, int count) {
@@ -47,12 +50,11 @@ PackFile parts_list(const std::string& lines) {
 }
 
 /// Cut apart and meshed; `name` stands before the numbers of its parts.
-Result<PrintedHalf> printed_half(const Grid<std::uint16_t>& heights, Vec3d block_mm,
-                                 const PrintOptions& options, bool lid, const std::string& name) {
-    const PrintCuts cuts =
-        print_cuts({greatest(heights), heights.ny(), heights.nz()}, block_mm, options.bed_mm);
+Result<PrintedHalf> printed_half(const Grid<Run>& kept, Vec3d block_mm, const PrintOptions& options, bool lid,
+                                 const std::string& name) {
+    const PrintCuts cuts = print_cuts({greatest(kept), kept.ny(), kept.nz()}, block_mm, options.bed_mm);
     if (auto few = check_part_count(cuts, options.bed_mm); !few) return tl::unexpected(few.error());
-    const PrintLayout layout = print_layout(heights, cuts);
+    const PrintLayout layout = print_layout(kept, cuts);
     if (auto few = check_part_count(layout, options.bed_mm); !few) return tl::unexpected(few.error());
 
     PrintedHalf half;
@@ -66,6 +68,7 @@ Result<PrintedHalf> printed_half(const Grid<std::uint16_t>& heights, Vec3d block
                               part_solid(layout, static_cast<int>(i), half.bores, block_mm, options,
                                          {lid, layout.cuts.turned})});
         half.blocks += layout.parts[i].blocks();
+        half.overhanging += layout.parts[i].missing.size() > 0;
         half.places += csv_line(half.parts.back().name, layout.parts[i]);
     }
     return half;
@@ -75,14 +78,15 @@ Result<PrintedHalf> printed_half(const Grid<std::uint16_t>& heights, Vec3d block
 Result<void> add_fit_test(const FoamDesign& design, const PrintOptions& options, WorkshopPack& pack) {
     const auto test = fit_test(design);
     if (!test) return {};
-    Grid<std::uint16_t> heights(test->ring.ny(), test->ring.nz());
-    std::transform(test->ring.begin(), test->ring.end(), heights.begin(),
-                   [](char foam) { return static_cast<std::uint16_t>(foam ? 1 : 0); });
+    Grid<Run> kept(test->ring.ny(), test->ring.nz());
+    std::transform(test->ring.begin(), test->ring.end(), kept.begin(), [](char foam) {
+        return Run{0, static_cast<std::int16_t>(foam ? 1 : 0)};
+    });
     PrintOptions flat = options;
     flat.joint = PrintJoint::none;
     const Vec3d block{std::min(kFitTestHeight, options.bed_mm.z), design.space.block_mm.y,
                       design.space.block_mm.z};
-    const auto ring = printed_half(heights, block, flat, false, "fit-test");
+    const auto ring = printed_half(kept, block, flat, false, "fit-test");
     if (!ring) return tl::unexpected(ring.error());
     if (ring->parts.empty()) return {};
     add_beds(ring->parts, options.bed_mm, design.object_name + ": fit test", "print", "fit-test", pack);
@@ -100,6 +104,15 @@ void tell_findings(const PrintedHalf& lower, const PrintedHalf& lid, const Print
                                  "printed plastic holds the object but is no cushion: put foam between it "
                                  "and the outer box",
                                  {}});
+    if (const int parts = lower.overhanging + lid.overhanging; parts > 0)
+        pack.findings.push_back(
+            {Severity::note,
+             "overhang",
+             "the case widens, so " + counted(static_cast<unsigned long long>(parts), "part", "parts") +
+                 " lean out over their lowest blocks: let the printer's program put support under them" +
+                 (options.joint == PrintJoint::dowels ? ", and glue them face to face: they have no dowels"
+                                                      : ""),
+             {}});
     const int without = lower.without_joint + lid.without_joint;
     if (without > 0) pack.findings.push_back(no_dowel_finding(without, options, "foam"));
 }
@@ -109,14 +122,16 @@ void tell_findings(const PrintedHalf& lower, const PrintedHalf& lid, const Print
 Result<WorkshopPack> print_pack(const FoamDesign& design, const PrintOptions& options) {
     if (const auto problem = problem_of(options)) return fail(ErrorKind::usage, *problem);
     const Vec3d block = design.space.block_mm;
+    const int levels = design.space.blocks.x;
     if (!holds_block(options.bed_mm, block))
         return fail(ErrorKind::usage, "a bed of " + dimensions(options.bed_mm) +
                                           " mm is smaller than a block of foam, which lies " +
                                           dimensions({block.z, block.y, block.x}) +
                                           " mm on it; take a bed of at least that, or smaller blocks");
-    const auto lower = printed_half(design.foams.lower, block, options, false, "lower");
+    const auto lower =
+        printed_half(kept_runs(design.foams, Half::lower, levels), block, options, false, "lower");
     if (!lower) return tl::unexpected(lower.error());
-    const auto lid = printed_half(design.foams.upper, block, options, true, "lid");
+    const auto lid = printed_half(kept_runs(design.foams, Half::lid, levels), block, options, true, "lid");
     if (!lid) return tl::unexpected(lid.error());
 
     WorkshopPack pack;

@@ -106,6 +106,15 @@ class JointPlacer {
         for (auto& [pair, found] : places) choose(axis, after, pair, found);
     }
 
+    /// The levels of the half that a part fills in a column of its piece.
+    [[nodiscard]] Run levels_of(int index, Vec3i piece, int j, int k) const {
+        const PrintPart& part = layout_.parts[static_cast<std::size_t>(index)];
+        const Run run = part.run(lines(1)[static_cast<std::size_t>(piece.y)] + j - part.first.y,
+                                 lines(2)[static_cast<std::size_t>(piece.z)] + k - part.first.z);
+        return {static_cast<std::int16_t>(run.first + part.first.x),
+                static_cast<std::int16_t>(run.end + part.first.x)};
+    }
+
     /// Pairs of parts that share a block's face at the cut.
     [[nodiscard]] std::vector<Pair> meeting_parts(int axis, Vec3i before, Vec3i after) const {
         const Grid<int>& a = part_grid(before);
@@ -114,6 +123,8 @@ class JointPlacer {
         const auto add = [&](int j, int k, int j2, int k2) {
             const int first = a(j, k), second = b(j2, k2);
             if (first < 0 || second < 0) return;
+            const Run one = levels_of(first, before, j, k), other = levels_of(second, after, j2, k2);
+            if (axis == 0 ? one.end != other.first : !one.meets(other)) return;
             if (pairs.empty() || pairs.back() != Pair{first, second}) pairs.push_back({first, second});
         };
         if (axis == 1)
@@ -158,7 +169,8 @@ class JointPlacer {
         const PrintPart& part = layout_.parts[static_cast<std::size_t>(index)];
         const auto first = [&](int a) { return block_at(a, box.min[a], kRounding) - part.first[a]; };
         const auto end = [&](int a) { return block_at(a, box.max[a], -kRounding) + 1 - part.first[a]; };
-        if (first(0) < 0) return false;
+        // No dowels in parts whose floor is no plane: their faces are made block by block (print_solid.h).
+        if (first(0) < 0 || part.missing.size() > 0) return false;
         const int top = end(0);
         for (int j = first(1); j < end(1); ++j)
             for (int k = first(2); k < end(2); ++k)

@@ -52,31 +52,31 @@ std::vector<int> evened(const std::vector<int>& longest, const std::vector<doubl
 }
 
 /// Gives (j, k) and the columns that are joined to it by sides the number of their part.
-void fill_part(const Grid<std::uint16_t>& piece, int j, int k, int part, Grid<int>& part_at) {
+void fill_part(const Grid<Run>& piece, int j, int k, int part, Grid<int>& part_at) {
     std::vector<Column> columns{{j, k}};
     part_at(j, k) = part;
     for (std::size_t next = 0; next < columns.size(); ++next) {
         const Column at = columns[next];
         for (const Column& step : {Column{-1, 0}, Column{1, 0}, Column{0, -1}, Column{0, 1}}) {
             const int j2 = at.first + step.first, k2 = at.second + step.second;
-            if (!piece.contains(j2, k2) || piece(j2, k2) == 0 || part_at(j2, k2) >= 0) continue;
+            if (!piece.contains(j2, k2) || part_at(j2, k2) >= 0) continue;
+            if (!piece(j2, k2).meets(piece(at.first, at.second))) continue;
             part_at(j2, k2) = part;
             columns.push_back({j2, k2});
         }
     }
 }
 
-Grid<int> parts_by_sides(const Grid<std::uint16_t>& piece) {
+Grid<int> parts_by_sides(const Grid<Run>& piece) {
     Grid<int> part_at(piece.ny(), piece.nz(), -1);
     int parts = 0;
     for (int j = 0; j < piece.ny(); ++j)
         for (int k = 0; k < piece.nz(); ++k)
-            if (piece(j, k) > 0 && part_at(j, k) < 0) fill_part(piece, j, k, parts++, part_at);
+            if (!piece(j, k).none() && part_at(j, k) < 0) fill_part(piece, j, k, parts++, part_at);
     return part_at;
 }
 
-PrintPart part_of(const Grid<std::uint16_t>& piece, const std::vector<Column>& columns, Vec3i first,
-                  int tile) {
+PrintPart part_of(const Grid<Run>& piece, const std::vector<Column>& columns, Vec3i first, int tile) {
     int j0 = piece.ny(), j1 = 0, k0 = piece.nz(), k1 = 0;
     for (const Column& at : columns) {
         j0 = std::min(j0, at.first);
@@ -84,16 +84,54 @@ PrintPart part_of(const Grid<std::uint16_t>& piece, const std::vector<Column>& c
         k0 = std::min(k0, at.second);
         k1 = std::max(k1, at.second + 1);
     }
-    PrintPart part{{first.x, first.y + j0, first.z + k0}, tile, Grid<std::uint16_t>(j1 - j0, k1 - k0)};
-    for (const Column& at : columns) part.heights(at.first - j0, at.second - k0) = piece(at.first, at.second);
+    int floor = std::numeric_limits<int>::max(), highest_floor = 0;
+    for (const Column& at : columns) {
+        floor = std::min<int>(floor, piece(at.first, at.second).first);
+        highest_floor = std::max<int>(highest_floor, piece(at.first, at.second).first);
+    }
+    const Grid<std::uint16_t> none(j1 - j0, k1 - k0);
+    PrintPart part{{first.x + floor, first.y + j0, first.z + k0}, tile, none};
+    if (highest_floor > floor) part.missing = none;
+    for (const Column& at : columns) {
+        const Run run = piece(at.first, at.second);
+        const int j = at.first - j0, k = at.second - k0;
+        part.heights(j, k) = static_cast<std::uint16_t>(run.end - floor);
+        if (part.missing.size() > 0) part.missing(j, k) = static_cast<std::uint16_t>(run.first - floor);
+    }
     return part;
 }
 
-void add_parts(const Grid<std::uint16_t>& heights, Vec3i first, Vec3i end, const PiecePartition& partition,
+/// Cuts the piece from `first` to `end` out of a half.
+Grid<Run> runs_of_piece(const Grid<Run>& kept, Vec3i first, Vec3i end) {
+    Grid<Run> piece(end.y - first.y, end.z - first.z);
+    const auto within = [&](std::int16_t level) {
+        return static_cast<std::int16_t>(std::clamp<int>(level, first.x, end.x) - first.x);
+    };
+    for (int j = first.y; j < end.y; ++j)
+        for (int k = first.z; k < end.z; ++k) {
+            const Run run{within(kept(j, k).first), within(kept(j, k).end)};
+            piece(j - first.y, k - first.z) = run.none() ? Run{} : run;
+        }
+    return piece;
+}
+
+Grid<std::uint16_t> heights_of(const Grid<Run>& runs) {
+    Grid<std::uint16_t> heights(runs.ny(), runs.nz());
+    for (std::size_t i = 0; i < runs.size(); ++i) heights[i] = static_cast<std::uint16_t>(runs[i].end);
+    return heights;
+}
+
+Grid<Run> from_floor(const Grid<std::uint16_t>& heights) {
+    Grid<Run> runs(heights.ny(), heights.nz());
+    for (std::size_t i = 0; i < runs.size(); ++i) runs[i].end = static_cast<std::int16_t>(heights[i]);
+    return runs;
+}
+
+void add_parts(const Grid<Run>& kept, Vec3i first, Vec3i end, const PiecePartition& partition,
                PrintLayout& layout) {
-    const Grid<std::uint16_t> piece = piece_of(heights, first, end);
+    const Grid<Run> piece = runs_of_piece(kept, first, end);
     const int tile = static_cast<int>(layout.part_at.size()), before = static_cast<int>(layout.parts.size());
-    Grid<int> part_at = partition ? partition(tile, piece) : parts_by_sides(piece);
+    Grid<int> part_at = partition ? partition(tile, heights_of(piece)) : parts_by_sides(piece);
     std::vector<std::vector<Column>> columns;
     for (int j = 0; j < piece.ny(); ++j)
         for (int k = 0; k < piece.nz(); ++k) {
@@ -114,7 +152,8 @@ int PrintPart::levels() const {
 }
 
 long long PrintPart::blocks() const {
-    return std::accumulate(heights.begin(), heights.end(), 0LL);
+    return std::accumulate(heights.begin(), heights.end(), 0LL) -
+           std::accumulate(missing.begin(), missing.end(), 0LL);
 }
 
 bool holds_block(Vec3d bed, Vec3d block) {
@@ -160,17 +199,36 @@ PrintCuts print_cuts(Vec3i blocks, Vec3d block, Vec3d bed) {
     return print_cuts(block_lines(blocks, block), bed);
 }
 
-PrintLayout print_layout(const Grid<std::uint16_t>& heights, PrintCuts cuts,
-                         const PiecePartition& partition) {
+Grid<Run> PrintPart::runs() const {
+    Grid<Run> all(heights.ny(), heights.nz());
+    for (int j = 0; j < all.ny(); ++j)
+        for (int k = 0; k < all.nz(); ++k) all(j, k) = run(j, k);
+    return all;
+}
+
+namespace {
+
+PrintLayout layout_of(const Grid<Run>& kept, PrintCuts cuts, const PiecePartition& partition) {
     PrintLayout layout;
     layout.cuts = std::move(cuts);
     const auto& lines = layout.cuts.lines;
     for (std::size_t l = 0; l + 1 < lines[0].size(); ++l)
         for (std::size_t j = 0; j + 1 < lines[1].size(); ++j)
             for (std::size_t k = 0; k + 1 < lines[2].size(); ++k)
-                add_parts(heights, {lines[0][l], lines[1][j], lines[2][k]},
+                add_parts(kept, {lines[0][l], lines[1][j], lines[2][k]},
                           {lines[0][l + 1], lines[1][j + 1], lines[2][k + 1]}, partition, layout);
     return layout;
+}
+
+}  // namespace
+
+PrintLayout print_layout(const Grid<std::uint16_t>& heights, PrintCuts cuts,
+                         const PiecePartition& partition) {
+    return layout_of(from_floor(heights), std::move(cuts), partition);
+}
+
+PrintLayout print_layout(const Grid<Run>& kept, PrintCuts cuts) {
+    return layout_of(kept, std::move(cuts), {});
 }
 
 }  // namespace snug

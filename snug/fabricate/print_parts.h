@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "snug/base/grid.h"
+#include "snug/base/run.h"
 #include "snug/base/vec.h"
 
 namespace snug {
@@ -34,12 +35,20 @@ struct PrintCuts {
 /// Whether one block finds room on the bed, turned by a quarter if need be.
 [[nodiscard]] bool holds_block(Vec3d bed_mm, Vec3d block_mm);
 
-/// One piece of foam that is printed at a time: columns that share sides, with a flat floor.
+/// One piece of foam that is printed at a time: columns that share sides. Its floor is flat unless a case
+/// shortens the half from below.
 struct PrintPart {
-    Vec3i first;                  ///< its least level, j and k within the half
-    int tile = 0;                 ///< the piece of PrintCuts that it comes from
-    Grid<std::uint16_t> heights;  ///< blocks from its floor, 0 where it has none; no empty rim
+    Vec3i first;                       ///< its least level, j and k within the half
+    int tile = 0;                      ///< the piece of PrintCuts that it comes from
+    Grid<std::uint16_t> heights;       ///< blocks from its floor, 0 where it has none; no empty rim
+    Grid<std::uint16_t> missing = {};  ///< of them, from the floor, that are none; empty where it is flat
     [[nodiscard]] int levels() const;
+    /// Its blocks in a column, from its floor.
+    [[nodiscard]] Run run(int j, int k) const {
+        const int from = missing.size() == 0 ? 0 : missing(j, k);
+        return {static_cast<std::int16_t>(from), static_cast<std::int16_t>(heights(j, k))};
+    }
+    [[nodiscard]] Grid<Run> runs() const;
     [[nodiscard]] long long blocks() const;
 };
 
@@ -60,6 +69,8 @@ using PiecePartition = std::function<Grid<int>(int tile, const Grid<std::uint16_
 /// Columns of a piece that share sides are one part, unless `partition` says what is.
 [[nodiscard]] PrintLayout print_layout(const Grid<std::uint16_t>& heights, PrintCuts cuts,
                                        const PiecePartition& partition = {});
+/// Of a half that keeps these blocks, counted from its own side.
+[[nodiscard]] PrintLayout print_layout(const Grid<Run>& kept, PrintCuts cuts);
 
 /// What a piece has of a half: blocks above its floor, up to its top. Levels first, then j and k.
 [[nodiscard]] Grid<std::uint16_t> piece_of(const Grid<std::uint16_t>& heights, Vec3i first, Vec3i end);

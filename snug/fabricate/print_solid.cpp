@@ -9,6 +9,7 @@
 #include "snug/base/box.h"
 #include "snug/base/rotation.h"
 #include "snug/fabricate/corners.h"
+#include "snug/fabricate/run_solid.h"
 #include "snug/fabricate/solid_faces.h"
 
 namespace snug {
@@ -67,6 +68,7 @@ class PartBuilder {
     PartBuilder(const PrintPart& part, Vec3d block_mm) : part_(part), block_(block_mm) {}
 
     void add_foam(std::vector<PartBore>& bores) {
+        if (part_.missing.size() > 0) return add_runs();
         const SolidCorners corners(part_.heights);
         for (int J = 0; J <= part_.heights.ny(); ++J)
             for (int K = 0; K <= part_.heights.nz(); ++K)
@@ -112,6 +114,13 @@ class PartBuilder {
   private:
     [[nodiscard]] Vec3d in_mm(Vec3d blocks) const {
         return {blocks.x * block_.x, blocks.y * block_.y, blocks.z * block_.z};
+    }
+
+    /// A part whose floor is no plane; it has no bores.
+    void add_runs() {
+        const RunSurface surface = run_surface(part_.runs());
+        for (const Vec3d& point : surface.points) points.push_back(in_mm(point));
+        triangles = surface.triangles;
     }
 
     void add_corners(const FaceOpening& opening) {

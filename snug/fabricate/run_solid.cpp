@@ -18,13 +18,13 @@ constexpr int kAround = 8;  // blocks around a corner
 /// it they belong to: blocks that hang together by faces around the corner share one.
 class Builder {
   public:
-    Builder(const Grid<Run>& runs, const DesignSpace& space) : runs_(runs), space_(space) {}
+    explicit Builder(const Grid<Run>& runs) : runs_(runs) {}
 
-    Solid build() {
+    RunSurface build() {
         for (int j = 0; j < runs_.ny(); ++j)
             for (int k = 0; k < runs_.nz(); ++k)
                 for (int i = runs_(j, k).first; i < runs_(j, k).end; ++i) add_block({i, j, k});
-        return std::move(solid_);
+        return std::move(surface_);
     }
 
   private:
@@ -70,16 +70,16 @@ class Builder {
     /// is flat.
     void add_fan(std::span<const std::uint32_t> outline) {
         if (outline.size() == 4) {
-            solid_.triangles.push_back({outline[0], outline[1], outline[2]});
-            solid_.triangles.push_back({outline[0], outline[2], outline[3]});
+            surface_.triangles.push_back({outline[0], outline[1], outline[2]});
+            surface_.triangles.push_back({outline[0], outline[2], outline[3]});
             return;
         }
         Box3d bounds;
-        for (const std::uint32_t v : outline) bounds.include(vec_cast<double>(solid_.vertices[v]));
-        const auto middle = static_cast<std::uint32_t>(solid_.vertices.size());
-        solid_.vertices.push_back(vec_cast<float>(bounds.centre()));
+        for (const std::uint32_t v : outline) bounds.include(surface_.points[v]);
+        const auto middle = static_cast<std::uint32_t>(surface_.points.size());
+        surface_.points.push_back(bounds.centre());
         for (std::size_t i = 0; i < outline.size(); ++i)
-            solid_.triangles.push_back({middle, outline[i], outline[(i + 1) % outline.size()]});
+            surface_.triangles.push_back({middle, outline[i], outline[(i + 1) % outline.size()]});
     }
 
     /// Whether across an edge of the face only the diagonal block is filled.
@@ -120,26 +120,33 @@ class Builder {
     }
 
     std::uint32_t numbered(std::tuple<int, int, int, int> key, Vec3d at) {
-        const auto [place, added] = numbers_.emplace(key, static_cast<std::uint32_t>(solid_.vertices.size()));
-        if (added) {
-            Vec3d position;
-            for (int axis = 0; axis < 3; ++axis)
-                position[axis] = (2.0 * at[axis] - space_.blocks[axis]) * 0.5 * space_.block_mm[axis];
-            solid_.vertices.push_back(vec_cast<float>(position));
-        }
+        const auto [place, added] = numbers_.emplace(key, static_cast<std::uint32_t>(surface_.points.size()));
+        if (added) surface_.points.push_back(at);
         return place->second;
     }
 
     const Grid<Run>& runs_;
-    const DesignSpace& space_;
-    Solid solid_;
+    RunSurface surface_;
     std::map<std::tuple<int, int, int, int>, std::uint32_t> numbers_;
 };
 
 }  // namespace
 
+RunSurface run_surface(const Grid<Run>& runs) {
+    return Builder(runs).build();
+}
+
 Solid run_solid(const Grid<Run>& runs, const DesignSpace& space) {
-    return Builder(runs, space).build();
+    RunSurface surface = run_surface(runs);
+    Solid solid{{}, std::move(surface.triangles)};
+    solid.vertices.reserve(surface.points.size());
+    for (const Vec3d& at : surface.points) {
+        Vec3d position;
+        for (int axis = 0; axis < 3; ++axis)
+            position[axis] = (2.0 * at[axis] - space.blocks[axis]) * 0.5 * space.block_mm[axis];
+        solid.vertices.push_back(vec_cast<float>(position));
+    }
+    return solid;
 }
 
 }  // namespace snug
