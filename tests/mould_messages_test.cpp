@@ -55,7 +55,7 @@ TEST(MouldPack, WhatTheCaseLeavesNoRoomForIsToBeTrimmed) {
     const auto pack = mould_pack(design.view(), options);
     ASSERT_EQ(pack->findings.size(), 1u);
     EXPECT_EQ(pack->findings[0].code, "trim");
-    EXPECT_NE(pack->findings[0].message.find("1 block at the outer side of the lower foam"),
+    EXPECT_NE(pack->findings[0].message.find("1 block at the outer side of the lower foam, 0.001 litres"),
               std::string::npos);
 }
 

@@ -118,8 +118,9 @@ void tell_missing(const FoamDesign& design, Half half, WorkshopPack& pack) {
          "trim",
          "the case leaves no room for " +
              counted(static_cast<unsigned long long>(missing), "block", "blocks") +
-             " at the outer side of the " + name_of(half) +
-             ", which the mould casts: trim them off by hand until the foam lies in the case",
+             " at the outer side of the " + name_of(half) + ", " +
+             number(static_cast<double>(missing) * design.space.block_volume() * 1e-6, 3) +
+             " litres, which the mould casts: trim them off by hand until the foam lies in the case",
          {}});
 }
 

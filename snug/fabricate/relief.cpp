@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
+#include <utility>
 
 namespace snug {
 namespace {
@@ -17,14 +17,13 @@ int cells(int blocks, int per_cell) {
     return (blocks + per_cell - 1) / per_cell;
 }
 
-/// The fewest blocks kept in one cell's columns: where columns are drawn together, a narrow cavity stays a
+/// The blocks that all of one cell's columns keep: where columns are drawn together, a narrow cavity stays a
 /// cavity and the drawing never shows foam in the object's place.
-int fewest_kept(const Grid<std::uint16_t>& kept, int j0, int k0, int per_cell) {
-    int fewest = std::numeric_limits<int>::max();
+Run kept_by_all(const Grid<Run>& kept, int j0, int k0, int per_cell) {
+    Run all = kept(j0, k0);
     for (int j = j0; j < std::min(j0 + per_cell, kept.ny()); ++j)
-        for (int k = k0; k < std::min(k0 + per_cell, kept.nz()); ++k)
-            fewest = std::min<int>(fewest, kept(j, k));
-    return fewest;
+        for (int k = k0; k < std::min(k0 + per_cell, kept.nz()); ++k) all = all.common(kept(j, k));
+    return all.none() ? Run{} : all;
 }
 
 /// Goes through a relief and collects its faces.
@@ -40,9 +39,25 @@ class FaceCollector {
     }
 
   private:
-    /// Of the cell nearer to the viewer.
-    int layers_before(int row, int column) const {
-        return row + 1 < relief_.layers.ny() ? relief_.layers(row + 1, column) : 0;
+    /// The levels of a cell that are foam.
+    Run foam(int row, int column) const {
+        if (!relief_.layers.contains(row, column)) return {};
+        return {static_cast<std::int16_t>(relief_.bottom_of(row, column)),
+                static_cast<std::int16_t>(relief_.layers(row, column))};
+    }
+
+    /// What is seen of a wall of these levels behind a neighbour: above it, and below it where a case
+    /// shortens it more. `top`: where the wall stands, at its upper left.
+    void collect_wall(FaceSide side, Vec3d place, Vec3d across, int cells_across, Run wall, Run before) {
+        const auto add = [&](int from, int to) {
+            if (from >= to) return;
+            place.z = relief_.bottom + to * relief_.layer_mm;
+            faces_.push_back(
+                {side, place, across, {0, 0, -(to - from) * relief_.layer_mm}, cells_across, to - from});
+        };
+        if (before.none()) return add(wall.first, wall.end);
+        add(wall.first, std::min(wall.end, before.first));
+        add(std::max(wall.first, before.end), wall.end);
     }
 
     /// The run of equal height that begins here: its top, then the walls before it. Returns where it ends.
@@ -56,51 +71,33 @@ class FaceCollector {
         const double top = relief_.height(row, begin);
         faces_.push_back(
             {FaceSide::top, {left, back, top}, {right - left, 0, 0}, {0, front - back, 0}, end - begin, 1});
-        collect_front_walls(row, begin, end, layers);
-        if (end < relief_.layers.nz() && relief_.layers(row, end) < layers) {
-            const int exposed = layers - relief_.layers(row, end);
-            faces_.push_back({FaceSide::right,
-                              {right, back, top},
-                              {0, front - back, 0},
-                              {0, 0, -exposed * relief_.layer_mm},
-                              1,
-                              exposed});
-        }
+        collect_front_walls(row, begin, end);
+        if (end < relief_.layers.nz())
+            collect_wall(FaceSide::right, {right, back, 0}, {0, front - back, 0}, 1, foam(row, end - 1),
+                         foam(row, end));
         return end;
     }
 
     /// Nothing stands before the outermost wall, so that its rows of equal height can be one face.
     int collect_outer_right_wall(int begin) {
         const int column = relief_.layers.nz() - 1;
-        const int layers = relief_.layers(begin, column);
+        const Run wall = foam(begin, column);
         int end = begin + 1;
-        while (end < relief_.layers.ny() && relief_.layers(end, column) == layers) ++end;
+        while (end < relief_.layers.ny() && foam(end, column) == wall) ++end;
         const double back = relief_.front_faces[begin], front = relief_.front_faces[end];
-        if (layers > 0)
-            faces_.push_back({FaceSide::right,
-                              {relief_.right_faces.back(), back, relief_.height(begin, column)},
-                              {0, front - back, 0},
-                              {0, 0, -layers * relief_.layer_mm},
-                              end - begin,
-                              layers});
+        collect_wall(FaceSide::right, {relief_.right_faces.back(), back, 0}, {0, front - back, 0},
+                     end - begin, wall, {});
         return end;
     }
 
-    void collect_front_walls(int row, int begin, int end, int layers) {
+    void collect_front_walls(int row, int begin, int end) {
         while (begin < end) {
-            const int before = layers_before(row, begin);
+            const Run wall = foam(row, begin), before = foam(row + 1, begin);
             int stop = begin + 1;
-            while (stop < end && layers_before(row, stop) == before) ++stop;
-            if (before < layers) {
-                const double left = relief_.right_faces[begin], right = relief_.right_faces[stop];
-                const int exposed = layers - before;
-                faces_.push_back({FaceSide::front,
-                                  {left, relief_.front_faces[row + 1], relief_.height(row, begin)},
-                                  {right - left, 0, 0},
-                                  {0, 0, -exposed * relief_.layer_mm},
-                                  stop - begin,
-                                  exposed});
-            }
+            while (stop < end && foam(row, stop) == wall && foam(row + 1, stop) == before) ++stop;
+            const double left = relief_.right_faces[begin], right = relief_.right_faces[stop];
+            collect_wall(FaceSide::front, {left, relief_.front_faces[row + 1], 0}, {right - left, 0, 0},
+                         stop - begin, wall, before);
             begin = stop;
         }
     }
@@ -117,7 +114,7 @@ int Relief::fewest_layers() const {
 
 Relief relief(const FoamPair& foams, const DesignSpace& space, const OpenedPair& pair, Half half) {
     const bool lower = half == Half::lower;
-    const Grid<std::uint16_t>& kept = lower ? foams.lower : foams.upper;
+    const Grid<Run> kept = kept_runs(foams, half, space.blocks.x);
     const int ny = kept.ny(), nz = kept.nz();
     const int per_cell = std::max(blocks_per_cell(ny), blocks_per_cell(nz));
     const int rows = cells(ny, per_cell), columns = cells(nz, per_cell);
@@ -126,16 +123,20 @@ Relief relief(const FoamPair& foams, const DesignSpace& space, const OpenedPair&
         return space.face(axis, std::min(cell * per_cell, axis == 1 ? ny : nz));
     };
 
-    Relief relief{{rows, columns}, {}, {}, 0, space.block_mm.x, per_cell};
+    Relief relief{{rows, columns}, {}, {}, 0, space.block_mm.x, per_cell, {}};
+    if (foams.available.size() > 0) relief.missing = {rows, columns};
     relief.bottom = in_scene({space.face(0, lower ? 0 : space.blocks.x), 0, 0}).z;
     // The lid's row that is farthest from its BACK edge lies farthest from the viewer.
     for (int row = 0; row <= rows; ++row)
         relief.front_faces.push_back(in_scene({0, face(1, lower ? row : rows - row), 0}).y);
     for (int column = 0; column <= columns; ++column) relief.right_faces.push_back(face(2, column));
     for (int row = 0; row < rows; ++row)
-        for (int column = 0; column < columns; ++column)
-            relief.layers(row, column) =
-                fewest_kept(kept, (lower ? row : rows - 1 - row) * per_cell, column * per_cell, per_cell);
+        for (int column = 0; column < columns; ++column) {
+            const Run cell =
+                kept_by_all(kept, (lower ? row : rows - 1 - row) * per_cell, column * per_cell, per_cell);
+            relief.layers(row, column) = cell.end;
+            if (relief.missing.size() > 0) relief.missing(row, column) = cell.first;
+        }
     return relief;
 }
 
