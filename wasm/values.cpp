@@ -75,16 +75,22 @@ void fill_from(const val& array, T* data, std::size_t size) {
     view.call<void>("set", array);
 }
 
-void set_columns(val& result, const FoamPair& foams, const BlockMap& blocks) {
+void set_columns(val& result, const FoamPair& foams, const BlockMap& blocks, int nx) {
     std::vector<std::int16_t> first(blocks.size()), end(blocks.size());
+    std::vector<std::int16_t> exists_first(blocks.size()), exists_end(blocks.size());
     for (std::size_t column = 0; column < blocks.size(); ++column) {
         first[column] = blocks[column].first;
         end[column] = blocks[column].end;
+        const Run exists = available_in(foams.available, column, nx);
+        exists_first[column] = exists.first;
+        exists_end[column] = exists.end;
     }
     result.set("lower", grid_values(foams.lower));
     result.set("upper", grid_values(foams.upper));
     result.set("cutFirst", typed_array(first.data(), first.size()));
     result.set("cutEnd", typed_array(end.data(), end.size()));
+    result.set("existsFirst", typed_array(exists_first.data(), exists_first.size()));
+    result.set("existsEnd", typed_array(exists_end.data(), exists_end.size()));
 }
 
 }  // namespace
@@ -207,7 +213,8 @@ val to_val(const Packing& packing, double library_ms) {
     val result = val::object();
     result.set("blocks", to_val(packing.space.blocks));
     result.set("block_mm", to_val(packing.space.block_mm));
-    set_columns(result, packing.foams.value_or(FoamPair{}), packing.foams ? packing.blocks : BlockMap{});
+    set_columns(result, packing.foams.value_or(FoamPair{}), packing.foams ? packing.blocks : BlockMap{},
+                packing.space.blocks.x);
     result.set("partingLevel", packing.foams ? packing.foams->parting_level : 0);
     result.set("placement", matrix(packing.placement));
     result.set("bounds", bounds);

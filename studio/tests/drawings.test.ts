@@ -50,7 +50,17 @@ describe('which way round', () => {
 
 describe('maps', () => {
   it('say how many blocks to remove from the highest column', () => {
-    expect(blocksToRemove(Uint16Array.from([7, 4, 7, 0]))).toEqual({remove: Uint16Array.from([0, 3, 0, 7]), highest: 7});
+    const packing = packingOf([9, 2, 2], [1, 1, 1], [7, 4, 7, 0], [2, 2, 2, 2]);
+    expect(blocksToRemove(packing, 'lower')).toEqual({remove: Uint16Array.from([0, 3, 0, 7]), highest: 7});
+  });
+
+  it('count no block that a case has no room for', () => {
+    const packing = packingOf([9, 2, 2], [1, 1, 1], [7, 4, 0, 0], [2, 2, 0, 1]);
+    packing.existsFirst = Int16Array.from([0, 2, 3, 9]);
+    packing.existsEnd = Int16Array.from([9, 9, 8, 9]);
+    // From 7 levels: the second column has 4 and 5 and 6 to lose, the third 3 to 6, the last has no blocks.
+    expect(blocksToRemove(packing, 'lower').remove).toEqual(Uint16Array.from([0, 3, 4, 0]));
+    expect(blocksToRemove(packing, 'lid').remove).toEqual(Uint16Array.from([0, 0, 1, 0]));
   });
 });
 

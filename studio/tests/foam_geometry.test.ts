@@ -39,6 +39,37 @@ describe('the drawn foams', () => {
     }
   });
 
+  it('begin where a case has room for the first block', () => {
+    for (let seed = 1; seed <= 40; seed++) {
+      const number = numbers(seed);
+      const blocks: Triple = [2 + number(8), 1 + number(9), 1 + number(9)];
+      const block_mm: Triple = [1 + number(20), 1 + number(20), 1 + number(20)];
+      const nx = blocks[0];
+      const exists = Array.from({length: blocks[1] * blocks[2]}, () => {
+        const first = number(nx);
+        return [first, first + 1 + number(nx - first)] as const;
+      });
+      const lower = exists.map(([first, end]) => (number(4) === 0 ? 0 : first + 1 + number(end - first)));
+      const upper = exists.map(([first, end], i) => {
+        const from = Math.max(first, lower[i] ?? 0); // of the lid, in design levels
+        return from < end ? nx - from : 0;
+      });
+      const packing = packingOf(blocks, block_mm, lower, upper);
+      packing.existsFirst = Int16Array.from(exists.map(([first]) => first));
+      packing.existsEnd = Int16Array.from(exists.map(([, end]) => end));
+      const block = block_mm[0] * block_mm[1] * block_mm[2];
+      const kept = {
+        lower: exists.map(([first], i) => ((lower[i] ?? 0) > 0 ? (lower[i] ?? 0) - first : 0)),
+        upper: exists.map(([, end], i) => ((upper[i] ?? 0) > 0 ? (upper[i] ?? 0) - (nx - end) : 0)),
+      };
+      for (const half of ['lower', 'upper'] as const)
+        for (const split of [false, true]) {
+          const wanted = kept[half].reduce((a, b) => a + b, 0) * block;
+          expect(volume(foamQuads(packing, half, 1e9, split)), `seed ${seed}, ${half}, split ${split}`).toBeCloseTo(wanted, 3);
+        }
+    }
+  });
+
   it('stay below the wanted number of triangles, and never fill a cavity', () => {
     const number = numbers(7);
     const kept = Array.from({length: 64 * 64}, () => number(40));

@@ -211,12 +211,16 @@ export interface Finding {
 export interface Packing {
   blocks: Triple;
   block_mm: Triple;
-  /** Per column, j (y) over k (z): blocks kept, counted from its own side. Empty if the object leaves the space. */
+  /** Per column, j (y) over k (z): how high a half reaches in blocks from its own side, of which those that exist
+   *  are kept. Empty if the object leaves the space. */
   lower: Uint16Array<ArrayBuffer>;
   upper: Uint16Array<ArrayBuffer>;
   /** Per column: the run of blocks that is cut away, none where first >= end. */
   cutFirst: Int16Array<ArrayBuffer>;
   cutEnd: Int16Array<ArrayBuffer>;
+  /** Per column: the run of blocks that exist, from -x; not all where a case is rounded or leans. */
+  existsFirst: Int16Array<ArrayBuffer>;
+  existsEnd: Int16Array<ArrayBuffer>;
   partingLevel: number;
   /** Column-major 4 x 4: from the object's own mm to design coordinates. */
   placement: number[];

@@ -23,11 +23,12 @@ const LEAST_NUMBERED = 11;
 
 /** One layer of blocks, seen from above. */
 export function drawSlice(pen: Pen, page: Page, packing: Packing, layer: number, mesh: DisplayMesh | null, ink: Ink) {
-  const {lower, upper, blocks, block_mm} = packing;
+  const {lower, upper, existsFirst, existsEnd, blocks, block_mm} = packing;
   const [nx, , nz] = blocks;
   fillCells(pen, page, (j, k) => {
     const column = j * nz + k;
     if (lower.length === 0) return ink.cut;
+    if (layer < (existsFirst[column] ?? 0) || layer >= (existsEnd[column] ?? nx)) return ink.paper;
     if (layer < (lower[column] ?? 0)) return ink.lower;
     return layer >= nx - (upper[column] ?? 0) ? ink.upper : ink.cut;
   });
@@ -41,8 +42,7 @@ export function drawSlice(pen: Pen, page: Page, packing: Packing, layer: number,
 
 /** How many blocks to take out of each column of one half, as shades. */
 export function drawMap(pen: Pen, page: Page, packing: Packing, drawing: Drawing, ink: Ink) {
-  const kept = drawing === 'lid' ? packing.upper : packing.lower;
-  const {remove} = blocksToRemove(kept);
+  const {remove} = blocksToRemove(packing, drawing === 'lid' ? 'lid' : 'lower');
   const most = remove.reduce((a, b) => Math.max(a, b), 1);
   const at = (j: number, k: number) => remove[j * page.nz + k] ?? 0;
   const colour = drawing === 'lid' ? ink.upper : ink.lower;
@@ -53,7 +53,7 @@ export function drawMap(pen: Pen, page: Page, packing: Packing, drawing: Drawing
 
 /** The same as numbers, over whatever else was drawn. */
 export function drawNumbers(pen: Pen, page: Page, packing: Packing, drawing: Drawing) {
-  const {remove} = blocksToRemove(drawing === 'lid' ? packing.upper : packing.lower);
+  const {remove} = blocksToRemove(packing, drawing === 'lid' ? 'lid' : 'lower');
   const most = remove.reduce((a, b) => Math.max(a, b), 1);
   numbers(pen, page, (j, k) => remove[j * page.nz + k] ?? 0, most);
 }

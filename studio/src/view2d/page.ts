@@ -58,11 +58,20 @@ export function toPage(page: Page, packing: Packing): (y: number, z: number) => 
   return (y, z) => [middle.x + z * right, middle.y + (page.flipped ? -y : y) * down];
 }
 
-/** How many blocks a person takes out of each column, from a half that is as high as its highest column. */
-export function blocksToRemove(kept: Uint16Array): {remove: Uint16Array; highest: number} {
+/** How many blocks a person takes out of each column, from a half that is as high as its highest column. What a
+ *  case has no room for is not there to be taken out. */
+export function blocksToRemove(packing: Packing, half: 'lower' | 'lid'): {remove: Uint16Array; highest: number} {
+  const lid = half === 'lid';
+  const kept = lid ? packing.upper : packing.lower;
+  const nx = packing.blocks[0];
   let highest = 0;
   for (const blocks of kept) highest = Math.max(highest, blocks);
-  return {remove: kept.map((blocks) => highest - blocks), highest};
+  const remove = kept.map((height, column) => {
+    const [low, high] = [packing.existsFirst[column] ?? 0, packing.existsEnd[column] ?? nx];
+    const [first, end] = lid ? [nx - high, nx - low] : [low, high];
+    return Math.max(0, Math.min(highest, end) - Math.max(height, first));
+  });
+  return {remove, highest};
 }
 
 /** The layer of blocks, from -x, in which a height (mm along x from the middle of the space) lies, or the nearest. */

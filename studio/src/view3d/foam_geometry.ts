@@ -20,8 +20,10 @@ export interface Quads {
 interface Field {
   ny: number;
   nz: number;
-  /** Kept blocks of a cell; 0 outside of the space. */
+  /** How high a cell reaches from the own side; 0 outside of the space. */
   at(j: number, k: number): number;
+  /** Where it begins: above 0 where a case has no room for its outer blocks. */
+  base(j: number, k: number): number;
   y(j: number): number;
   z(k: number): number;
   x(height: number): number;
@@ -59,12 +61,14 @@ function field(packing: Packing, half: Half, share: number, split: boolean): Fie
   const kept = half === 'lower' ? lower : upper;
   const rows = Math.ceil(ny / share);
   const columns = Math.ceil(nz / share);
-  const coarse = share === 1 ? kept : fewest(kept, ny, nz, share);
+  const bases = basesOf(packing, half);
+  const coarse = share === 1 ? {kept, bases} : keptByAll(kept, bases, ny, nz, share);
   const up = half === 'lower' ? 1 : -1;
   return {
     ny: rows,
     nz: columns,
-    at: (j, k) => (j < 0 || k < 0 || j >= rows || k >= columns ? 0 : (coarse[j * columns + k] ?? 0)),
+    at: (j, k) => (j < 0 || k < 0 || j >= rows || k >= columns ? 0 : (coarse.kept[j * columns + k] ?? 0)),
+    base: (j, k) => (j < 0 || k < 0 || j >= rows || k >= columns ? 0 : (coarse.bases[j * columns + k] ?? 0)),
     y: (j) => (Math.min(j * share, ny) - ny / 2) * sy,
     z: (k) => (Math.min(k * share, nz) - nz / 2) * sz,
     x: (height) => up * (height - nx / 2) * sx,
@@ -78,16 +82,32 @@ function field(packing: Packing, half: Half, share: number, split: boolean): Fie
   };
 }
 
-function fewest(kept: Uint16Array, ny: number, nz: number, share: number): Uint16Array {
+/** Blocks of each column, from the half's side, that a case has no room for; 0 where it keeps none at all. */
+function basesOf({blocks, lower, upper, existsFirst, existsEnd}: Packing, half: Half): Uint16Array {
+  if (half === 'lower') return lower.map((height, column) => (height > 0 ? (existsFirst[column] ?? 0) : 0));
+  return upper.map((height, column) => (height > 0 ? blocks[0] - (existsEnd[column] ?? blocks[0]) : 0));
+}
+
+interface Columns {
+  kept: Uint16Array;
+  bases: Uint16Array;
+}
+
+/** What all columns of a cell keep. */
+function keptByAll(kept: Uint16Array, bases: Uint16Array, ny: number, nz: number, share: number): Columns {
   const columns = Math.ceil(nz / share);
-  const coarse = new Uint16Array(Math.ceil(ny / share) * columns).fill(0xffff);
+  const size = Math.ceil(ny / share) * columns;
+  const coarse = {kept: new Uint16Array(size).fill(0xffff), bases: new Uint16Array(size)};
   for (let j = 0; j < ny; j++) {
     const row = Math.floor(j / share) * columns;
     for (let k = 0; k < nz; k++) {
       const cell = row + Math.floor(k / share);
-      coarse[cell] = Math.min(coarse[cell] ?? 0, kept[j * nz + k] ?? 0);
+      coarse.kept[cell] = Math.min(coarse.kept[cell] ?? 0, kept[j * nz + k] ?? 0);
+      coarse.bases[cell] = Math.max(coarse.bases[cell] ?? 0, bases[j * nz + k] ?? 0);
     }
   }
+  for (let cell = 0; cell < size; cell++)
+    if ((coarse.bases[cell] ?? 0) >= (coarse.kept[cell] ?? 0)) coarse.bases[cell] = coarse.kept[cell] = 0;
   return coarse;
 }
 
@@ -155,20 +175,18 @@ function addFlats(quads: Quad[], f: Field, j: number) {
   runs(
     f.nz,
     false,
-    (k) => (f.at(j, k) > 0 ? 1 : 0),
+    (k) => (f.at(j, k) > 0 ? 1 + f.base(j, k) : 0),
     (first, end) => {
-      if (f.at(j, first) > 0) flat(0, first, end, f.up === 1 ? -1 : 1, false);
+      if (f.at(j, first) > 0) flat(f.base(j, first), first, end, f.up === 1 ? -1 : 1, false);
     },
   );
 }
 
 /** Walls between row j - 1 and row j. */
 function addStepsAlongZ(quads: Quad[], f: Field, j: number) {
-  const step = (k: number) => f.at(j - 1, k) * 65536 + f.at(j, k);
+  const step = (k: number) => pairOf(f, [j - 1, k], [j, k]);
   runs(f.nz, f.split, step, (first, end) => {
-    const before = f.at(j - 1, first);
-    const after = f.at(j, first);
-    eachStep(f, before, after, (a, b, height) =>
+    eachStep(f, [j - 1, first], [j, first], (a, b, height, before) =>
       quads.push({
         corners: [
           [a, f.y(j), f.z(first)],
@@ -176,8 +194,8 @@ function addStepsAlongZ(quads: Quad[], f: Field, j: number) {
           [b, f.y(j), f.z(end)],
           [a, f.y(j), f.z(end)],
         ],
-        normal: [0, before > after ? 1 : -1, 0],
-        inner: j > 0 && j < f.ny && f.cut(before > after ? j : j - 1, first, height),
+        normal: [0, before ? 1 : -1, 0],
+        inner: j > 0 && j < f.ny && f.cut(before ? j : j - 1, first, height),
       }),
     );
   });
@@ -185,11 +203,9 @@ function addStepsAlongZ(quads: Quad[], f: Field, j: number) {
 
 /** Walls between column k - 1 and column k. */
 function addStepsAlongY(quads: Quad[], f: Field, k: number) {
-  const step = (j: number) => f.at(j, k - 1) * 65536 + f.at(j, k);
+  const step = (j: number) => pairOf(f, [j, k - 1], [j, k]);
   runs(f.ny, f.split, step, (first, end) => {
-    const before = f.at(first, k - 1);
-    const after = f.at(first, k);
-    eachStep(f, before, after, (a, b, height) =>
+    eachStep(f, [first, k - 1], [first, k], (a, b, height, before) =>
       quads.push({
         corners: [
           [a, f.y(first), f.z(k)],
@@ -197,18 +213,44 @@ function addStepsAlongY(quads: Quad[], f: Field, k: number) {
           [b, f.y(end), f.z(k)],
           [a, f.y(end), f.z(k)],
         ],
-        normal: [0, 0, before > after ? 1 : -1],
-        inner: k > 0 && k < f.nz && f.cut(first, before > after ? k : k - 1, height),
+        normal: [0, 0, before ? 1 : -1],
+        inner: k > 0 && k < f.nz && f.cut(first, before ? k : k - 1, height),
       }),
     );
   });
 }
 
-/** The wall between two heights, whole or block by block: use(x, x, its lower height). */
-function eachStep(f: Field, before: number, after: number, use: (a: number, b: number, height: number) => void) {
-  const [low, high] = [Math.min(before, after), Math.max(before, after)];
-  const by = f.split ? 1 : high - low;
-  for (let height = low; height < high; height += by) use(f.x(height), f.x(height + by), height);
+type At = [j: number, k: number];
+
+/** One number for what two neighbours keep. */
+function pairOf(f: Field, ...cells: [At, At]): number {
+  return cells.reduce((sum, [j, k]) => (sum * 4097 + f.at(j, k)) * 4097 + f.base(j, k), 0);
+}
+
+/** The walls between two neighbours, where one has foam and the other none, whole or block by block: use(x, x, the
+ *  lower height, whether the first of them has the foam). */
+function eachStep(
+  f: Field,
+  one: At,
+  other: At,
+  use: (a: number, b: number, height: number, before: boolean) => void,
+) {
+  const wall = (low: number, high: number, before: boolean) => {
+    const by = f.split ? 1 : high - low;
+    for (let height = low; height < high; height += by) use(f.x(height), f.x(height + by), height, before);
+  };
+  for (const [foam, beside, before] of [
+    [one, other, true],
+    [other, one, false],
+  ] as const) {
+    const [base, top] = [f.base(...foam), f.at(...foam)];
+    const [besideBase, besideTop] = [f.base(...beside), f.at(...beside)];
+    if (besideTop === 0) wall(base, top, before);
+    else {
+      wall(base, Math.min(top, besideBase), before);
+      wall(Math.max(base, besideTop), top, before);
+    }
+  }
 }
 
 function arrays(quads: Quad[]): Omit<Quads, 'coarsened'> {

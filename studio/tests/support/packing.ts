@@ -9,6 +9,8 @@ export function packingOf(blocks: Triple, block_mm: Triple, lower: number[], upp
     upper: Uint16Array.from(upper),
     cutFirst: new Int16Array(lower.length),
     cutEnd: new Int16Array(lower.length),
+    existsFirst: new Int16Array(lower.length),
+    existsEnd: new Int16Array(lower.length).fill(blocks[0]),
     partingLevel: 0,
     placement: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
     bounds: {min: [0, 0, 0], max: [0, 0, 0]},
