@@ -11,10 +11,11 @@ namespace {
 // A signal handler can reach nothing but globals.
 volatile std::sig_atomic_t deferred = 0;
 volatile std::sig_atomic_t raised = 0;
+volatile std::sig_atomic_t done = 0;
 
 void on_interrupt(int) {
     raised = 1;
-    if (deferred) return;
+    if (deferred || done) return;
     constexpr char kMessage[] = "\nsnug: cancelled; nothing was written\n";
     (void)!write(STDERR_FILENO, kMessage, sizeof kMessage - 1);
     _exit(kCancelled);
@@ -40,6 +41,9 @@ InterruptGuard::InterruptGuard() {
 }
 InterruptGuard::~InterruptGuard() {
     deferred = 0;
+}
+void InterruptGuard::finished() {
+    done = 1;
 }
 void InterruptGuard::forget() {
     raised = 0;

@@ -15,6 +15,9 @@ class InterruptGuard {
     InterruptGuard& operator=(const InterruptGuard&) = delete;
 
     [[nodiscard]] static bool interrupted();
+    /// What was asked for is done: from now on an interrupt ends nothing, since it would say that nothing was
+    /// written.
+    static void finished();
     /// The interrupt was answered: what follows may be interrupted again.
     static void forget();
 };

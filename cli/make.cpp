@@ -117,7 +117,7 @@ void add_options(CLI::App& make, MakeArguments& arguments) {
         "Examples:\n"
         "  snug make vase.stl -o vase-foam\n"
         "  snug make scan.ply --units m --preset slit-10 --blocks auto --clearance 1 -o scan-foam\n"
-        "  snug make scan-foam/project.snug.json --rotate 0,90,0 -o turned");
+        "  snug make scan-foam/project.snug.json --object scan.ply --rotate 0,90,0 -o turned");
 }
 
 /// Applies what was typed to the design, presets first so that explicit sizes win.
@@ -226,6 +226,7 @@ Result<std::string> write_outputs(const Packed& packed, Packing& packing, const 
     if (auto done = run.write(report_name, std::as_bytes(std::span(report))); !done)
         return tl::unexpected(done.error());
     if (auto done = run.commit(); !done) return tl::unexpected(done.error());
+    InterruptGuard::finished();
     return report;
 }
 
