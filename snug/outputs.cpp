@@ -69,6 +69,11 @@ Json object_json(const Object& object, const std::string& file) {
     return json;
 }
 
+/// Whole numbers without a point.
+Json lines_json(double lines) {
+    return lines >= 1 ? Json(static_cast<int>(lines)) : Json(lines);
+}
+
 Json gap_json(const GapReport& gap) {
     return {{"cut_mm3", volume(gap.cut_mm3)},
             {"hull_mm3", volume(gap.hull_mm3)},
@@ -76,7 +81,7 @@ Json gap_json(const GapReport& gap) {
             {"step_mm3", volume(gap.step_mm3)},
             {"undercut_mm3", volume(gap.undercut_mm3)},
             {"error_mm3", volume(gap.error_mm3)},
-            {"lines_per_column", gap.lines_per_column},
+            {"lines_per_column", lines_json(gap.lines_per_column)},
             {"widest_mm", rounded(gap.widest_mm, 1e4)},
             {"widest_error_mm", rounded(gap.widest_error_mm, 1e4)},
             {"widest_at_mm", array(gap.widest_at)},

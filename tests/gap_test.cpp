@@ -9,6 +9,8 @@
 
 #include "snug/base/box.h"
 #include "snug/foam/depth_map.h"
+#include "snug/foam/line_budget.h"
+#include "snug/foam/line_hits.h"
 
 #include "tests/support/random.h"
 #include "tests/support/random_gap.h"
@@ -66,6 +68,63 @@ TEST(Gap, ABoxInALargerBoxHasTheVolumesAndTheBallOfItsFreeLayers) {
     EXPECT_NEAR(r.error_mm3, 0, 1e-3);
     expect_widest(r, 12);
     EXPECT_NEAR(r.widest_at.x, 24, 0.2);
+}
+
+TEST(Gap, FewerLinesWhereAllWouldBeTooMuchWorkTellWhatTheyCost) {
+    for (std::uint64_t seed = 900; seed < 930; ++seed) {
+        SCOPED_TRACE(seed);
+        const test::RandomCase c = test::random_case(seed);
+        const auto measured = [&](GapLimits limits) {
+            const auto result =
+                gap_report(c.mesh, c.placement, c.space, c.blocks, c.space.blocks.x / 2, true, {}, limits);
+            EXPECT_TRUE(result);
+            return *result;
+        };
+        GapLimits limits;
+        limits.ball.most_work = 1000;
+        const GapReport fine = measured(limits);
+        EXPECT_EQ(fine.lines_per_column, 256);
+        double lines = 256.0 * c.space.blocks.y * c.space.blocks.z;
+        for (double last = 256; lines > 64; lines /= 4) {
+            limits.lines.lines = lines - 1;
+            const GapReport coarse = measured(limits);
+            EXPECT_LT(coarse.lines_per_column, last);
+            last = coarse.lines_per_column;
+            EXPECT_EQ(coarse.cut_mm3, fine.cut_mm3);
+            // Two standard errors, mostly more: with few lines the estimate itself is rough.
+            const double error = 2 * (coarse.error_mm3 + fine.error_mm3);
+            EXPECT_NEAR(coarse.hull_mm3, fine.hull_mm3, error);
+            EXPECT_NEAR(*coarse.solid_mm3, *fine.solid_mm3, error);
+            EXPECT_NEAR(coarse.step_mm3, fine.step_mm3, error);
+            EXPECT_NEAR(*coarse.undercut_mm3, *fine.undercut_mm3, error);
+            EXPECT_NEAR(coarse.lower.step_mm3 + coarse.upper.step_mm3, coarse.step_mm3,
+                        1e-6 * coarse.cut_mm3);
+        }
+    }
+}
+
+TEST(Gap, LinesStayWithinTheirBudgetWhateverTheObject) {
+    test::Random random(77);
+    const DesignSpace space{{10, 40, 50}, {10, 10, 10}};
+    std::vector<Vec3d> vertices;
+    std::vector<Triangle> triangles;
+    for (std::uint32_t i = 0; i < 2000; ++i) {
+        for (int corner = 0; corner < 3; ++corner)
+            vertices.push_back(
+                {random.between(-50, 50), random.between(-200, 200), random.between(-250, 250)});
+        triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    }
+    for (const double most : {1e3, 1e4, 1e5, 1e6}) {
+        const LineLattice lattice = lattice_within({1e9, most}, space, vertices, triangles);
+        std::size_t hits = 0;
+        const auto swept = sweep_lines(lattice, vertices, triangles,
+                                       [&](const LineBand& band) { hits += band.crossings.size(); });
+        ASSERT_TRUE(swept);
+        EXPECT_LE(static_cast<double>(hits), 1.2 * most);
+        EXPECT_LE(lattice_within({most, 1e9}, space, vertices, triangles).lines_per_column() * 2000,
+                  1.1 * most);
+    }
+    EXPECT_EQ(lattice_within({}, space, vertices, std::span(triangles).first(20)).lines_per_column(), 256);
 }
 
 TEST(Gap, WallsAlongTheAxesAreMeasuredMuchFinerThanTheLinesStand) {

@@ -93,6 +93,12 @@ TEST(LargestBall, TheStatedErrorOfTheBallHoldsWhereverTheSearchEnds) {
                 EXPECT_GE(rough->radius + rough->radius_error, fine->radius - 1e-9);
             }
         }
+        for (const std::uint64_t most_work : {0, 100, 10'000}) {
+            const auto rough = largest_ball(gap, cut.bounds(), {0, 0.1, 200'000, most_work});
+            ASSERT_TRUE(rough);
+            EXPECT_LE(rough->radius, fine->radius + fine->radius_error + 1e-9);
+            EXPECT_GE(rough->radius + rough->radius_error, fine->radius - 1e-9);
+        }
     }
 }
 

@@ -80,12 +80,12 @@ TEST(LineLattice, LinesThroughAClosedSurfaceComeOutAgain) {
         const Surface s = random_closed_surface(random, space);
         const auto swept =
             sweep_lines(LineLattice(space), s.vertices, s.triangles, [&](const LineBand& band) {
-                for (int l = 0; l < LineLattice::kPerColumn; ++l) {
+                for (int row = band.first_row; row < band.end_row(); ++row) {
                     for (int column = 0; column < band.columns; ++column) {
                         int winding = 0;
-                        for (const Crossing& c : band.line(l, column)) winding += c.turn;
+                        for (const Crossing& c : band.line(row, column)) winding += c.turn;
                         ASSERT_EQ(winding, 0);
-                        crossings += band.line(l, column).size();
+                        crossings += band.line(row, column).size();
                     }
                 }
             });
@@ -94,35 +94,74 @@ TEST(LineLattice, LinesThroughAClosedSurfaceComeOutAgain) {
     EXPECT_GT(crossings, 100000u);
 }
 
-TEST(LineHits, TheSweepFindsWhatTryingEveryLineFinds) {
+TEST(LineLattice, CoarserLinesDivideTheSpaceAndStandInTheirCells) {
+    const DesignSpace space{{2, 5, 7}, {10, 15, 22}};
+    for (int bits = LineLattice::kFinest; bits <= LineLattice::kCoarsest; ++bits) {
+        const LineLattice lattice(space, bits);
+        double shares = 0;
+        for (int row = 0; row < lattice.rows(); ++row) {
+            for (int column = 0; column < lattice.columns(); ++column) {
+                shares += lattice.share(row, column);
+                ASSERT_EQ(lattice.u(row, column) >> bits, row);
+                ASSERT_EQ(lattice.v(row, column) >> bits, column);
+                ASSERT_LT(lattice.j(row, column), space.blocks.y);
+                ASSERT_LT(lattice.k(row, column), space.blocks.z);
+            }
+        }
+        EXPECT_DOUBLE_EQ(shares / lattice.lines_per_column(), 5 * 7);
+    }
+}
+
+/// What the sweep finds on each line, in the order in which it shows them.
+using LineCrossings = std::vector<std::tuple<int, int, double, int>>;
+
+LineCrossings swept_crossings(const LineLattice& lattice, const Surface& s, std::size_t most_hits,
+                              std::size_t& largest_band) {
+    LineCrossings found;
+    int next_row = 0;
+    const auto swept = sweep_lines(
+        lattice, s.vertices, s.triangles,
+        [&](const LineBand& band) {
+            EXPECT_LE(band.first_row, next_row);
+            largest_band = std::max(largest_band, band.crossings.size());
+            for (int row = band.first_row; row < band.end_row(); ++row)
+                for (int column = band.first_column; column < band.end_column(); ++column)
+                    for (const Crossing& c : band.line(row, column))
+                        found.emplace_back(row, column, c.x, c.turn);
+            if (band.end_column() == lattice.columns()) next_row = band.end_row();
+        },
+        {}, most_hits);
+    EXPECT_TRUE(swept);
+    EXPECT_EQ(next_row, lattice.rows());
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+TEST(LineHits, TheSweepFindsWhatTryingEveryLineFindsHoweverItIsDivided) {
     for (std::uint64_t seed = 100; seed < 125; ++seed) {
         SCOPED_TRACE(seed);
         test::Random random(seed);
         const DesignSpace space = random_space(random);
-        const LineLattice lattice(space);
+        const LineLattice lattice(space, seed < 110 ? LineLattice::kFinest : random.integer(12, 19));
         const Surface s = random_closed_surface(random, space);
         std::vector<SnappedVertex> v;
         for (const Vec3d& p : s.vertices) v.push_back(lattice.snap(p));
-        int bands = 0;
-        const auto swept = sweep_lines(lattice, s.vertices, s.triangles, [&](const LineBand& band) {
-            ASSERT_EQ(band.j, bands++);
-            for (int l = 0; l < LineLattice::kPerColumn; ++l) {
-                for (int column = 0; column < band.columns; ++column) {
-                    const int row = band.j * LineLattice::kPerColumn + l;
-                    std::vector<std::tuple<double, int>> expected, found;
-                    for (const Triangle& t : s.triangles) {
-                        const auto c = crossing(lattice.u(row, column), lattice.v(row, column), v[t[0]],
-                                                v[t[1]], v[t[2]]);
-                        if (c) expected.emplace_back(c->x, c->turn);
-                    }
-                    for (const Crossing& c : band.line(l, column)) found.emplace_back(c.x, c.turn);
-                    std::sort(expected.begin(), expected.end());
-                    ASSERT_EQ(found, expected);
+        LineCrossings expected;
+        for (int row = 0; row < lattice.rows(); ++row) {
+            for (int column = 0; column < lattice.columns(); ++column) {
+                for (const Triangle& t : s.triangles) {
+                    const auto c =
+                        crossing(lattice.u(row, column), lattice.v(row, column), v[t[0]], v[t[1]], v[t[2]]);
+                    if (c) expected.emplace_back(row, column, c->x, c->turn);
                 }
             }
-        });
-        ASSERT_TRUE(swept);
-        EXPECT_EQ(bands, space.blocks.y);
+        }
+        std::sort(expected.begin(), expected.end());
+        std::size_t largest_band = 0;
+        EXPECT_EQ(swept_crossings(lattice, s, 1 << 20, largest_band), expected);
+        largest_band = 0;
+        EXPECT_EQ(swept_crossings(lattice, s, 1, largest_band), expected);
+        EXPECT_LE(largest_band, s.triangles.size() * static_cast<std::size_t>(lattice.lines_along_column()));
     }
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "snug/base/text.h"
+#include "snug/foam/line_budget.h"
 #include "snug/foam/line_hits.h"
 #include "snug/foam/line_lattice.h"
 
@@ -14,7 +15,6 @@ namespace snug {
 namespace {
 
 constexpr double kStandardGravity = 9.80665;  // m/s2
-constexpr int kPerColumn = LineLattice::kPerColumn;
 
 /// Where each half ends in a column; where it has no foam the object presses on nothing.
 struct Ends {
@@ -29,15 +29,15 @@ Ends ends_of(const FoamPair& foams, const DesignSpace& space, int j, int k) {
     return ends;
 }
 
-struct LineCounts {
+/// The areas of the lines' cells, in square units of the lattice.
+struct LineAreas {
     std::array<std::uint64_t, kSinking.size()> lower{};
     std::array<std::uint64_t, kSinking.size()> upper{};
 
-    void add(std::span<const Crossing> line, Ends ends) {
-        if (line.empty()) return;
+    void add(std::span<const Crossing> line, std::uint64_t area, Ends ends) {
         for (std::size_t i = 0; i < kSinking.size(); ++i) {
-            lower[i] += line.front().x - ends.lower < kSinking[i];
-            upper[i] += ends.upper - line.back().x < kSinking[i];
+            if (line.front().x - ends.lower < kSinking[i]) lower[i] += area;
+            if (ends.upper - line.back().x < kSinking[i]) upper[i] += area;
         }
     }
 };
@@ -49,25 +49,31 @@ Result<BearingReport> bearing_report(const Mesh& mesh, const Placement& placemen
     std::vector<Vec3d> placed;
     placed.reserve(mesh.vertices.size());
     for (const Vec3f& vertex : mesh.vertices) placed.push_back(placement(vertex));
-    LineCounts counts;
+    const LineLattice lattice = lattice_within({}, space, placed, mesh.triangles);
+    const auto units_of_cell = static_cast<double>(std::uint64_t{1} << 2 * lattice.cell_bits());
+    LineAreas areas;
     const auto done = sweep_lines(
-        LineLattice(space), placed, mesh.triangles,
+        lattice, placed, mesh.triangles,
         [&](const LineBand& band) {
-            for (int k = 0; k < space.blocks.z; ++k) {
-                const Ends ends = ends_of(foams, space, band.j, k);
-                for (int l = 0; l < kPerColumn; ++l) {
-                    if (!band.any(l, k)) continue;
-                    for (int m = 0; m < kPerColumn; ++m) counts.add(band.line(l, k * kPerColumn + m), ends);
+            for (int row = band.first_row; row < band.end_row(); ++row) {
+                if (!band.any(row, band.first_column, band.end_column())) continue;
+                for (int column = band.first_column; column < band.end_column(); ++column) {
+                    const auto line = band.line(row, column);
+                    if (line.empty()) continue;
+                    const auto area = static_cast<std::uint64_t>(lattice.share(row, column) * units_of_cell);
+                    const Ends ends = ends_of(foams, space, lattice.j(row, column), lattice.k(row, column));
+                    areas.add(line, area, ends);
                 }
             }
         },
         progress);
     if (!done) return tl::unexpected(done.error());
-    const double area = space.block_mm.y * space.block_mm.z / (kPerColumn * kPerColumn);
+    const double area = space.block_mm.y * space.block_mm.z / lattice.lines_per_column();
+    const auto mm2 = [&](std::uint64_t units) { return static_cast<double>(units) / units_of_cell * area; };
     BearingReport report;
     for (std::size_t i = 0; i < kSinking.size(); ++i) {
-        report.lower_mm2[i] = static_cast<double>(counts.lower[i]) * area;
-        report.upper_mm2[i] = static_cast<double>(counts.upper[i]) * area;
+        report.lower_mm2[i] = mm2(areas.lower[i]);
+        report.upper_mm2[i] = mm2(areas.upper[i]);
     }
     return report;
 }

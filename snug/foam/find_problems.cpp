@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "snug/base/text.h"
 #include "snug/foam/cells.h"
+#include "snug/foam/part_cut.h"
 
 namespace snug {
 namespace {
@@ -50,18 +54,29 @@ class VertexCut {
     GrownCells layers_, rows_, columns_;
 };
 
-/// The triangles of one part as a mesh of their own.
-Mesh part_of(const Mesh& mesh, const MeshMeasure& measure, std::uint32_t part) {
-    Mesh alone;
-    alone.origin = mesh.origin;
-    for (std::size_t t = 0; t < measure.part_of_triangle.size(); ++t) {
-        if (measure.part_of_triangle[t] != part) continue;
-        const auto first = static_cast<std::uint32_t>(alone.vertices.size());
-        for (const std::uint32_t v : mesh.triangles[t]) alone.vertices.push_back(mesh.vertices[v]);
-        alone.triangles.push_back({first, first + 1, first + 2});
+/// The triangles of the parts that are not marked, part by part.
+class TrianglesOfParts {
+  public:
+    TrianglesOfParts(const MeshMeasure& measure, const std::vector<bool>& marked)
+        : begin_(marked.size() + 1) {
+        for (const std::uint32_t part : measure.part_of_triangle)
+            if (!marked[part]) ++begin_[part + 1];
+        for (std::size_t part = 1; part < begin_.size(); ++part) begin_[part] += begin_[part - 1];
+        triangles_.resize(begin_.back());
+        std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
+        for (std::uint32_t t = 0; t < measure.part_of_triangle.size(); ++t)
+            if (const std::uint32_t part = measure.part_of_triangle[t]; !marked[part])
+                triangles_[next[part]++] = t;
     }
-    return alone;
-}
+
+    [[nodiscard]] std::span<const std::uint32_t> operator[](std::size_t part) const {
+        return {triangles_.data() + begin_[part], triangles_.data() + begin_[part + 1]};
+    }
+
+  private:
+    std::vector<std::size_t> begin_;
+    std::vector<std::uint32_t> triangles_;
+};
 
 /// A column that leaves least foam on a side, to show where it is.
 std::optional<Vec3d> thinnest_place(const BlockMap& blocks, const DesignSpace& space, Side side) {
@@ -142,19 +157,19 @@ void find_uncut_parts(const Mesh& mesh, const MeshMeasure& measure, const Placem
             --uncut;
         }
     }
+    if (uncut == 0) return;
+    const TrianglesOfParts triangles(measure, cut);
+    PartCut alone(mesh, placement, space, reach);
     std::size_t named = 0;
-    for (std::uint32_t part = 0; part < cut.size(); ++part) {
-        if (cut[part]) continue;
-        const Mesh alone = part_of(mesh, measure, part);
-        const BlockMap own = block_map(depth_map(alone, placement, space, reach), space, reach);
-        if (std::any_of(own.begin(), own.end(), [](CutRun run) { return !run.none(); })) continue;
-        if (++named > kPartsNamed) continue;
+    for (std::uint32_t part = 0; part < cut.size() && named < kPartsNamed; ++part) {
+        if (cut[part] || alone.cuts(triangles[part])) continue;
+        ++named;
         add(findings, Severity::danger, "uncut_part",
             "a part of the object (" + dimensions(measure.parts[part].bounds.size()) +
                 " mm) cuts no block, so foam would press on it: choose a larger clearance or smaller blocks, "
                 "or move "
                 "the object",
-            placement(alone.vertices.front()));
+            placement(mesh.vertices[mesh.triangles[triangles[part].front()][0]]));
     }
 }
 

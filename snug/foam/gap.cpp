@@ -27,10 +27,11 @@ double cut_volume(const BlockMap& blocks, const DesignSpace& space) {
     return static_cast<double>(count) * space.block_volume();
 }
 
-void report_volumes(GapReport& report, const GapSampler& sampler, bool closed) {
+void report_volumes(GapReport& report, GapSampler& sampler, bool closed) {
+    sampler.finish();
     const GapVolumes volumes = sampler.volumes();
     const GapVolumes errors = sampler.errors();
-    const auto& [lower, upper] = sampler.halves();
+    const auto [lower, upper] = sampler.halves();
     report.lower.step_mm3 = lower.step;
     report.upper.step_mm3 = upper.step;
     report.columns = sampler.columns(closed);
@@ -61,6 +62,7 @@ struct GapSurface {
     const std::vector<Vec3d>& placed;
     const LineLattice& lattice;
     const PrismField* hull;
+    const LargestBallOptions& options;
 };
 
 /// `into`: the whole or a half of the report.
@@ -68,7 +70,7 @@ template <class Part>
 Result<void> find_widest(const GapSurface& surface, const PrismField& cut, const Progress& progress,
                          Part& into) {
     const GapSpace gap(cut, surface.tree, surface.placed, surface.lattice, surface.hull);
-    const Result<LargestBall> ball = largest_ball(gap, cut.bounds(), {}, progress);
+    const Result<LargestBall> ball = largest_ball(gap, cut.bounds(), surface.options, progress);
     if (!ball) return tl::unexpected<Error>(ball.error());
     into.widest_mm = 2 * ball->radius;
     into.widest_error_mm = 2 * ball->radius_error;
@@ -79,17 +81,17 @@ Result<void> find_widest(const GapSurface& surface, const PrismField& cut, const
 }  // namespace
 
 Result<GapReport> gap_report(const Mesh& mesh, const Placement& placement, const DesignSpace& space,
-                             const BlockMap& blocks, int parting_level, bool closed,
-                             const Progress& progress) {
+                             const BlockMap& blocks, int parting_level, bool closed, const Progress& progress,
+                             const GapLimits& limits) {
     GapReport report;
-    report.lines_per_column = LineLattice::kPerColumn * LineLattice::kPerColumn;
     report.cut_mm3 = cut_volume(blocks, space);
 
     const std::vector<Vec3d> placed = placed_vertices(mesh, placement);
-    const LineLattice lattice(space);
-    GapSampler sampler(blocks, space, parting_level);
+    const LineLattice lattice = lattice_within(limits.lines, space, placed, mesh.triangles);
+    report.lines_per_column = lattice.lines_per_column();
+    GapSampler sampler(blocks, space, lattice, parting_level);
     std::optional<HullSampler> hull_sampler;
-    if (!closed) hull_sampler.emplace(space);
+    if (!closed) hull_sampler.emplace(space, lattice);
     const Result<void> swept = sweep_lines(
         lattice, placed, mesh.triangles,
         [&](const LineBand& band) {
@@ -105,7 +107,7 @@ Result<GapReport> gap_report(const Mesh& mesh, const Placement& placement, const
     if (!tree) return tl::unexpected<Error>(tree.error());
     std::optional<PrismField> hull;
     if (hull_sampler) hull.emplace(hull_sampler->take());
-    const GapSurface surface{*tree, placed, lattice, hull ? &*hull : nullptr};
+    const GapSurface surface{*tree, placed, lattice, hull ? &*hull : nullptr, limits.ball};
     if (auto done = find_widest(surface, cut_field(blocks, space), part_of(progress, 0.5, 0.7), report);
         !done)
         return tl::unexpected<Error>(done.error());

@@ -7,6 +7,8 @@
 #include "snug/base/result.h"
 #include "snug/foam/block_map.h"
 #include "snug/foam/design_space.h"
+#include "snug/foam/largest_ball.h"
+#include "snug/foam/line_budget.h"
 #include "snug/foam/placement.h"
 #include "snug/mesh/mesh.h"
 
@@ -39,8 +41,10 @@ struct ColumnGap {
 /// sticks out of the cut (a negative clearance squeezes it in), step is more than the difference of the
 /// volumes.
 struct GapReport {
-    int lines_per_column = 0;  ///< 256: 16 x 16
-    double cut_mm3 = 0;        ///< exact
+    /// 256: 16 x 16. Fewer where that would be too much work (LineBudget), 1/4 where one line stands for 2 x
+    /// 2 columns, and so on; the error tells what that costs.
+    double lines_per_column = 0;
+    double cut_mm3 = 0;  ///< exact
     double hull_mm3 = 0;
     std::optional<double> solid_mm3;  ///< none unless the object is closed
     double step_mm3 = 0;
@@ -55,9 +59,16 @@ struct GapReport {
     Grid<ColumnGap> columns;     ///< undercuts are 0 unless the object is closed
 };
 
+/// What a report may cost.
+struct GapLimits {
+    LineBudget lines;
+    LargestBallOptions ball;  ///< of each of the three
+};
+
 /// `closed` is MeshMeasure::watertight. Fails only when cancelled.
 [[nodiscard]] Result<GapReport> gap_report(const Mesh& mesh, const Placement& placement,
                                            const DesignSpace& space, const BlockMap& blocks,
-                                           int parting_level, bool closed, const Progress& progress = {});
+                                           int parting_level, bool closed, const Progress& progress = {},
+                                           const GapLimits& limits = {});
 
 }  // namespace snug

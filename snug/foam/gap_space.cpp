@@ -53,32 +53,42 @@ GapSpace::Probe GapSpace::probe(Vec3d p, double radius, double enough, const Sur
 
 void GapSpace::limit_by_foam(Probe& probe, Vec3d p) const {
     if (!cut_.contains(p)) {
-        probe.room = -cut_.nearest_inside(p, kInfinity).distance;
+        const NearestPoint cut = cut_.nearest_inside(p, kInfinity);
+        probe.room = -cut.distance;
+        probe.work += cut.looked_at;
         return;
     }
     const NearestPoint foam = cut_.nearest_outside(p, kInfinity);
     probe.room = foam.distance;
+    probe.work += foam.looked_at;
     add_obstacle(probe, foam.point);
     // The wall on the other side: the foam nearest to the first wall's mirror image.
     const Vec3d mirrored = p + (p - foam.point);
-    add_obstacle(probe, cut_.contains(mirrored) ? cut_.nearest_outside(mirrored, kInfinity).point : mirrored);
+    if (!cut_.contains(mirrored)) return add_obstacle(probe, mirrored);
+    const NearestPoint opposite = cut_.nearest_outside(mirrored, kInfinity);
+    add_obstacle(probe, opposite.point);
+    probe.work += opposite.looked_at;
 }
 
 void GapSpace::limit_by_hull(Probe& probe, Vec3d p, double radius) const {
     if (hull_->contains(p)) {
-        probe.room = std::min(probe.room, -hull_->nearest_outside(p, radius).distance);
+        const NearestPoint outside = hull_->nearest_outside(p, radius);
+        probe.room = std::min(probe.room, -outside.distance);
+        probe.work += outside.looked_at;
         return;
     }
     const double at_most = std::max(probe.room, radius);
     const NearestPoint hull = hull_->nearest_inside(p, at_most);
     if (hull.distance < at_most) add_obstacle(probe, hull.point);
     probe.room = std::min(probe.room, hull.distance);
+    probe.work += hull.looked_at;
 }
 
 void GapSpace::limit_by_surface(Probe& probe, Vec3d p, double radius, double enough,
                                 const Surroundings& known) const {
     const double at_most = std::max(probe.room, radius);
     const NearestPoint surface = surface_.nearest(p, at_most, enough);
+    probe.work += surface.looked_at;
     if (surface.distance < at_most) add_obstacle(probe, surface.point);
     if (surface.distance <= enough) {
         probe.room = surface.distance;
@@ -88,20 +98,20 @@ void GapSpace::limit_by_surface(Probe& probe, Vec3d p, double radius, double eno
     if (!hull_) {
         // No surface between p and the point of which this is known: they lie on the same side.
         const Vec3d way = p - known.centre;
-        inside = dot(way, way) < known.clear * known.clear ? known.inside : inside_object(p);
+        inside = dot(way, way) < known.clear * known.clear ? known.inside : inside_object(p, probe.work);
     }
     probe.surroundings = {p, surface.distance, inside};
     probe.room = inside ? -surface.distance : std::min(probe.room, surface.distance);
 }
 
-bool GapSpace::inside_object(Vec3d p) const {
+bool GapSpace::inside_object(Vec3d p, std::uint32_t& work) const {
     const SnappedVertex here = lattice_.snap(p);
     // Snapping moves the point and each vertex by up to half a unit.
     const double dy = 2 * lattice_.mm_per_unit_y();
     const double dz = 2 * lattice_.mm_per_unit_z();
     const Box3d above{{p.x, p.y - dy, p.z - dz}, {kInfinity, p.y + dy, p.z + dz}};
     int winding = 0;
-    surface_.for_each_near(above, [&](const Triangle& t) {
+    work += surface_.for_each_near(above, [&](const Triangle& t) {
         const std::optional<Crossing> found =
             crossing(here.u, here.v, lattice_.snap(vertices_[t[0]]), lattice_.snap(vertices_[t[1]]),
                      lattice_.snap(vertices_[t[2]]));

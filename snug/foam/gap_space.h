@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <span>
 
@@ -42,6 +43,7 @@ class GapSpace {
         Surroundings surroundings;
         std::array<Vec3d, 4> obstacles;  ///< points that no ball in the gap contains
         int obstacle_count = 0;
+        std::uint32_t work = 0;  ///< boxes, prisms and triangles that were looked at
     };
 
     /// `radius`: how far around p the caller is interested; deeper inside the object than that is all the
@@ -49,7 +51,7 @@ class GapSpace {
     [[nodiscard]] Probe probe(Vec3d p, double radius, double enough, const Surroundings& known) const;
 
   private:
-    [[nodiscard]] bool inside_object(Vec3d p) const;
+    [[nodiscard]] bool inside_object(Vec3d p, std::uint32_t& work) const;
     void limit_by_foam(Probe& probe, Vec3d p) const;
     void limit_by_hull(Probe& probe, Vec3d p, double radius) const;
     void limit_by_surface(Probe& probe, Vec3d p, double radius, double enough,

@@ -8,7 +8,6 @@
 namespace snug {
 namespace {
 
-constexpr int kPerColumn = LineLattice::kPerColumn;
 constexpr std::uint64_t kMostPrisms = 1'000'000;
 
 PrismSpan run_of(CutRun run, const DesignSpace& space) {
@@ -82,30 +81,62 @@ std::array<HalfLengths, 2> half_lengths(std::span<const Crossing> crossings, Pri
     return halves;
 }
 
-GapSampler::GapSampler(const BlockMap& blocks, const DesignSpace& space, int parting_level)
+GapSampler::GapSampler(const BlockMap& blocks, const DesignSpace& space, const LineLattice& lattice,
+                       int parting_level)
     : blocks_(blocks),
       space_(space),
+      lattice_(lattice),
       parting_(space.face(0, parting_level)),
-      halves_(blocks.ny(), blocks.nz()) {}
+      open_(static_cast<std::size_t>(lattice.columns() / lattice.lines_along_column())),
+      columns_(blocks.ny(), blocks.nz()) {}
 
 void GapSampler::add(const LineBand& band) {
-    for (int k = 0; k < blocks_.nz(); ++k) {
-        const PrismSpan cut = run_of(blocks_(band.j, k), space_);
-        auto& column = halves_(band.j, k);
-        for (int l = 0; l < kPerColumn; ++l) {
-            if (cut.none() && !band.any(l, k)) continue;
-            for (int m = 0; m < kPerColumn; ++m) {
-                const std::span<const Crossing> line = band.line(l, k * kPerColumn + m);
-                // Any odd factor but 1 or 15, whose groups would follow the diagonals.
-                const int group = (l + 3 * m) % kGroups;
-                combine(lengths_[static_cast<std::size_t>(group)], gap_lengths(line, cut), sum);
-                const auto halves = half_lengths(line, cut, parting_);
-                for (std::size_t half = 0; half < 2; ++half) {
-                    column[half].step += halves[half].step;
-                    column[half].undercut += halves[half].undercut;
-                }
-            }
+    const int lines = lattice_.lines_along_column();
+    if (band.first_row / lines != row_ / lines) finish_columns();
+    row_ = band.first_row;
+    for (int first = band.first_column; first < band.end_column(); first += lines) {
+        for (int row = band.first_row; row < band.end_row(); ++row) {
+            const CutRun run = blocks_(lattice_.j(row, first), lattice_.k(row, first));
+            if (run.none() && !band.any(row, first, first + lines)) continue;
+            const PrismSpan cut = run_of(run, space_);
+            for (int column = first; column < first + lines; ++column)
+                add_line(band.line(row, column), row, column, cut);
         }
+    }
+}
+
+void GapSampler::add_line(std::span<const Crossing> line, int row, int column, PrismSpan cut) {
+    const double share = lattice_.share(row, column);
+    const auto add_share = [share](double a, double b) { return a + b * share; };
+    // Any odd factor but 1 or 15, whose groups would follow the diagonals.
+    const int group = (row + 3 * column) % kGroups;
+    combine(lengths_[static_cast<std::size_t>(group)], gap_lengths(line, cut), add_share);
+    auto& open = open_[static_cast<std::size_t>(column / lattice_.lines_along_column())];
+    const auto halves = half_lengths(line, cut, parting_);
+    for (std::size_t half = 0; half < 2; ++half) {
+        open[half].step += halves[half].step * share;
+        open[half].undercut += halves[half].undercut * share;
+    }
+}
+
+void GapSampler::finish_columns() {
+    const int lines = lattice_.lines_along_column(), breadth = lattice_.columns_along_cell();
+    const int j_first = row_ / lines * breadth, j_end = std::min(j_first + breadth, blocks_.ny());
+    for (std::size_t i = 0; i < open_.size(); ++i) {
+        auto& [lower, upper] = open_[i];
+        for (std::size_t half = 0; half < 2; ++half) {
+            halves_[half].step += open_[i][half].step * area_of_line();
+            halves_[half].undercut += open_[i][half].undercut * area_of_line();
+        }
+        const double all = lines * lines * lattice_.share(row_, static_cast<int>(i) * lines);
+        const auto mean = [all](double lengths) { return static_cast<float>(lengths / all); };
+        const ColumnGap gap{mean(lower.step), mean(lower.undercut), mean(upper.step), mean(upper.undercut)};
+        open_[i] = {};
+        if (gap == ColumnGap()) continue;
+        const int k_first = static_cast<int>(i) * breadth, k_end = std::min(k_first + breadth, blocks_.nz());
+        for (int j = j_first; j < j_end; ++j)
+            for (int k = k_first; k < k_end; ++k)
+                if (!blocks_(j, k).none()) columns_(j, k) = gap;
     }
 }
 
@@ -116,27 +147,10 @@ GapVolumes GapSampler::volumes() const {
     return total;
 }
 
-std::array<HalfLengths, 2> GapSampler::halves() const {
-    std::array<HalfLengths, 2> total;
-    for (const auto& column : halves_)
-        for (std::size_t half = 0; half < 2; ++half) {
-            total[half].step += column[half].step * area_of_line();
-            total[half].undercut += column[half].undercut * area_of_line();
-        }
-    return total;
-}
-
-Grid<ColumnGap> GapSampler::columns(bool closed) const {
-    Grid<ColumnGap> map(halves_.ny(), halves_.nz());
-    const auto mean = [](double lengths) { return static_cast<float>(lengths / (kPerColumn * kPerColumn)); };
-    for (std::size_t i = 0; i < map.size(); ++i) {
-        const auto& [lower, upper] = halves_[i];
-        map[i] = {mean(lower.step), 0, mean(upper.step), 0};
-        if (!closed) continue;
-        map[i].lower_undercut = mean(lower.undercut);
-        map[i].upper_undercut = mean(upper.undercut);
-    }
-    return map;
+Grid<ColumnGap> GapSampler::columns(bool closed) {
+    if (!closed)
+        for (ColumnGap& column : columns_) column.lower_undercut = column.upper_undercut = 0;
+    return std::move(columns_);
 }
 
 GapVolumes GapSampler::errors() const {
@@ -155,36 +169,33 @@ GapVolumes GapSampler::errors() const {
     return squares;
 }
 
-HullSampler::HullSampler(const DesignSpace& space) : space_(space), lines_per_prism_(1) {
+HullSampler::HullSampler(const DesignSpace& space, const LineLattice& lattice)
+    : space_(space), lattice_(lattice), lines_per_prism_(1) {
+    const auto along = [&](int lines) { return (lines - 1) / lines_per_prism_ + 1; };
     const auto prisms = [&] {
-        const auto along = [&](int columns) {
-            return static_cast<std::uint64_t>(columns * kPerColumn / lines_per_prism_);
-        };
-        return along(space.blocks.y) * along(space.blocks.z);
+        return static_cast<std::uint64_t>(along(lattice.rows())) *
+               static_cast<std::uint64_t>(along(lattice.columns()));
     };
-    while (lines_per_prism_ < kPerColumn && prisms() > kMostPrisms) lines_per_prism_ *= 2;
-    spans_ = Grid<PrismSpan>(space.blocks.y * kPerColumn / lines_per_prism_,
-                             space.blocks.z * kPerColumn / lines_per_prism_);
+    while (lines_per_prism_ < lattice.lines_along_column() && prisms() > kMostPrisms) lines_per_prism_ *= 2;
+    spans_ = Grid<PrismSpan>(along(lattice.rows()), along(lattice.columns()));
 }
 
 void HullSampler::add(const LineBand& band) {
-    for (int l = 0; l < kPerColumn; ++l) {
-        const int row = band.j * kPerColumn + l;
-        for (int k = 0; k < space_.blocks.z; ++k) {
-            if (!band.any(l, k)) continue;
-            for (int column = k * kPerColumn; column < (k + 1) * kPerColumn; ++column) {
-                const std::span<const Crossing> line = band.line(l, column);
-                if (line.empty()) continue;
-                PrismSpan& span = spans_(row / lines_per_prism_, column / lines_per_prism_);
-                span.low = std::min(span.low, line.front().x);
-                span.high = std::max(span.high, line.back().x);
-            }
+    for (int row = band.first_row; row < band.end_row(); ++row) {
+        if (!band.any(row, band.first_column, band.end_column())) continue;
+        for (int column = band.first_column; column < band.end_column(); ++column) {
+            const std::span<const Crossing> line = band.line(row, column);
+            if (line.empty()) continue;
+            PrismSpan& span = spans_(row / lines_per_prism_, column / lines_per_prism_);
+            span.low = std::min(span.low, line.front().x);
+            span.high = std::max(span.high, line.back().x);
         }
     }
 }
 
 PrismField HullSampler::take() {
-    const double part = static_cast<double>(lines_per_prism_) / kPerColumn;
+    const double lines = lattice_.lines_along_column();
+    const double part = lines_per_prism_ / lines * lattice_.columns_along_cell();
     return PrismField(std::move(spans_), space_.face(1, 0), space_.block_mm.y * part, space_.face(2, 0),
                       space_.block_mm.z * part);
 }

@@ -51,7 +51,7 @@ class Search {
     bool run(const Box3d& bounds) {
         consider(
             {bounds.centre(), bounds.longest_side() / 2, std::numeric_limits<double>::infinity(), {}, 0});
-        while (!cells_.empty() && !cancelled_ && probes_ < options_.most_probes) {
+        while (!cells_.empty() && !cancelled_ && !exhausted()) {
             const Cell cell = cells_.top();
             if (cell.bound <= threshold()) break;
             cells_.pop();
@@ -72,17 +72,28 @@ class Search {
     }
 
   private:
+    static constexpr std::uint64_t kWorkBetweenQuestions = 1 << 20;
+
     [[nodiscard]] double threshold() const {
         return best_.radius + std::max(options_.relative_error * best_.radius, options_.absolute_error);
     }
 
+    [[nodiscard]] bool exhausted() const {
+        return probes_ >= options_.most_probes || work_ >= options_.most_work;
+    }
+
     GapSpace::Probe probe(Vec3d p, double radius, double enough, const GapSpace::Surroundings& known) {
         ++probes_;
-        if (probes_ % 1024 == 0 && !cancelled_) {
-            cancelled_ =
-                !go_on(progress_, std::min(static_cast<double>(probes_) / options_.most_probes, 1.0));
+        if ((probes_ % 1024 == 0 || work_ >= next_question_) && !cancelled_) {
+            const double spent =
+                std::max(static_cast<double>(probes_) / options_.most_probes,
+                         static_cast<double>(work_) / static_cast<double>(options_.most_work));
+            cancelled_ = !go_on(progress_, std::min(spent, 1.0));
+            next_question_ = work_ + kWorkBetweenQuestions;
         }
-        return gap_.probe(p, radius, enough, known);
+        const GapSpace::Probe probed = gap_.probe(p, radius, enough, known);
+        work_ += probed.work;
+        return probed;
     }
 
     /// Probes a cell's centre, keeps the ball found there, and keeps the cell if it may hold a larger one.
@@ -111,7 +122,7 @@ class Search {
         constexpr int kMostProbes = 500;
         const int last = probes_ + kMostProbes;
         const double least = std::max(options_.absolute_error, options_.relative_error * best_.radius) / 16;
-        while (step > least && probes_ < last && !cancelled_) {
+        while (step > least && probes_ < last && !cancelled_ && work_ < options_.most_work) {
             bool higher = false;
             for (int direction = 0; direction < 27 && !higher; ++direction) {
                 const Vec3d way{direction / 9 - 1.0, direction / 3 % 3 - 1.0, direction % 3 - 1.0};
@@ -134,6 +145,8 @@ class Search {
     std::priority_queue<Cell, std::vector<Cell>, LessPromising> cells_;
     int cells_made_ = 0;
     int probes_ = 0;
+    std::uint64_t work_ = 0;
+    std::uint64_t next_question_ = kWorkBetweenQuestions;  ///< whether to go on, in work
     bool cancelled_ = false;
 };
 

@@ -7,9 +7,6 @@
 namespace snug {
 namespace {
 
-constexpr int kPerColumn = LineLattice::kPerColumn;
-constexpr int kUnitsPerCell = LineLattice::kUnitsPerCell;
-
 /// Rows or columns of the lattice, both ends included; empty where first > last.
 struct Cells {
     int first = 0;
@@ -17,20 +14,24 @@ struct Cells {
 };
 
 /// The cells that the units from low to high touch, among `count` cells.
-Cells cells_between(std::int32_t low, std::int32_t high, int count) {
-    const auto cell = [](std::int32_t units) { return static_cast<int>(units >> 12); };
-    static_assert(kUnitsPerCell == 1 << 12);
+Cells cells_between(std::int32_t low, std::int32_t high, int bits, int count) {
+    const auto cell = [bits](std::int32_t units) { return static_cast<int>(units >> bits); };
     return {std::max(cell(low), 0), std::min(cell(high), count - 1)};
 }
 
 class Sweep {
   public:
     Sweep(const LineLattice& lattice, std::span<const Vec3d> vertices, std::span<const Triangle> triangles,
-          const Progress& progress)
-        : lattice_(lattice), triangles_(triangles), progress_(progress), bands_(lattice.rows() / kPerColumn) {
+          const Progress& progress, std::size_t most_hits)
+        : lattice_(lattice),
+          triangles_(triangles),
+          progress_(progress),
+          most_hits_(most_hits),
+          bits_(lattice.cell_bits()),
+          rows_(lattice.lines_along_column()),
+          bands_((lattice.rows() - 1) / rows_ + 1) {
         vertices_.reserve(vertices.size());
         for (const Vec3d& v : vertices) vertices_.push_back(lattice.snap(v));
-        band_.columns = lattice.columns();
     }
 
     bool run(const std::function<void(const LineBand&)>& visit) {
@@ -40,9 +41,9 @@ class Sweep {
             const auto band = static_cast<std::size_t>(j);
             active.insert(active.end(), order_.begin() + first_of_band_[band],
                           order_.begin() + first_of_band_[band + 1]);
-            if (!collect(j, active)) return false;
-            sort_hits();
-            visit(band_);
+            const int first = j * rows_, end = std::min(first + rows_, lattice_.rows());
+            if (!sweep({first, end - 1}, {0, lattice_.columns() - 1}, active, visit)) return false;
+            drop_finished(end - 1, active);
         }
         return true;
     }
@@ -70,11 +71,11 @@ class Sweep {
     }
 
     [[nodiscard]] Cells rows_of(const Corners& t) const {
-        return cells_between(std::min({t.a.u, t.b.u, t.c.u}), std::max({t.a.u, t.b.u, t.c.u}),
+        return cells_between(std::min({t.a.u, t.b.u, t.c.u}), std::max({t.a.u, t.b.u, t.c.u}), bits_,
                              lattice_.rows());
     }
     [[nodiscard]] Cells columns_of(const Corners& t) const {
-        return cells_between(std::min({t.a.v, t.b.v, t.c.v}), std::max({t.a.v, t.b.v, t.c.v}),
+        return cells_between(std::min({t.a.v, t.b.v, t.c.v}), std::max({t.a.v, t.b.v, t.c.v}), bits_,
                              lattice_.columns());
     }
 
@@ -90,7 +91,7 @@ class Sweep {
             return std::nullopt;
         }
         if (doubled_shadow(t.a, t.b, t.c) == 0) return std::nullopt;
-        return rows.first / kPerColumn;
+        return rows.first / rows_;
     }
 
     /// A counting sort, which leaves out the triangles that meet no line.
@@ -113,36 +114,61 @@ class Sweep {
         return true;
     }
 
-    /// Meets the active triangles with the lines of band j and drops those that do not reach the next band.
-    bool collect(int j, std::vector<std::uint32_t>& active) {
-        band_.j = j;
-        hits_.clear();
-        std::size_t kept = 0;
-        for (const std::uint32_t triangle : active) {
-            const Corners t = corners(triangle);
-            const Cells rows = rows_of(t);
-            const int last_of_band = (j + 1) * kPerColumn - 1;
-            for (int row = std::max(rows.first, j * kPerColumn); row <= std::min(rows.last, last_of_band);
-                 ++row) {
-                const Cells columns = columns_of_row(t, row);
-                for (int column = columns.first; column <= columns.last; ++column) meet(t, row, column);
-                if (!worked(static_cast<std::size_t>(std::max(columns.last - columns.first, 0)) + 8,
-                            static_cast<double>(j) / bands_)) {
-                    return false;
-                }
+    /// Meets the triangles with a rectangle of lines and shows it, in halves where it has too many crossings.
+    bool sweep(Cells rows, Cells columns, std::span<const std::uint32_t> active,
+               const std::function<void(const LineBand&)>& visit) {
+        const int breadth = columns.last - columns.first + 1;
+        const bool divisible = rows.first < rows.last || breadth > rows_;
+        if (!collect(rows, columns, active, divisible)) return false;
+        if (divisible && hits_.size() > most_hits_) {
+            if (rows.first < rows.last) {
+                const int middle = (rows.first + rows.last) / 2;
+                return sweep({rows.first, middle}, columns, active, visit) &&
+                       sweep({middle + 1, rows.last}, columns, active, visit);
             }
-            if (rows.last > last_of_band) active[kept++] = triangle;
+            const int middle = columns.first + (breadth / 2 + rows_ - 1) / rows_ * rows_;
+            return sweep(rows, {columns.first, middle - 1}, active, visit) &&
+                   sweep(rows, {middle, columns.last}, active, visit);
         }
-        active.resize(kept);
+        sort_hits(rows, columns);
+        visit(band_);
         return true;
     }
 
-    void meet(const Corners& t, int row, int column) {
+    /// Finds the crossings of a rectangle of lines, or more than the most where it is divisible. False when
+    /// cancelled.
+    bool collect(Cells rows, Cells columns, std::span<const std::uint32_t> active, bool divisible) {
+        hits_.clear();
+        const double fraction = static_cast<double>(rows.first) / lattice_.rows();
+        for (const std::uint32_t triangle : active) {
+            const Corners t = corners(triangle);
+            const Cells own = rows_of(t);
+            for (int row = std::max(own.first, rows.first); row <= std::min(own.last, rows.last); ++row) {
+                const Cells met = columns_of_row(t, row);
+                const int last = std::min(met.last, columns.last);
+                for (int column = std::max(met.first, columns.first); column <= last; ++column)
+                    meet(t, row, column,
+                         (row - rows.first) * (columns.last - columns.first + 1) - columns.first);
+                if (!worked(static_cast<std::size_t>(std::max(last - met.first, 0)) + 8, fraction))
+                    return false;
+            }
+            if (divisible && hits_.size() > most_hits_) return true;
+        }
+        return true;
+    }
+
+    /// Drops those that do not reach beyond the row.
+    void drop_finished(int row, std::vector<std::uint32_t>& active) const {
+        active.erase(std::remove_if(active.begin(), active.end(),
+                                    [&](std::uint32_t t) { return rows_of(corners(t)).last <= row; }),
+                     active.end());
+    }
+
+    /// `first_line`: the number within the band that the line of column 0 would have.
+    void meet(const Corners& t, int row, int column, int first_line) {
         const std::optional<Crossing> found =
             crossing(lattice_.u(row, column), lattice_.v(row, column), t.a, t.b, t.c);
-        if (!found) return;
-        const int line = (row % kPerColumn) * lattice_.columns() + column;
-        hits_.push_back({static_cast<std::uint32_t>(line), *found});
+        if (found) hits_.push_back({static_cast<std::uint32_t>(first_line + column), *found});
     }
 
     /// The columns where the triangle reaches into this row of lines. Long thin triangles that run across the
@@ -150,8 +176,9 @@ class Sweep {
     [[nodiscard]] Cells columns_of_row(const Corners& t, int row) const {
         const Cells all = columns_of(t);
         if (all.last - all.first < 4) return all;
-        const double low = static_cast<double>(row) * kUnitsPerCell;
-        const double high = low + kUnitsPerCell;
+        const double cell = 1 << bits_;
+        const double low = row * cell;
+        const double high = low + cell;
         double v_min = kBeyond, v_max = -kBeyond;
         const auto include_edge = [&](const SnappedVertex& p, const SnappedVertex& q) {
             const double from = std::max<double>(std::min(p.u, q.u), low);
@@ -169,16 +196,19 @@ class Sweep {
         if (v_min > v_max) return {};
         // One unit makes up for the rounding of the slopes.
         const Cells cut = cells_between(static_cast<std::int32_t>(v_min) - 2,
-                                        static_cast<std::int32_t>(v_max) + 2, lattice_.columns());
+                                        static_cast<std::int32_t>(v_max) + 2, bits_, lattice_.columns());
         return {std::max(all.first, cut.first), std::min(all.last, cut.last)};
     }
 
     /// From the order of the triangles to the order of the lines, and along each line.
-    void sort_hits() {
-        const bool was_empty = !band_.begin.empty() && band_.crossings.empty();
+    void sort_hits(Cells rows, Cells columns) {
+        band_.first_row = rows.first;
+        band_.rows = rows.last - rows.first + 1;
+        band_.first_column = columns.first;
+        band_.columns = columns.last - columns.first + 1;
+        const std::size_t lines = band_.index(rows.last + 1, columns.first);
+        const bool was_empty = band_.begin.size() == lines + 1 && band_.crossings.empty();
         if (was_empty && hits_.empty()) return;
-        const std::size_t lines =
-            static_cast<std::size_t>(kPerColumn) * static_cast<std::size_t>(lattice_.columns());
         band_.begin.assign(lines + 1, 0);
         for (const Hit& hit : hits_) ++band_.begin[hit.line + 1];
         for (std::size_t i = 1; i <= lines; ++i) band_.begin[i] += band_.begin[i - 1];
@@ -199,6 +229,9 @@ class Sweep {
     const LineLattice& lattice_;
     std::span<const Triangle> triangles_;
     const Progress& progress_;
+    std::size_t most_hits_;
+    int bits_;  ///< of the lattice
+    int rows_;  ///< of lines in a band
     int bands_;
     std::size_t work_ = 0;
     std::vector<SnappedVertex> vertices_;
@@ -213,8 +246,9 @@ class Sweep {
 
 Result<void> sweep_lines(const LineLattice& lattice, std::span<const Vec3d> vertices,
                          std::span<const Triangle> triangles,
-                         const std::function<void(const LineBand&)>& visit, const Progress& progress) {
-    if (!Sweep(lattice, vertices, triangles, progress).run(visit))
+                         const std::function<void(const LineBand&)>& visit, const Progress& progress,
+                         std::size_t most_hits) {
+    if (!Sweep(lattice, vertices, triangles, progress, most_hits).run(visit))
         return fail(ErrorKind::cancelled, "cancelled");
     return {};
 }

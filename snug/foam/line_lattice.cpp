@@ -32,13 +32,30 @@ bool is_left(std::int64_t value, const SnappedVertex& from, const SnappedVertex&
 
 }  // namespace
 
-LineLattice::LineLattice(const DesignSpace& space)
-    : rows_(space.blocks.y * kPerColumn),
-      columns_(space.blocks.z * kPerColumn),
+LineLattice::Axis LineLattice::axis(int columns, int bits) {
+    const std::int32_t units = columns << kColumnBits, cell = 1 << bits;
+    const int cells = (units - 1) / cell + 1;
+    return {cells, units - (cells - 1) * cell};
+}
+
+LineLattice::LineLattice(const DesignSpace& space, int cell_bits)
+    : bits_(cell_bits),
+      along_y_(axis(space.blocks.y, cell_bits)),
+      along_z_(axis(space.blocks.z, cell_bits)),
       y_begin_(space.face(1, 0)),
       z_begin_(space.face(2, 0)),
       units_per_mm_y_(kUnitsPerCell * kPerColumn / space.block_mm.y),
       units_per_mm_z_(kUnitsPerCell * kPerColumn / space.block_mm.z) {}
+
+double LineLattice::lines_per_column() const {
+    const double along = static_cast<double>(lines_along_column()) / columns_along_cell();
+    return along * along;
+}
+
+double LineLattice::share(int row, int column) const {
+    const double cell = 1 << bits_;
+    return along_y_.extent(bits_, row) / cell * (along_z_.extent(bits_, column) / cell);
+}
 
 SnappedVertex LineLattice::snap(Vec3d p) const {
     return {snapped((p.y - y_begin_) * units_per_mm_y_), snapped((p.z - z_begin_) * units_per_mm_z_), p.x};

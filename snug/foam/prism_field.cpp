@@ -75,7 +75,8 @@ bool PrismField::contains(Vec3d p) const {
 /// for a single span it must be exact, else it may be nearer than the truth.
 template <class OffsetAlongX>
 NearestPoint PrismField::nearest(Vec3d p, double at_most, OffsetAlongX offset) const {
-    NearestPoint best{{}, at_most};
+    NearestPoint best{{}, at_most, 0};
+    std::uint32_t looked_at = 0;
     double best2 = at_most * at_most;
     struct Branch {
         double distance2;
@@ -97,10 +98,11 @@ NearestPoint PrismField::nearest(Vec3d p, double at_most, OffsetAlongX offset) c
     stack[waiting++] = branch(static_cast<int>(levels_.size()), 0, 0);
     while (waiting > 0) {
         const Branch next = stack[--waiting];
+        ++looked_at;
         if (next.distance2 >= best2) continue;
         if (next.level == 0) {
             best2 = next.distance2;
-            best = {next.point, std::sqrt(next.distance2)};
+            best = {next.point, std::sqrt(next.distance2), 0};
             continue;
         }
         const int level = next.level - 1;
@@ -120,6 +122,7 @@ NearestPoint PrismField::nearest(Vec3d p, double at_most, OffsetAlongX offset) c
             stack[place] = below;
         }
     }
+    best.looked_at = looked_at;
     return best;
 }
 
@@ -140,7 +143,8 @@ NearestPoint PrismField::nearest_outside(Vec3d p, double at_most) const {
     const double y_end = y_begin_ + spans_.ny() * y_size_;
     const double z_end = z_begin_ + spans_.nz() * z_size_;
     const auto beyond_grid = [&](double distance, Vec3d point) {
-        if (distance < best.distance) best = {distance > 0 ? point : p, std::max(distance, 0.0)};
+        if (distance < best.distance)
+            best = {distance > 0 ? point : p, std::max(distance, 0.0), best.looked_at};
     };
     beyond_grid(p.y - y_begin_, {p.x, y_begin_, p.z});
     beyond_grid(y_end - p.y, {p.x, y_end, p.z});

@@ -157,7 +157,8 @@ void TriangleTree::build_level_above() {
 }
 
 NearestPoint TriangleTree::nearest(Vec3d p, double at_most, double enough) const {
-    NearestPoint best{{}, at_most};
+    NearestPoint best{{}, at_most, 0};
+    std::uint32_t looked_at = 0;
     if (triangles_.empty()) return best;
     struct Branch {
         double distance2;
@@ -178,6 +179,7 @@ NearestPoint TriangleTree::nearest(Vec3d p, double at_most, double enough) const
         const Branch next = stack[--waiting];
         if (next.distance2 >= best2) continue;
         const Range range = below(next.node);
+        looked_at += static_cast<std::uint32_t>(range.end - range.first);
         if (next.node.level == 0) {
             for (std::size_t i = range.first; i < range.end; ++i) {
                 const Triangle& t = triangles_[i];
@@ -185,7 +187,7 @@ NearestPoint TriangleTree::nearest(Vec3d p, double at_most, double enough) const
                 const double distance2 = squared(q - p);
                 if (distance2 >= best2) continue;
                 best2 = distance2;
-                best = {q, std::sqrt(distance2)};
+                best = {q, std::sqrt(distance2), 0};
             }
             continue;
         }
@@ -200,6 +202,7 @@ NearestPoint TriangleTree::nearest(Vec3d p, double at_most, double enough) const
             stack[place] = child;
         }
     }
+    best.looked_at = looked_at;
     return best;
 }
 

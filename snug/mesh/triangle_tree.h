@@ -18,6 +18,7 @@ namespace snug {
 struct NearestPoint {
     Vec3d point;
     double distance = 0;
+    std::uint32_t looked_at = 0;  ///< boxes and members of the set that were looked at to find it
 };
 
 /// The point of triangle abc (which may have no area) that is nearest to p.
@@ -38,9 +39,9 @@ class TriangleTree {
     [[nodiscard]] NearestPoint nearest(Vec3d p, double at_most, double enough = 0) const;
 
     /// Calls visit(triangle) for every triangle whose bounding box meets `box`, bounds included, and possibly
-    /// for some near it. The box may be unbounded.
+    /// for some near it. The box may be unbounded. Returns how many boxes and triangles it looked at.
     template <class Visit>
-    void for_each_near(const Box3d& box, Visit visit) const;
+    std::uint32_t for_each_near(const Box3d& box, Visit visit) const;
 
   private:
     static constexpr std::size_t kFanOut = 4;
@@ -79,19 +80,22 @@ class TriangleTree {
 };
 
 template <class Visit>
-void TriangleTree::for_each_near(const Box3d& query, Visit visit) const {
-    if (triangles_.empty()) return;
+std::uint32_t TriangleTree::for_each_near(const Box3d& query, Visit visit) const {
+    if (triangles_.empty()) return 0;
+    std::uint32_t looked_at = 0;
     Stack stack;
     std::size_t waiting = 0;
     stack[waiting++] = root();
     while (waiting > 0) {
         const Node node = stack[--waiting];
         const FloatBox& b = box(node);
+        ++looked_at;
         if (b.min.x > query.max.x || b.max.x < query.min.x || b.min.y > query.max.y ||
             b.max.y < query.min.y || b.min.z > query.max.z || b.max.z < query.min.z) {
             continue;
         }
         const Range range = below(node);
+        if (node.level == 0) looked_at += static_cast<std::uint32_t>(range.end - range.first);
         for (std::size_t i = range.first; i < range.end; ++i) {
             if (node.level == 0) {
                 visit(triangles_[i]);
@@ -100,6 +104,7 @@ void TriangleTree::for_each_near(const Box3d& query, Visit visit) const {
             }
         }
     }
+    return looked_at;
 }
 
 }  // namespace snug

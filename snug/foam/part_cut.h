@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "snug/foam/cells.h"
+#include "snug/foam/depth_builder.h"
+#include "snug/foam/design_space.h"
+#include "snug/foam/placement.h"
+#include "snug/mesh/mesh.h"
+
+namespace snug {
+
+/// Says of one part of a mesh after the other whether it cuts any block by itself: the same answer as a depth
+/// map and block map of the part alone, at the cost of the columns around the part.
+class PartCut {
+  public:
+    PartCut(const Mesh& mesh, const Placement& placement, const DesignSpace& space, Reach reach);
+
+    /// `triangles`: indices into the mesh's.
+    [[nodiscard]] bool cuts(std::span<const std::uint32_t> triangles);
+
+  private:
+    [[nodiscard]] bool reaches_block(double lowest, double highest) const;
+    /// Whether any column of the block is cut; empties them all.
+    bool take_cut(const ColumnBlock& block);
+
+    const Mesh& mesh_;
+    const Placement& placement_;
+    Reach reach_;
+    GrownCells along_x_;
+    DepthMapBuilder builder_;  ///< empty between parts
+};
+
+}  // namespace snug
