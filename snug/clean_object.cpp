@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -27,6 +28,9 @@ Result<void> drop_parts(Mesh& mesh, const CleanOptions& options, CleanReport& re
         return fail(ErrorKind::usage,
                     "every part of the object would be dropped: name fewer, or a smaller size");
     report.parts = part_shares(mesh, measured);
+    report.smallest_mm = measured.bounds.longest_side();
+    for (const PartShare& part : report.parts)
+        report.smallest_mm = std::min(report.smallest_mm, part.bounds.longest_side());
     for (const PartShare& part : report.parts)
         if (drop[part.number - 1]) report.dropped.push_back(part);
     if (!report.dropped.empty()) mesh = without_parts(mesh, measured, drop);
@@ -54,11 +58,41 @@ Result<Cleaned> cleaned(Mesh mesh, const CleanOptions& options) {
         return fail(ErrorKind::usage,
                     "the whole object lies behind the cutting plane: turn its direction round, or move it");
     result.report.plane_cut = !(rest.vertices == result.mesh.vertices);
+    if (!result.report.plane_cut) {
+        const auto along = [&](const Vec3f& p) {
+            return dot(normal, vec_cast<double>(p) + result.mesh.origin) / length;
+        };
+        double& nearest = result.report.nearest_mm = std::numeric_limits<double>::infinity();
+        double& farthest = result.report.farthest_mm = -nearest;
+        for (const Vec3f& p : result.mesh.vertices) {
+            nearest = std::min(nearest, along(p));
+            farthest = std::max(farthest, along(p));
+        }
+    }
     result.mesh = std::move(rest);
     return result;
 }
 
-void find_dropped(const CleanReport& report, std::vector<Finding>& findings) {
+void find_dropped(const CleanReport& report, const CleanOptions& asked, std::vector<Finding>& findings) {
+    if (asked.drop_below_mm > 0 && report.dropped.empty()) {
+        findings.push_back({Severity::note,
+                            "nothing_dropped",
+                            "no part of the object is smaller than " + number(asked.drop_below_mm, 2) +
+                                " mm, so none was left out: the smallest is " +
+                                number(report.smallest_mm, 2) + " mm long",
+                            {}});
+    }
+    if (asked.cut_plane && !report.plane_cut) {
+        const auto& [x, y, z, distance] = *asked.cut_plane;
+        findings.push_back({Severity::warning,
+                            "cut_missed",
+                            "the cutting plane meets nothing, so nothing was cut off: it lies " +
+                                number(distance, 2) + " mm from the file's origin along " + number(x, 3) +
+                                "," + number(y, 3) + "," + number(z, 3) + ", and the object lies from " +
+                                number(report.nearest_mm, 2) + " to " + number(report.farthest_mm, 2) +
+                                " mm; choose a distance between these",
+                            {}});
+    }
     if (!report.dropped.empty()) {
         double share = 0, longest = 0;
         for (const PartShare& part : report.dropped) {

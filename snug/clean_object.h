@@ -14,7 +14,10 @@ namespace snug {
 struct CleanReport {
     std::vector<PartShare> parts;  ///< of the object as it was read; none where no part was to be dropped
     std::vector<PartShare> dropped;
+    double smallest_mm = 0;  ///< longest side of the smallest part, where parts were to be dropped
     bool plane_cut = false;  ///< something lay behind the plane
+    /// Where the object lies along the direction of a plane that met nothing, mm from the file's origin.
+    double nearest_mm = 0, farthest_mm = 0;
 };
 
 /// A mesh in mm without what the options drop: first parts, then what lies behind the plane. Fails with kind
@@ -25,7 +28,8 @@ struct Cleaned {
 };
 [[nodiscard]] Result<Cleaned> cleaned(Mesh mesh, const CleanOptions& options);
 
-/// `dropped` and `cut_off` (notes): nothing is left out unsaid.
-void find_dropped(const CleanReport& report, std::vector<Finding>& findings);
+/// `dropped` and `cut_off` (notes): nothing is left out unsaid. What was asked for and did nothing is said,
+/// too: `nothing_dropped` (note) and `cut_missed` (warning).
+void find_dropped(const CleanReport& report, const CleanOptions& asked, std::vector<Finding>& findings);
 
 }  // namespace snug

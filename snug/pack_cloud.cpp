@@ -105,8 +105,14 @@ Result<Packing> pack_cloud(const Object& object, const Design& design) {
         if (depths.upper && findings.size() == before) look(*depths.upper, *cuts.upper);
     };
     steps.find_object_notes = [&](const Packing&, std::vector<Finding>& findings) {
-        find_dropped(object.clean, findings);
+        find_dropped(object.clean, design.object.clean, findings);
         note_cloud(object, findings);
+        if (design.object.cap && !object.capped)
+            findings.push_back({Severity::note,
+                                "nothing_to_cap",
+                                "no place was found that the scanner did not see, so there was nothing to "
+                                "close: the foams are the same without --cap",
+                                {}});
     };
     const bool in_case = design.case_options.inside_mm.has_value();
     const Vec3d offset = design.placement.offset_mm + shift_between_walls(design.space, in_case);

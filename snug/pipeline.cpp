@@ -67,7 +67,7 @@ int parting_level(const Packing& packing, const HalfCuts& cuts, const PartingOpt
 void find_problems_of_half(const Object& object, const Placement& placement, const DesignSpace& space,
                            const HalfDepths& half, const BlockMap& cut, std::vector<Finding>& findings) {
     find_open_holes(object.hole_spans, placement, space, half.reach, half.depths, cut, findings);
-    find_uncut_parts(object.mesh, object.measure, placement, space, half.reach, cut, findings);
+    find_uncut_parts(object.mesh, object.measure, object.capped, placement, space, half.reach, cut, findings);
 }
 
 /// Takes more foam away than the object needs, so that the rest can be worked and the object lifted.
@@ -82,12 +82,24 @@ void shape(Packing& packing, const Design& design, int level) {
         packing.rib_blocks = cut_thin_ribs(packing.blocks, packing.space, level, design.fit.least_rib_mm);
 }
 
+SpaceChoice choice_of(const Packing& packing, const Design& design) {
+    SpaceChoice choice{SpaceChoice::Kind::blocks, wanted_wall_mm(design.space), design.placement.offset_mm,
+                       design.case_options.inside_mm};
+    const CaseOptions& given = design.case_options;
+    if (packing.fitted_case)
+        choice.kind = given.corner_radius_mm > 0 || given.base_mm || given.top_mm ? SpaceChoice::Kind::shaped
+                                                                                  : SpaceChoice::Kind::box;
+    else if (!design.space.blocks)
+        choice.kind = SpaceChoice::Kind::fitted;
+    return choice;
+}
+
 /// What may be wrong with the foams, whatever they are for.
 void find_foam_problems(const Packing& packing, const Design& design, std::vector<Finding>& findings) {
-    const bool in_case = packing.fitted_case.has_value();
-    find_thin_walls(packing.fit, packing.blocks, packing.space, wanted_wall_mm(design.space), in_case,
+    const SpaceChoice choice = choice_of(packing, design);
+    find_thin_walls(packing.fit, packing.blocks, packing.space, wanted_wall_mm(design.space), choice,
                     findings);
-    find_pieces(packing.fit, in_case, findings);
+    find_pieces(packing.fit, choice, findings);
     if (packing.fitted_case)
         find_case_problems(*packing.fitted_case, packing.fit, packing.foams->parting_level, findings);
 }
@@ -217,7 +229,7 @@ Result<Packing> pack(const Object& object, const Design& design) {
     };
     steps.find_object_notes = [&](const Packing& packing, std::vector<Finding>& findings) {
         find_parts(object.measure, packing.placement, findings);
-        find_dropped(object.clean, findings);
+        find_dropped(object.clean, design.object.clean, findings);
         if (object.capped)
             findings.push_back(
                 {Severity::note,
@@ -225,6 +237,18 @@ Result<Packing> pack(const Object& object, const Design& design) {
                  counted(object.measure.holes.size(), "hole was", "holes were") +
                      " closed before cutting; where the surface is missing its shape is a guess",
                  {}});
+        if (design.object.cap && !object.capped)
+            findings.push_back({Severity::note,
+                                "nothing_to_cap",
+                                "the object has no holes, so there was nothing to close: the foams are the "
+                                "same without --cap",
+                                {}});
+        if (design.object.point_radius_mm > 0)
+            findings.push_back({Severity::note,
+                                "no_points",
+                                "a point radius was chosen, but the object is no cloud of points: it was not "
+                                "used",
+                                {}});
     };
     const bool in_case = design.case_options.inside_mm.has_value();
     return pack_placed(placement_of(object, design.placement, shift_between_walls(design.space, in_case)),

@@ -1,10 +1,16 @@
 #include <algorithm>
+#include <cstdlib>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
 
 #include "snug/foam/fitted_space.h"
 #include "snug/mesh/samples.h"
 #include "snug/pipeline.h"
+
+#include "tests/support/random.h"
 
 namespace snug {
 namespace {
@@ -82,6 +88,131 @@ TEST(Findings, AnOpenObjectWhoseFacesLieOnBlockFacesIsADangerToo) {
     // Only the top is seen, and a sheet between two blocks cuts neither.
     const Packing open = packed(box({0, 0, 0}, {60, 60, 60}, {0}), design_of({10, 10, 10}, 15));
     EXPECT_EQ(codes(open), (Codes{"open", "uncut_part"}));
+}
+
+TEST(Findings, CapsAreNoPartsAndBelongToThePartThatTheyClose) {
+    // What is left without its base lies on the faces of blocks and cuts nothing by itself.
+    Design design = design_of({10, 10, 10}, 15);
+    design.object.cap = true;
+    for (const int side : {0, 1, 2, 3, 4, 5}) {
+        const Packing capped = packed(box({0, 0, 0}, {60, 60, 60}, {side}), design);
+        EXPECT_EQ(codes(capped), Codes{"capped"}) << side;
+        EXPECT_EQ(capped.blocks, packed(box({0, 0, 0}, {60, 60, 60}), design_of({10, 10, 10}, 15)).blocks);
+    }
+    // A part that no cap belongs to is still one that foam would press on.
+    const Mesh two = joined(box({0, 0, 0}, {58, 58, 58}, {0}), box({29.5f, 70, 0}, {30.5f, 100, 30}));
+    design.space.blocks = Vec3i{12, 16, 12};
+    design.cut.clearance_mm = -2;
+    EXPECT_EQ(codes(packed(two, design)).front(), "uncut_part");
+}
+
+TEST(Findings, WhatWasAskedForAndDidNothingIsSaid) {
+    const Mesh closed = box({10, 0, 0}, {70, 60, 60});
+    Design design = design_of({10, 10, 10}, 15);
+    design.object.cap = true;
+    EXPECT_EQ(codes(packed(closed, design)), Codes{"nothing_to_cap"});
+    design.object.cap = false;
+    design.object.point_radius_mm = 3;
+    EXPECT_EQ(codes(packed(closed, design)), Codes{"no_points"});
+    design.object.point_radius_mm = 0;
+    design.object.clean.drop_below_mm = 5;
+    const Packing kept = packed(closed, design);
+    ASSERT_EQ(codes(kept), Codes{"nothing_dropped"});
+    EXPECT_NE(kept.findings[0].message.find("the smallest is 60 mm"), std::string::npos)
+        << kept.findings[0].message;
+}
+
+TEST(Findings, APlaneThatMeetsNothingSaysWhereTheObjectLies) {
+    Mesh closed = box({10, 0, 0}, {70, 60, 60});
+    closed.origin = {1000, 0, 0};
+    Design design = design_of({10, 10, 10}, 15);
+    design.object.clean.cut_plane = {{2, 0, 0, 900}};
+    const Packing missed = packed(closed, design);
+    ASSERT_EQ(codes(missed), Codes{"cut_missed"});
+    EXPECT_EQ(missed.findings[0].severity, Severity::warning);
+    EXPECT_NE(missed.findings[0].message.find("from 1010 to 1070 mm"), std::string::npos)
+        << missed.findings[0].message;
+    design.object.clean.cut_plane = {{2, 0, 0, 1040}};
+    EXPECT_EQ(codes(packed(closed, design)), Codes{"cut_off"});
+}
+
+/// The numbers that a finding gives behind an option; none where it does not name it.
+std::optional<Vec3d> advised(const Packing& packing, const std::string& option, char separator) {
+    for (const Finding& finding : packing.findings) {
+        const std::size_t at = finding.message.find(option + " ");
+        if (at == std::string::npos) continue;
+        Vec3d numbers;
+        const char* next = finding.message.c_str() + at + option.size() + 1;
+        for (int axis = 0; axis < 3; ++axis) {
+            char* end = nullptr;
+            numbers[axis] = std::strtod(next, &end);
+            if (axis < 2 && *end != separator) return {};
+            next = end + 1;
+        }
+        return numbers;
+    }
+    return {};
+}
+
+bool has_thin_wall(const Packing& packing) {
+    const auto found = codes(packing);
+    return std::any_of(found.begin(), found.end(), [](const std::string& code) {
+        return code.rfind("thin_", 0) == 0 || code == "wall_below_wanted" || code == "touches_case" ||
+               code == "no_floor" || code == "no_roof";
+    });
+}
+
+TEST(Findings, WhatAThinWallAdvisesIsDoneAndThenTheWallsAreThere) {
+    int moves = 0, counts = 0;
+    for (std::uint64_t seed = 1; seed <= 60; ++seed) {
+        SCOPED_TRACE(seed);
+        test::Random random(seed);
+        Design design = design_of({random.integer(5, 14), random.integer(5, 14), random.integer(5, 14)}, 15);
+        design.space.block_mm.z = random.between(8, 22);
+        for (int axis = 0; axis < 3; ++axis)
+            design.placement.offset_mm[axis] = random.chance(0.5) ? 0 : random.between(-40, 40);
+        if (random.chance(0.5)) design.space.wall_mm = equal_walls(random.between(10, 60));
+        const Mesh mesh = box({0, 0, 0}, {static_cast<float>(random.between(20, 70)), 40, 35});
+        const Packing thin = packed(mesh, design);
+        if (!thin.foams || !has_thin_wall(thin)) continue;
+        if (const auto shift = advised(thin, "--move", ',')) {
+            design.placement.offset_mm = *shift;
+            ++moves;
+        } else if (const auto blocks = advised(thin, "--blocks", 'x')) {
+            design.space.blocks = vec_cast<int>(*blocks);
+            ++counts;
+        } else {
+            ADD_FAILURE() << thin.findings.front().message;
+        }
+        const Packing mended = packed(mesh, design);
+        EXPECT_FALSE(has_thin_wall(mended)) << mended.findings.front().message;
+    }
+    EXPECT_GT(moves, 5);
+    EXPECT_GT(counts, 5);
+}
+
+TEST(Findings, AFittedSpaceIsAdvisedOtherWallsAndACaseNoBlocks) {
+    const Mesh mesh = box({0, 0, 0}, {60, 60, 60});
+    Design fitted = design_of({1, 1, 1}, 15);
+    fitted.space.blocks.reset();
+    fitted.space.wall_mm = Walls{10, 50, 50, 50, 50, 50};
+    const Packing thin = packed(mesh, fitted);
+    ASSERT_EQ(codes(thin), Codes{"thin_floor"});
+    EXPECT_NE(thin.findings[0].message.find("--wall 25,50,50,50,50,50 would do"), std::string::npos)
+        << thin.findings[0].message;
+    fitted.space.wall_mm = Walls{25, 50, 50, 50, 50, 50};
+    EXPECT_EQ(codes(packed(mesh, fitted)), Codes{});
+
+    Design cased = design_of({1, 1, 1}, 15);
+    cased.space.blocks.reset();
+    cased.case_options.inside_mm = Vec3d{96, 216, 216};
+    const Packing low = packed(mesh, cased);
+    ASSERT_TRUE(has_thin_wall(low));
+    EXPECT_EQ(low.findings[0].message.find("blocks"), std::string::npos) << low.findings[0].message;
+    EXPECT_NE(low.findings[0].message.find("take a case of 216 x 216 x 186 mm inside"), std::string::npos)
+        << low.findings[0].message;
+    cased.case_options.inside_mm = Vec3d{186, 216, 216};
+    EXPECT_FALSE(has_thin_wall(packed(mesh, cased)));
 }
 
 TEST(Findings, AnOpeningAtTheSideLetsNoFoamIn) {

@@ -10,6 +10,7 @@
 #include "snug/base/text.h"
 #include "snug/foam/cells.h"
 #include "snug/foam/part_cut.h"
+#include "snug/mesh/cap.h"
 
 namespace snug {
 namespace {
@@ -78,6 +79,19 @@ class TrianglesOfParts {
     std::vector<std::uint32_t> triangles_;
 };
 
+/// A part of a mesh by itself, with what closes its own holes.
+Mesh with_own_caps(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
+    Mesh part;
+    part.origin = mesh.origin;
+    for (const std::uint32_t t : triangles) {
+        const auto first = static_cast<std::uint32_t>(part.vertices.size());
+        for (const std::uint32_t v : mesh.triangles[t]) part.vertices.push_back(mesh.vertices[v]);
+        part.triangles.push_back({first, first + 1, first + 2});
+    }
+    const MeshMeasure own = measure(part);
+    return capped(part, own.holes);
+}
+
 /// A column that leaves least foam on a side, to show where it is.
 std::optional<Vec3d> thinnest_place(const BlockMap& blocks, const DesignSpace& space, Side side) {
     std::optional<Vec3d> place;
@@ -141,7 +155,7 @@ void find_open_holes(const Mesh& hole_spans, const Placement& placement, const D
         where);
 }
 
-void find_uncut_parts(const Mesh& mesh, const MeshMeasure& measure, const Placement& placement,
+void find_uncut_parts(const Mesh& mesh, const MeshMeasure& measure, bool capped, const Placement& placement,
                       const DesignSpace& space, Reach reach, const BlockMap& blocks,
                       std::vector<Finding>& findings) {
     if (blocks.size() == 0) return;
@@ -159,10 +173,11 @@ void find_uncut_parts(const Mesh& mesh, const MeshMeasure& measure, const Placem
     }
     if (uncut == 0) return;
     const TrianglesOfParts triangles(measure, cut);
-    PartCut alone(mesh, placement, space, reach);
+    PartCut alone(placement, space, reach);
     std::size_t named = 0;
     for (std::uint32_t part = 0; part < cut.size() && named < kPartsNamed; ++part) {
-        if (cut[part] || alone.cuts(triangles[part])) continue;
+        if (cut[part] || alone.cuts(mesh, triangles[part])) continue;
+        if (capped && alone.cuts(with_own_caps(mesh, triangles[part]))) continue;
         ++named;
         add(findings, Severity::danger, "uncut_part",
             "a part of the object (" + dimensions(measure.parts[part].bounds.size()) +
@@ -174,9 +189,11 @@ void find_uncut_parts(const Mesh& mesh, const MeshMeasure& measure, const Placem
 }
 
 void find_thin_walls(const FitReport& fit, const BlockMap& blocks, const DesignSpace& space,
-                     const Walls& wanted_mm, bool in_case, std::vector<Finding>& findings) {
+                     const Walls& wanted_mm, const SpaceChoice& choice, std::vector<Finding>& findings) {
     if (fit.cut_blocks == 0) return;
-    const std::string more = in_case ? "take a larger case" : "use more blocks";
+    Walls least = wanted_mm;
+    for (double& mm : least) mm = std::max(mm, kLeastGoodWall);
+    const std::string advice = wall_advice(fit.wall_mm, least, space, choice);
     for (int i = 0; i < 6; ++i) {
         const auto side = static_cast<Side>(i);
         const double wall = fit.wall_mm[static_cast<std::size_t>(i)];
@@ -186,32 +203,31 @@ void find_thin_walls(const FitReport& fit, const BlockMap& blocks, const DesignS
         const auto where = thinnest_place(blocks, space, side);
         if (wall <= 0)
             add(findings, Severity::danger, kSides[i].none_code,
-                "no foam is left " + place + ": the object would touch the case; " + more +
-                    ", or move or turn the object",
-                where);
+                "no foam is left " + place + ": the object would touch the case; " + advice, where);
         else if (wall < kLeastGoodWall)
             add(findings, Severity::warning, kSides[i].thin_code,
                 "only " + mm(wall) + " of foam " + place +
-                    "; 25 mm is the least that cushions, 50 mm is usual",
+                    "; 25 mm is the least that cushions, 50 mm is usual: " + advice,
                 where);
         else
             add(findings, Severity::warning, "wall_below_wanted",
-                "only " + mm(wall) + " of foam " + place + " where " + mm(wanted) + " is wanted; " + more,
+                "only " + mm(wall) + " of foam " + place + " where " + mm(wanted) + " is wanted; " + advice,
                 where);
     }
 }
 
-void find_pieces(const FitReport& fit, bool in_case, std::vector<Finding>& findings) {
+void find_pieces(const FitReport& fit, const SpaceChoice& choice, std::vector<Finding>& findings) {
+    const bool fixed = choice.is_case();
     const auto look = [&](int pieces, const char* half, const char* no_code, const char* pieces_code) {
         if (pieces == 0)
             add(findings, Severity::danger, no_code,
                 std::string("the ") + half + " foam is empty: choose another parting level or " +
-                    (in_case ? "a higher case" : "more blocks"));
+                    (fixed ? "a higher case" : "more blocks"));
         if (pieces > 1)
             add(findings, Severity::warning, pieces_code,
                 std::string("the ") + half + " foam falls into " + std::to_string(pieces) +
                     " pieces: glue them to the case, or " +
-                    (in_case ? "take a higher case" : "use more blocks along x"));
+                    (fixed ? "take a higher case" : "use more blocks along x"));
     };
     look(fit.lower_pieces, "lower", "no_lower", "lower_pieces");
     look(fit.upper_pieces, "upper", "no_upper", "upper_pieces");

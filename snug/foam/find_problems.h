@@ -8,6 +8,7 @@
 #include "snug/foam/finding.h"
 #include "snug/foam/fit_report.h"
 #include "snug/foam/placement.h"
+#include "snug/foam/wall_advice.h"
 #include "snug/mesh/measure.h"
 #include "snug/mesh/mesh.h"
 
@@ -23,20 +24,21 @@ void find_open_holes(const Mesh& hole_spans, const Placement& placement, const D
                      Reach reach, const DepthMap& depths, const BlockMap& blocks,
                      std::vector<Finding>& findings);
 
-/// A connected part of the object that cuts no block at all: `uncut_part` (danger).
-void find_uncut_parts(const Mesh& mesh, const MeshMeasure& measure, const Placement& placement,
+/// A connected part of the object that cuts no block at all: `uncut_part` (danger). Where the holes are
+/// `capped`, what closes the part's own holes belongs to it, and caps are no parts of their own.
+void find_uncut_parts(const Mesh& mesh, const MeshMeasure& measure, bool capped, const Placement& placement,
                       const DesignSpace& space, Reach reach, const BlockMap& blocks,
                       std::vector<Finding>& findings);
 
 /// No foam between object and case: `no_floor`, `no_roof`, `touches_case` (danger); below 25 mm:
 /// `thin_floor`, `thin_roof`, `thin_wall`; below the walls that the design wants: `wall_below_wanted`
-/// (warnings).
+/// (warnings). Each says what of the choice would give the walls.
 void find_thin_walls(const FitReport& fit, const BlockMap& blocks, const DesignSpace& space,
-                     const Walls& wanted_mm, bool in_case, std::vector<Finding>& findings);
+                     const Walls& wanted_mm, const SpaceChoice& choice, std::vector<Finding>& findings);
 
 /// A foam half in more than one piece, or without any foam: `lower_pieces`, `upper_pieces` (warning),
 /// `no_lower`, `no_upper` (danger).
-void find_pieces(const FitReport& fit, bool in_case, std::vector<Finding>& findings);
+void find_pieces(const FitReport& fit, const SpaceChoice& choice, std::vector<Finding>& findings);
 
 /// An object in several separate parts, with sizes: `parts` (note), `specks` (warning) where a part is tiny
 /// and far from all others.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 #include "snug/base/box.h"
 
@@ -15,20 +16,26 @@ CellRange widened(CellRange range, const GrownCells& cells) {
 
 }  // namespace
 
-PartCut::PartCut(const Mesh& mesh, const Placement& placement, const DesignSpace& space, Reach reach)
-    : mesh_(mesh), placement_(placement), reach_(reach), along_x_(space, 0, {}), builder_(space, reach) {}
+PartCut::PartCut(const Placement& placement, const DesignSpace& space, Reach reach)
+    : placement_(placement), reach_(reach), along_x_(space, 0, {}), builder_(space, reach) {}
 
-bool PartCut::cuts(std::span<const std::uint32_t> triangles) {
+bool PartCut::cuts(const Mesh& part) {
+    std::vector<std::uint32_t> all(part.triangles.size());
+    std::iota(all.begin(), all.end(), 0u);
+    return cuts(part, all);
+}
+
+bool PartCut::cuts(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
     Box3d box;
     for (const std::uint32_t t : triangles)
-        for (const std::uint32_t v : mesh_.triangles[t]) box.include(placement_(mesh_.vertices[v]));
+        for (const std::uint32_t v : mesh.triangles[t]) box.include(placement_(mesh.vertices[v]));
     // What lies wholly in a slot between two layers of blocks cuts none of them, however broad it is.
     if (!reaches_block(box.min.x, box.max.x)) return false;
     for (const std::uint32_t t : triangles) {
         std::array<Vec3d, 3> corners;
         std::array<VertexCell, 3> cells;
         for (std::size_t i = 0; i < 3; ++i) {
-            corners[i] = placement_(mesh_.vertices[mesh_.triangles[t][i]]);
+            corners[i] = placement_(mesh.vertices[mesh.triangles[t][i]]);
             cells[i] = builder_.add_vertex(corners[i]);
         }
         const bool one_cell = cells[0].one() && cells[0] == cells[1] && cells[0] == cells[2];

@@ -16,17 +16,18 @@ namespace snug {
 /// map and block map of the part alone, at the cost of the columns around the part.
 class PartCut {
   public:
-    PartCut(const Mesh& mesh, const Placement& placement, const DesignSpace& space, Reach reach);
+    PartCut(const Placement& placement, const DesignSpace& space, Reach reach);
 
     /// `triangles`: indices into the mesh's.
-    [[nodiscard]] bool cuts(std::span<const std::uint32_t> triangles);
+    [[nodiscard]] bool cuts(const Mesh& mesh, std::span<const std::uint32_t> triangles);
+    /// A part that is a mesh of its own.
+    [[nodiscard]] bool cuts(const Mesh& part);
 
   private:
     [[nodiscard]] bool reaches_block(double lowest, double highest) const;
     /// Whether any column of the block is cut; empties them all.
     bool take_cut(const ColumnBlock& block);
 
-    const Mesh& mesh_;
     const Placement& placement_;
     Reach reach_;
     GrownCells along_x_;
