@@ -5,6 +5,7 @@ Usage: cli_formats_test.py SNUG FAILING_DISK [unittest arguments]
 """
 
 import base64
+import csv
 import itertools
 import json
 import os
@@ -168,6 +169,7 @@ class Formats(unittest.TestCase):
         path.write_text(json.dumps(scene))
         self.refused(path)
         (self.folder / "the buffer.bin").write_bytes(buffer)
+        self.assertEqual(self.depths(path), self.plain())
         scene, _ = gltf(vertices, triangles, [{}], "data.bin")
         path.write_text(json.dumps(scene))
         (self.folder / "data.bin").write_bytes(buffer)
@@ -181,6 +183,22 @@ class Formats(unittest.TestCase):
                         "data:application/octet-stream;base64," + base64.b64encode(buffer).decode())
         path.write_text(json.dumps(scene))
         self.assertEqual(self.depths(path), self.plain())
+
+    def test_public_gltf_files_are_what_viewers_show(self):
+        cases = Path(__file__).resolve().parent.parent.parent / "shared" / "cases"
+        if not cases.exists():
+            self.skipTest(f"{cases} is not there")
+        with open(cases / "expected.csv", newline="") as table:
+            rows = [row for row in csv.DictReader(table) if row["file"].endswith((".gltf", ".glb"))]
+        self.assertGreater(len(rows), 10)
+        for row in rows:
+            done = snug("inspect", "--json", cases / row["file"])
+            self.assertEqual(done.returncode, int(row["exit status"]), (row["file"], done.stderr))
+            told = json.loads(done.stdout)
+            self.assertEqual(told["triangles"], int(row["triangles"]), row["file"])
+            size = [float(side) for side in row["size_mm"].split("x")]
+            for found, side in zip(told["size"], size):
+                self.assertAlmostEqual(found, side, delta=2e-5 * max(size), msg=row["file"])
 
     def test_3mf_has_units_and_components(self):
         vertices, triangles = l_shape()

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -11,18 +12,25 @@
 
 namespace snug {
 
+/// What is asked of a mesh that KHR_draco_mesh_compression packs.
+struct DracoAttribute {
+    int id = 0;          ///< the attribute's unique id
+    int components = 0;  ///< of each point; fails where it has another number
+};
+
 /// A mesh as KHR_draco_mesh_compression packs it.
 struct DracoMesh {
-    std::vector<float> positions;        ///< x, y, z of each point
+    /// Of each attribute that was asked for, the components of every point, as stored: whole numbers are not
+    /// scaled, whether the packed mesh calls them normalised or not.
+    std::vector<std::vector<float>> attributes;
     std::vector<std::uint32_t> corners;  ///< three of each triangle
 };
 
-/// How EXT_meshopt_compression packs a buffer view.
+/// How EXT_meshopt_compression packs a buffer view. Its filters are undone by the reader.
 struct MeshoptView {
     std::size_t count = 0;   ///< elements
     std::size_t stride = 0;  ///< bytes of an element
     std::string mode;        ///< ATTRIBUTES, TRIANGLES or INDICES
-    std::string filter;      ///< NONE, OCTAHEDRAL, QUATERNION or EXPONENTIAL
 };
 
 /// What the readers of scenes (glTF, 3MF) ask of the program around the library: libraries that differ
@@ -35,8 +43,7 @@ struct SceneTools {
     std::function<Result<FileBytes>(Bytes packed, std::size_t most)> inflate;
     /// count * stride bytes.
     std::function<Result<FileBytes>(Bytes packed, const MeshoptView& view)> meshopt;
-    /// `position` is the attribute's unique id.
-    std::function<Result<DracoMesh>(Bytes packed, int position)> draco;
+    std::function<Result<DracoMesh>(Bytes packed, std::span<const DracoAttribute> attributes)> draco;
 };
 
 }  // namespace snug

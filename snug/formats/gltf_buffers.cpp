@@ -1,0 +1,118 @@
+#include "snug/formats/gltf_buffers.h"
+
+#include <utility>
+
+#include "snug/base/text.h"
+#include "snug/formats/gltf_meshopt.h"
+#include "snug/formats/gltf_uri.h"
+
+namespace snug::gltf {
+namespace {
+
+constexpr const char* kMeshopt = "EXT_meshopt_compression";
+constexpr std::uint64_t kMostUnpackedPerByte = 64, kAlwaysUnpacked = 16'000'000;
+
+constexpr std::uint64_t kAlwaysSteps = 100'000'000, kStepsPerByte = 200;
+
+}  // namespace
+
+Result<void> Buffers::spend(std::uint64_t steps) {
+    spent_ += steps;
+    if (spent_ <= kAlwaysSteps + kStepsPerByte * read_) return {};
+    return refuse("it repeats its parts more often than its size allows: save it as STL or PLY");
+}
+
+Result<View> Buffers::view(std::uint64_t index) {
+    const Json& view = item(field(scene_, "bufferViews"), index);
+    if (!view.is_object())
+        return refuse("it speaks of buffer view " + grouped(index) +
+                      ", which it does not have: export it again");
+    if (const Json& packed = extension(view, kMeshopt); packed.is_object()) {
+        auto unpacked = packed_view(index, packed);
+        if (unpacked || names(field(scene_, "extensionsRequired"), kMeshopt)) return unpacked;
+        // Where it is not required, the same bytes may stand beside it as they are.
+        const auto plain = slice(view);
+        const auto stride = whole(view, "byteStride", 0);
+        return plain && stride ? Result<View>(View{*plain, *stride}) : unpacked;
+    }
+    const auto bytes = slice(view);
+    if (!bytes) return tl::unexpected(bytes.error());
+    const auto stride = whole(view, "byteStride", 0);
+    if (!stride) return tl::unexpected(stride.error());
+    return View{*bytes, *stride};
+}
+
+Result<View> Buffers::packed_view(std::uint64_t index, const Json& extension) {
+    const auto stride = whole(extension, "byteStride", 0);
+    if (!stride) return tl::unexpected(stride.error());
+    if (const auto known = unpacked_.find(index); known != unpacked_.end())
+        return View{known->second, *stride};
+    const auto packed = slice(extension);
+    if (!packed) return tl::unexpected(packed.error());
+    auto bytes = unpack_meshopt(*packed, extension, tools_);
+    if (!bytes) return tl::unexpected(bytes.error());
+    read_ += bytes->size();
+    unpacked_bytes_ += bytes->size();
+    if (unpacked_bytes_ > kAlwaysUnpacked + kMostUnpackedPerByte * file_bytes_)
+        return refuse(
+            "its parts packed by meshopt repeat each other to more than its size allows: save it without "
+            "compression");
+    return View{unpacked_.emplace(index, std::move(*bytes)).first->second, *stride};
+}
+
+Result<Bytes> Buffers::slice(const Json& of) {
+    const auto index = whole(of, "buffer", 0), offset = whole(of, "byteOffset", 0),
+               length = whole(of, "byteLength", 0);
+    for (const auto* number : {&index, &offset, &length})
+        if (!*number) return tl::unexpected(number->error());
+    const auto all = buffer(*index);
+    if (!all) return all;
+    if (*offset > all->size() || *length > all->size() - *offset)
+        return refuse("its buffer " + grouped(*index) + " has " + counted(all->size(), "byte", "bytes") +
+                      " where " + grouped(*offset + *length) +
+                      " are wanted: the file or one beside it is cut off; copy or export it again");
+    return all->subspan(static_cast<std::size_t>(*offset), static_cast<std::size_t>(*length));
+}
+
+Result<Bytes> Buffers::buffer(std::uint64_t index) {
+    const Json& buffer = item(field(scene_, "buffers"), index);
+    if (!buffer.is_object())
+        return refuse("it speaks of buffer " + grouped(index) + ", which it does not have: export it again");
+    const Json& uri = field(buffer, "uri");
+    if (uri.is_string()) {
+        const std::string& text = uri.get_ref<const std::string&>();
+        if (!is_data_uri(text)) return beside(text);
+        if (const auto known = texts_.find(index); known != texts_.end()) return Bytes(known->second);
+        auto data = data_of(text);
+        if (!data) return refuse("the data in its text are damaged: export it again, best as .glb");
+        return Bytes(texts_.emplace(index, std::move(*data)).first->second);
+    }
+    if (index == 0 && !binary_.empty()) return binary_;
+    if (extension(buffer, "KHR_meshopt_compression").is_object())
+        return refuse(
+            "its geometry is packed as KHR_meshopt_compression, which Snug does not read yet: save it "
+            "without "
+            "compression, or with EXT_meshopt_compression");
+    return refuse("its buffer " + grouped(index) +
+                  " is neither in the file nor in one beside it: export it again, best as .glb");
+}
+
+Result<Bytes> Buffers::beside(const std::string& uri) {
+    if (const auto known = beside_.find(uri); known != beside_.end()) return Bytes(known->second);
+    if (leads_elsewhere(uri))
+        return refuse("its geometry lies at " + snug::quoted(uri, 60) +
+                      ", and Snug reads only what lies beside the file: save it as .glb, which holds all");
+    if (!tools_.beside)
+        return refuse("its geometry lies in another file (" + snug::quoted(uri, 60) +
+                      "): save it as .glb, which holds all");
+    const std::string name = percent_decoded(uri);
+    auto file = tools_.beside(name);
+    // A name that really has a percent sign in it.
+    if (!file && name != uri)
+        if (auto raw = tools_.beside(uri)) file = std::move(raw);
+    if (!file) return tl::unexpected(file.error());
+    read_ += file->size();
+    return Bytes(beside_.emplace(uri, std::move(*file)).first->second);
+}
+
+}  // namespace snug::gltf
