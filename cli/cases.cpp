@@ -189,6 +189,8 @@ int rank_for(const std::vector<KnownCase>& cases, const CasesArguments& argument
     if (!bytes) return report(bytes.error());
     auto mesh = read_object(*bytes, path);
     if (!mesh) return report({mesh.error().kind, fmt::format("{}: {}", path, mesh.error().message)});
+    if (const auto error = unwanted_units(*mesh, arguments.units.has_value()))
+        return report({error->kind, fmt::format("{}: {}", path, error->message)});
     const auto object = prepare(std::move(*mesh), *design);
     if (!object) return report({object.error().kind, fmt::format("{}: {}", path, object.error().message)});
     const Placement placement = place(object->mesh, design->placement.rotation_deg, {});

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
@@ -10,6 +12,7 @@
 #include "snug/design/design.h"
 #include "snug/mesh/clean.h"
 #include "snug/mesh/measure.h"
+#include "snug/read_findings.h"
 
 #include "cli/commands.h"
 #include "cli/console.h"
@@ -39,13 +42,39 @@ const Unit* likely_unit(double longest) {
     return nullptr;
 }
 
-std::string units_lines(Vec3d size) {
+std::string size_lines(Vec3d size, bool in_mm) {
+    if (in_mm) return fmt::format("Size        {} mm; the file states its unit\n", dimensions(size, 2));
     const double longest = std::max({size.x, size.y, size.z});
     const Unit* best = likely_unit(longest);
-    std::string text;
+    std::string text = "Size, if the file is in\n";
     for (const Unit& unit : kUnits)
         text += fmt::format("  {:<4}{} mm{}\n", unit_name(unit), dimensions(size * millimetres(unit), 2),
                             &unit == best ? "   <- likely" : "");
+    return text;
+}
+
+std::string volume_lines(const std::optional<double>& volume, bool in_mm) {
+    if (!volume) return "Volume      unknown: the surface is not closed\n";
+    if (in_mm) return fmt::format("Volume      {} litres\n", number(*volume * 1e-6, 4));
+    std::string text = "Volume, if the file is in\n";
+    for (const Unit unit : kUnits) {
+        const double mm = millimetres(unit);
+        text += fmt::format("  {:<4}{} litres\n", unit_name(unit), number(*volume * mm * mm * mm * 1e-6, 4));
+    }
+    return text;
+}
+
+std::vector<Finding> findings_of(const Mesh& mesh) {
+    std::vector<Finding> findings;
+    find_read_notes(mesh.read, mesh.vertices.size(), {}, findings);
+    sort_by_severity(findings);
+    return findings;
+}
+
+std::string finding_lines(const Mesh& mesh) {
+    std::string text;
+    for (const Finding& finding : findings_of(mesh))
+        text += fmt::format("{:<12}{}\n", severity_name(finding.severity), finding.message);
     return text;
 }
 
@@ -65,7 +94,7 @@ std::string described(const std::string& name, const Mesh& mesh, const MeshMeasu
     std::string text = fmt::format("{}\n", name);
     if (mesh.is_cloud())
         return text + fmt::format("A cloud of {}\n", counted(mesh.vertices.size(), "point", "points")) +
-               "Size, if the file is in\n" + units_lines(size);
+               size_lines(size, mesh.read.in_mm) + finding_lines(mesh);
     text += fmt::format("Triangles   {} with {}\n", grouped(mesh.triangles.size()),
                         counted(mesh.vertices.size(), "vertex", "vertices"));
     text += fmt::format("Holes       {}\n", measure.holes.empty() ? "none" : grouped(measure.holes.size()));
@@ -76,30 +105,20 @@ std::string described(const std::string& name, const Mesh& mesh, const MeshMeasu
     if (measure.parts.size() > 1) {
         const std::vector<PartShare> shares = part_shares(mesh, measure);
         for (std::size_t i = 0; i < std::min(shares.size(), kPartsShown); ++i)
-            text += fmt::format("  {:<4}{} in the file's unit, {}, {} % of the surface\n", shares[i].number,
-                                dimensions(shares[i].bounds.size(), 3),
-                                counted(shares[i].triangles, "triangle", "triangles"),
-                                number(shares[i].share * 100, 2));
+            text += fmt::format(
+                "  {:<4}{} in {}, {}, {} % of the surface\n", shares[i].number,
+                dimensions(shares[i].bounds.size(), 3), mesh.read.in_mm ? "mm" : "the file's unit",
+                counted(shares[i].triangles, "triangle", "triangles"), number(shares[i].share * 100, 2));
         if (shares.size() > kPartsShown) text += smaller_parts(shares);
     }
-    text += "Size, if the file is in\n" + units_lines(size);
-    if (measure.volume) {
-        text += "Volume, if the file is in\n";
-        for (const Unit unit : kUnits) {
-            const double mm = millimetres(unit);
-            text += fmt::format("  {:<4}{} litres\n", unit_name(unit),
-                                number(*measure.volume * mm * mm * mm * 1e-6, 4));
-        }
-    } else {
-        text += "Volume      unknown: the surface is not closed\n";
-    }
-    return text;
+    return text + size_lines(size, mesh.read.in_mm) + volume_lines(measure.volume, mesh.read.in_mm) +
+           finding_lines(mesh);
 }
 
 std::string described_json(const std::string& name, const Mesh& mesh, const MeshMeasure& measure) {
     using Json = nlohmann::ordered_json;
     const Vec3d size = measure.bounds.size();
-    const Unit* best = likely_unit(std::max({size.x, size.y, size.z}));
+    const Unit* best = mesh.read.in_mm ? nullptr : likely_unit(std::max({size.x, size.y, size.z}));
     Json json{{"file", name},
               {"vertices", mesh.vertices.size()},
               {"triangles", mesh.triangles.size()},
@@ -107,7 +126,15 @@ std::string described_json(const std::string& name, const Mesh& mesh, const Mesh
               {"watertight", measure.watertight},
               {"holes", measure.holes.size()},
               {"volume", measure.volume ? Json(*measure.volume) : Json(nullptr)},
-              {"likely_unit", best ? Json(std::string(unit_name(*best))) : Json(nullptr)}};
+              {"likely_unit", best ? Json(std::string(unit_name(*best))) : Json(nullptr)},
+              {"stated_unit", mesh.read.in_mm ? Json("mm") : Json(nullptr)},
+              {"left_out_faces", mesh.read.left_out_faces},
+              {"left_out_points", mesh.read.left_out_points}};
+    json["findings"] = Json::array();
+    for (const Finding& finding : findings_of(mesh))
+        json["findings"].push_back({{"severity", std::string(severity_name(finding.severity))},
+                                    {"code", finding.code},
+                                    {"message", finding.message}});
     json["parts"] = Json::array();
     for (const PartShare& part : part_shares(mesh, measure)) {
         const Vec3d extent = part.bounds.size();

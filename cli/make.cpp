@@ -191,6 +191,7 @@ Result<Task> task_from(const MakeArguments& arguments) {
     if (!source) return tl::unexpected(source.error());
     Task task;
     if (arguments.stream || arguments.no_stream) task.stream = arguments.stream;
+    task.units_typed = arguments.units.has_value();
     task.object_path = source->object;
     if (source->project) {
         task.project = std::move(*source->project);

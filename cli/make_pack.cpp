@@ -52,6 +52,7 @@ Result<Packed> pack_in_memory(Task& task, const SearchArguments& search_argument
     auto mesh = read_object(*bytes, task.object_path);
     const double read_ms = watch.lap();
     if (!mesh) return in_file(task, mesh.error());
+    if (const auto error = unwanted_units(*mesh, task.units_typed)) return in_file(task, *error);
     task.project.object = describe(task.object_path, *bytes);
 
     status.show("Cutting");

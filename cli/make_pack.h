@@ -19,6 +19,7 @@ struct Task {
     Project project;
     /// A project's object as it was when the project was made; none for an object alone.
     std::optional<ObjectFile> expected;
+    bool units_typed = false;    ///< on this command line, not in the project
     std::optional<bool> stream;  ///< whether to read in pieces; none: where the file is large
 };
 

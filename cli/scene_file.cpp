@@ -10,4 +10,11 @@ Result<Mesh> read_object(Bytes file, const std::filesystem::path& path) {
     return snug::read_object(file, path.string(), scene_tools(path));
 }
 
+std::optional<Error> unwanted_units(const Mesh& mesh, bool typed) {
+    if (!typed || !mesh.read.in_mm) return {};
+    return Error{
+        ErrorKind::usage,
+        "the file states its unit itself: leave --units out; --scale or --longest make it another size"};
+}
+
 }  // namespace snug::cli

@@ -20,6 +20,8 @@ inline void check(const Result<Mesh>& result) {
     if (!result) return require(!result.error().message.empty() && result.error().kind == ErrorKind::input);
     const Mesh& mesh = *result;
     require(!mesh.triangles.empty());
+    // Refused where more than half is left out.
+    require(mesh.read.left_out_faces <= mesh.read.faces / 2);
     std::vector<bool> used(mesh.vertices.size());
     for (const Triangle& triangle : mesh.triangles) {
         for (const std::uint32_t v : triangle) {

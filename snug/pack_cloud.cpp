@@ -16,6 +16,7 @@
 #include "snug/mesh/cap.h"
 #include "snug/mesh/shell.h"
 #include "snug/pack_placed.h"
+#include "snug/read_findings.h"
 
 namespace snug {
 namespace {
@@ -105,6 +106,7 @@ Result<Packing> pack_cloud(const Object& object, const Design& design) {
         if (depths.upper && findings.size() == before) look(*depths.upper, *cuts.upper);
     };
     steps.find_object_notes = [&](const Packing&, std::vector<Finding>& findings) {
+        find_read_notes(object.mesh.read, object.read_vertices, design.object.units, findings);
         find_dropped(object.clean, design.object.clean, findings);
         note_cloud(object, findings);
         if (design.object.cap && !object.capped)

@@ -22,7 +22,8 @@ struct PackSteps {
 [[nodiscard]] Result<Packing> pack_placed(const Placement& placement, const Design& design,
                                           const PackSteps& steps);
 
-/// From the file's unit to millimetres, for an object of this size in the file's unit.
-[[nodiscard]] double millimetres_per_unit(Vec3d size, const ObjectOptions& options);
+/// From the file's unit to millimetres, for an object of this size in the file's unit. `in_mm`: the file
+/// states its unit, so it is in mm already.
+[[nodiscard]] double millimetres_per_unit(Vec3d size, const ObjectOptions& options, bool in_mm = false);
 
 }  // namespace snug

@@ -1,15 +1,16 @@
 #include "snug/pack_stream.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
 
 #include "snug/foam/space_for.h"
 #include "snug/foam/streamed_surface.h"
+#include "snug/mesh/left_out.h"
 #include "snug/mesh/raw_mesh.h"
 #include "snug/mesh/shell.h"
 #include "snug/pack_placed.h"
+#include "snug/read_findings.h"
 
 namespace snug {
 namespace {
@@ -20,14 +21,8 @@ struct Measured {
     FileToObject to_object;
     Box3d box;  ///< of the object as prepare() sees it before it is scaled
     Box3d turned;
+    ReadNotes read;
 };
-
-bool beyond_limits(const Box3d& box) {
-    const auto far = [](Vec3d p) {
-        return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}) > kGreatestCoordinate;
-    };
-    return far(box.min) || far(box.max);
-}
 
 /// As the rounding of a mesh's vertices has it.
 Box3d relative_to(Vec3d origin, const Box3d& file) {
@@ -49,9 +44,9 @@ Result<Measured> measured(const TriangleStream& stream, const Design& design, co
     if (!by_length) result.to_object.factor = millimetres_per_unit({}, design.object);
     auto bounds = streamed_bounds(stream, result.to_object, rotation, part_of(progress, 0, 0.5));
     if (!bounds) return tl::unexpected(bounds.error());
-    if (beyond_limits(bounds->file))
-        return fail(ErrorKind::input,
-                    "a triangle has a coordinate beyond 1e30: repair or export the mesh again");
+    result.read.faces = stream.triangles();
+    result.read.left_out_faces = stream.triangles() - bounds->triangles;
+    if (auto error = too_much_left_out(result.read)) return tl::unexpected(std::move(*error));
     const Vec3d origin = origin_for(bounds->file);
     result.box = relative_to(origin, bounds->file);
     const Vec3d size = result.box.size();
@@ -79,9 +74,10 @@ MetCubes cubes_for(const Measured& object) {
 Object object_of(const TriangleStream& stream, const Measured& measured, const MetCubes& cubes) {
     Object object;
     object.kind = ObjectKind::streamed;
-    object.read_triangles = static_cast<std::size_t>(stream.triangles());
+    object.read_triangles = measured.read.faces - measured.read.left_out_faces;
     object.read_vertices = static_cast<std::size_t>(stream.vertices().value_or(0));
     object.mesh = cubes.shell();
+    object.mesh.read = measured.read;
     const double factor = measured.to_object.factor;
     object.measure.bounds = {measured.box.min * factor, measured.box.max * factor};
     return object;
@@ -130,7 +126,8 @@ Result<StreamedPacking> pack_stream(const TriangleStream& stream, const Design& 
     };
     steps.find_object_problems = [](const Packing&, const ObjectDepths&, const HalfCuts&,
                                     std::vector<Finding>&) {};
-    steps.find_object_notes = [](const Packing&, std::vector<Finding>& findings) {
+    steps.find_object_notes = [&](const Packing&, std::vector<Finding>& findings) {
+        find_read_notes(object->read, 0, design.object.units, findings);
         findings.push_back(
             {Severity::note,
              "streamed",

@@ -16,6 +16,7 @@
 #include "snug/mesh/cap.h"
 #include "snug/pack_cloud.h"
 #include "snug/pack_placed.h"
+#include "snug/read_findings.h"
 
 namespace snug {
 namespace {
@@ -106,9 +107,9 @@ void find_foam_problems(const Packing& packing, const Design& design, std::vecto
 
 }  // namespace
 
-double millimetres_per_unit(Vec3d size, const ObjectOptions& options) {
+double millimetres_per_unit(Vec3d size, const ObjectOptions& options, bool in_mm) {
     if (options.longest_mm) return *options.longest_mm / std::max({size.x, size.y, size.z});
-    return millimetres(options.units.value_or(Unit::mm)) * options.scale;
+    return millimetres(in_mm ? Unit::mm : options.units.value_or(Unit::mm)) * options.scale;
 }
 
 std::optional<Error> implausible_size(Vec3d size, const Design& design) {
@@ -134,16 +135,22 @@ Result<Object> prepare(Mesh mesh, const Design& design) {
     const Vec3d size = bounds(mesh).size();
     if (std::max({size.x, size.y, size.z}) <= 0)
         return fail(ErrorKind::input, "the object has no size: all its points are one");
-    if (const auto error = implausible_size(size, design)) return tl::unexpected(*error);
+    if (!mesh.read.in_mm)
+        if (const auto error = implausible_size(size, design)) return tl::unexpected(*error);
 
     Object object;
+    const ReadNotes read = mesh.read;
     object.read_vertices = mesh.vertices.size();
     object.read_triangles = mesh.triangles.size();
-    auto clean =
-        cleaned(scaled(std::move(mesh), millimetres_per_unit(size, design.object)), design.object.clean);
+    const double mm_per_unit = millimetres_per_unit(size, design.object, mesh.read.in_mm);
+    auto clean = cleaned(scaled(std::move(mesh), mm_per_unit), design.object.clean);
     if (!clean) return tl::unexpected(clean.error());
     object.clean = std::move(clean->report);
-    if (clean->mesh.is_cloud()) return prepare_cloud(std::move(object), std::move(clean->mesh), design);
+    if (clean->mesh.is_cloud()) {
+        auto cloud = prepare_cloud(std::move(object), std::move(clean->mesh), design);
+        if (cloud) cloud->mesh.read = read;
+        return cloud;
+    }
     object.mesh = std::move(clean->mesh);
     object.measure = measure(object.mesh);
     object.parts =
@@ -153,6 +160,7 @@ Result<Object> prepare(Mesh mesh, const Design& design) {
         object.mesh = capped(object.mesh, object.measure.holes);
     else
         object.hole_spans = span_of_loops(object.mesh, object.measure.holes);
+    object.mesh.read = read;
     return object;
 }
 
@@ -229,6 +237,7 @@ Result<Packing> pack(const Object& object, const Design& design) {
     };
     steps.find_object_notes = [&](const Packing& packing, std::vector<Finding>& findings) {
         find_parts(object.measure, packing.placement, findings);
+        find_read_notes(object.mesh.read, 0, design.object.units, findings);
         find_dropped(object.clean, design.object.clean, findings);
         if (object.capped)
             findings.push_back(

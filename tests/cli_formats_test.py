@@ -216,6 +216,65 @@ class Formats(unittest.TestCase):
         write_3mf(path, vertices, triangles, "cubit")
         self.assertIn("cubit", self.refused(path))
 
+    def inspected(self, path):
+        done = snug("inspect", "--json", path)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(done.stdout)
+
+    def test_a_file_that_states_its_unit_takes_no_other(self):
+        vertices, triangles = l_shape()
+        inch, scene = self.folder / "inch.3mf", self.folder / "scene.glb"
+        write_3mf(inch, [tuple(x / 25.4 for x in v) for v in vertices], triangles, "inch")
+        scene.write_bytes(glb(*gltf(vertices, triangles, [{}])))
+        for path in (inch, scene):
+            for unit in ("in", "mm"):
+                for command in (("make", path, "-o", self.folder / "none", "--blocks", "auto", "--units", unit),
+                                ("cases", "--for", path, "--units", unit)):
+                    done = snug(*command)
+                    self.assertEqual(done.returncode, 1, done.stderr)
+                    self.assertIn("states its unit", done.stderr)
+            told = self.inspected(path)
+            self.assertIsNone(told["likely_unit"])
+            self.assertEqual(told["stated_unit"], "mm")
+            self.assertIn("the file states its unit", snug("inspect", path).stdout)
+            self.depths(path)
+            out = self.folder / ("out-" + path.name)
+            project = out / "project.snug.json"
+            size = json.loads((out / "report.json").read_text())["object"]["size_mm"]
+            # A project of before.
+            design = json.loads(project.read_text())
+            design["design"]["object"]["units"] = "in"
+            project.write_text(json.dumps(design))
+            done = snug("make", project, "--object", path, "-o", self.folder / "again", "--quiet")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            report = json.loads((self.folder / "again" / "report.json").read_text())
+            self.assertEqual(report["object"]["size_mm"], size)
+            self.assertIn("unit_stated", [finding["code"] for finding in report["findings"]])
+            self.depths(path, "--scale", "0.5")
+            half = json.loads((out / "report.json").read_text())["object"]["size_mm"]
+            for found, whole in zip(half, size):
+                self.assertAlmostEqual(found, whole / 2, 3)
+
+    def test_what_is_left_out_is_told(self):
+        square = "v 0 0 0\nv 60 0 0\nv 60 60 0\nv 0 60 9\n"
+        for name, text, word, severity in (
+                ("a.obj", square + "f 1 2 3\nf 1 3 4\nf 1 2\n", "1 of 3 faces", "danger"),
+                ("b.obj", square + "f 1 2 3\n" * 200 + "f 1\n", "1 of 201 faces", "warning"),
+                ("a.xyz", "nan nan nan\n" + "".join(f"{i % 10} {i // 10} 7\n" for i in range(60)), "1 of 61 points", "danger"),
+                ("a.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 60 0 0\nvertex 0 60 9\n"
+                          "endloop\nendfacet\n", "endsolid", "warning")):
+            path = self.folder / name
+            path.write_text(text)
+            [finding] = self.inspected(path)["findings"]
+            self.assertEqual(finding["severity"], severity)
+            self.assertIn(word, finding["message"])
+            self.assertIn(word, snug("inspect", path).stdout)
+            out = self.folder / ("out-" + name)
+            done = snug("make", path, "-o", out, "--units", "mm", "--blocks", "auto", "--quiet")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            report = json.loads((out / "report.json").read_text())
+            self.assertIn(finding, [{key: each[key] for key in finding} for each in report["findings"]])
+
     def test_what_is_not_read_says_what_to_export(self):
         for name, start, word in (("a.step", b"ISO-10303-21;\nHEADER;", "STEP"), ("a.e57", b"ASTM-E57", "E57"), ("a.las", b"LASF", "LAS"), ("a.fbx", b"Kaydara FBX Binary  ", "FBX"),
                                   ("a.blend", b"BLENDER-v300", "Blender")):

@@ -293,7 +293,7 @@ class CliTest(unittest.TestCase):
                  "lying.ply": (b"ply\nformat binary_little_endian 1.0\nelement vertex 4000000000\nproperty float x\n"
                                b"property float y\nproperty float z\nelement face 1\n"
                                b"property list uchar int vertex_indices\nend_header\n", ""),
-                 "nan.off": (TETRAHEDRON.replace("60 0 0", "nan 0 0").encode(), "line"),
+                 "nan.off": (TETRAHEDRON.replace("60 0 0", "nan 0 0").encode(), "3 of 4 faces"),
                  "index.obj": (b"v 0 0 0\nv 50 0 0\nv 0 50 0\nf 1 2 9\n", "9"),
                  "none.obj": (b"# nothing\n", ""), "text.txt": (b"Dear diary,\n", ""),
                  "project.snug.json": (b"{}", "snug is missing")}

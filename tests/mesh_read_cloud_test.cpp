@@ -49,9 +49,10 @@ TEST(ReadCloud, SaysWhatIsWrong) {
     expect_holds(refused_cloud("1,5;2,5;3,5\n"), "decimal commas");
     expect_holds(refused_cloud("1 2\n"), "line 1: a point needs three numbers x y z, and here are only 2");
     expect_holds(refused_cloud("1 2 3\n\n1 2 z\n"), "line 3: a point needs three numbers x y z, not \"z\"");
-    expect_holds(refused_cloud("1 2 inf\n"), "not \"inf\"");
-    expect_holds(refused_cloud("nan 2 3\n"), "not \"nan\"");
+    expect_holds(refused_cloud("1 2 inf\n"), "1 of 1 points have a coordinate that is not a number");
+    expect_holds(refused_cloud("nan 2 3\n1 nan 3\n4 5 6"), "2 of 3 points");
     expect_holds(refused_cloud("1 2 1e31\n"), "beyond 1e30");
+    expect_holds(refused_cloud("1 2 3..4\n"), "not \"3..4\"");
     expect_holds(refused_cloud("3\n1 2 3\n4 5 6\n"), "promises 3 points and has 2");
     expect_holds(refused_cloud("18446744073709551615\n1 2 3\n"), "line 1: ");
     expect_holds(refused_cloud("9223372036854775807\n1 2 3\n"), "too short");

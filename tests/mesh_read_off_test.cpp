@@ -52,7 +52,7 @@ TEST(ReadOff, EveryRelativeWithFurtherNumbersBehindTheVertex) {
         EXPECT_DOUBLE_EQ(area(mesh), 0.5);
     }
     expect_holds(refused("nOFF 3\n3 1 3\n"), "no kind of OFF");
-    expect_holds(refused("OFF\n3 1 3\n0 0 0\n1 inf 0\n0 1 0\n3 0 1 2\n"), "line 4: a vertex needs three");
+    expect_holds(refused("OFF\n3 1 3\n0 0 0\n1 x 0\n0 1 0\n3 0 1 2\n"), "line 4: a vertex needs three");
 }
 
 // 4294967299 and 4294967297 are 3 and 1 where sizes have 32 bits.

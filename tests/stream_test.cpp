@@ -191,10 +191,6 @@ TEST(Stream, PlyFilesThatCannotBeReadInPiecesSaySo) {
     EXPECT_NE(opened(binary + vertices + "end_header\n" + zeros).find("no triangles"), std::string::npos);
     EXPECT_NE(opened(binary + "element vertex 4294967295\nproperty uchar x\n" + faces).find("cut off"),
               std::string::npos);
-    std::string infinite = zeros;
-    infinite[35] = 0x7f, infinite[34] = static_cast<char>(0x80);
-    EXPECT_NE(opened(binary + vertices + faces + infinite + face(3, 2)).find("vertex 3 has a coordinate"),
-              std::string::npos);
 }
 
 TEST(Stream, SamplesAndSharedObjectsHaveTheFoamsThatTheyHaveInMemory) {
@@ -244,19 +240,62 @@ TEST(Stream, BadFilesAreSentences) {
         "   vertex 0 1 0\n  endloop\n endfacet\nendsolid thing\n";
     const auto* begin = reinterpret_cast<const std::byte*>(text.data());
     EXPECT_NE(opened(FileBytes(begin, begin + text.size())).find("--no-stream"), std::string::npos);
+}
 
-    // The first wrong triangle of the file is named, whoever meets it first.
-    const float infinite = std::numeric_limits<float>::infinity();
-    const std::size_t last = (good.size() - 84) / 50 - 1;
-    for (const std::size_t triangle : {last, last / 3})
-        std::memcpy(good.data() + 84 + 50 * triangle + 12, &infinite, 4);
-    const auto stream = TriangleStream::open(source_of(good));
-    ASSERT_TRUE(stream);
-    Design design;
-    design.object.units = Unit::mm;
-    const auto packed = pack_stream(*stream, design);
-    ASSERT_FALSE(packed);
-    EXPECT_EQ(packed.error().message, read_stl(good).error().message);
+/// Puts what is no place into corners of some of the triangles of a binary STL, or into vertices of a PLY.
+FileBytes with_bad_records(FileBytes bytes, std::size_t begin, std::size_t record, std::size_t count,
+                           std::size_t floats, double share, Random& random) {
+    for (std::size_t r = 0; r < count; ++r) {
+        if (!random.chance(share)) continue;
+        const float bad = random.chance(0.5) ? std::numeric_limits<float>::quiet_NaN() : -3e38f;
+        const std::size_t at = static_cast<std::size_t>(random.integer(0, static_cast<int>(floats) - 1));
+        std::memcpy(bytes.data() + begin + r * record + 4 * at, &bad, 4);
+    }
+    return bytes;
+}
+
+TEST(Stream, WhatIsLeftOutInPiecesIsLeftOutInMemory) {
+    for (int seed = 0; seed < 40; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random(static_cast<std::uint64_t>(seed));
+        Mesh mesh = test::random_design(random).mesh;
+        if (seed % 2 == 0)
+            for (Vec3f& v : mesh.vertices) v = v + Vec3f{5e4f, -3e4f, 2e4f};
+        const double share = seed % 10 == 9 ? 0.9 : 0.1;
+        const FileBytes stl =
+            with_bad_records(stl_of(mesh), 84 + 12, 50, mesh.triangles.size(), 9, share, random);
+        PlyStyle style{random.chance(0.5), false, false, 4};
+        FileBytes ply = PlyBytes(style).of(mesh, {});
+        const std::string_view text(reinterpret_cast<const char*>(ply.data()), ply.size());
+        const std::size_t begin = text.find("end_header\n") + 11;
+        for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+            if (!random.chance(0.03)) continue;
+            const double none = random.chance(0.5) ? std::numeric_limits<double>::quiet_NaN() : 2e30;
+            const auto small = static_cast<float>(none);
+            if (style.doubles) std::memcpy(ply.data() + begin + 24 * v + 8, &none, 8);
+            if (!style.doubles) std::memcpy(ply.data() + begin + 12 * v + 8, &small, 4);
+        }
+        const Design design = random_design_for(random);
+        for (const FileBytes& bytes : {stl, ply}) {
+            const auto whole = read_mesh(bytes, "object");
+            const auto stream = TriangleStream::open(source_of(bytes));
+            ASSERT_TRUE(stream) << stream.error().message;
+            const auto streamed = pack_stream(*stream, design);
+            if (!whole) {
+                ASSERT_FALSE(streamed);
+                EXPECT_EQ(streamed.error().message, whole.error().message);
+                continue;
+            }
+            expect_same(bytes, design);
+            if (!streamed) continue;
+            EXPECT_EQ(streamed->object.mesh.read.faces, whole->read.faces);
+            EXPECT_EQ(streamed->object.mesh.read.left_out_faces, whole->read.left_out_faces);
+            const auto told = [](const Finding& finding) { return finding.code == "left_out"; };
+            const auto& findings = streamed->packing.findings;
+            EXPECT_EQ(std::any_of(findings.begin(), findings.end(), told),
+                      streamed->packing.foams && whole->read.left_out_faces > 0);
+        }
+    }
 }
 
 TEST(Stream, AFileThatShrinksAndACancelledPassEndWithTheirError) {

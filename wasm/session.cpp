@@ -27,12 +27,13 @@ const Error kNotOfClouds{ErrorKind::usage,
                          "gaps, undercuts and what the object lies on are not known of a point cloud"};
 const Error kNoFoams{ErrorKind::usage, "there are no foams yet that could be measured"};
 
-bool asks_for_unit(const Box3d& box, const Design& design) {
-    return box.longest_side() > 0 && !design.object.units && !design.object.longest_mm;
+bool asks_for_unit(const Mesh& mesh, const Box3d& box, const Design& design) {
+    return !mesh.read.in_mm && box.longest_side() > 0 && !design.object.units && !design.object.longest_mm;
 }
 
 Object unscaled(const Mesh& mesh) {
     Object object;
+    object.mesh.read = mesh.read;
     if (mesh.is_cloud()) object.kind = ObjectKind::cloud;
     object.read_vertices = mesh.vertices.size();
     object.read_triangles = mesh.triangles.size();
@@ -71,7 +72,7 @@ val Session::load(const val& bytes, const std::string& name, const std::string& 
     if (!mesh) return to_val(mesh.error());
     const Box3d box = bounds(*mesh);
     auto object = prepare(*mesh, *design);
-    if (!object && !asks_for_unit(box, *design)) return to_val(object.error());
+    if (!object && !asks_for_unit(*mesh, box, *design)) return to_val(object.error());
 
     search_.reset();
     map_.reset();
@@ -88,7 +89,8 @@ val Session::load(const val& bytes, const std::string& name, const std::string& 
 
 std::optional<Error> Session::prepare_for(const Design& design) {
     if (!read_) return kNoObject;
-    if (object_ && options_ == design.object) return implausible_size(box_.size(), design);
+    if (object_ && options_ == design.object)
+        return object_->mesh.read.in_mm ? std::nullopt : implausible_size(box_.size(), design);
     auto object = prepare(*read_, design);
     if (!object) return object.error();
     search_.reset();
@@ -105,7 +107,7 @@ val Session::describe(const std::string& design_text) {
     if (!design) return to_val(design.error());
     const auto error = prepare_for(*design);
     if (!error) return to_val(*object_, box_.size(), {});
-    if (!read_ || !asks_for_unit(box_, *design)) return to_val(*error);
+    if (!read_ || !asks_for_unit(*read_, box_, *design)) return to_val(*error);
     return to_val(unscaled(*read_), box_.size(), error);
 }
 

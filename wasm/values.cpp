@@ -173,6 +173,7 @@ val to_val(const Object& object, Vec3d file_size, const std::optional<Error>& re
     result.set("triangles", object.read_triangles);
     result.set("fileSize", to_val(file_size));
     result.set("size_mm", refused ? val::null() : to_val(measure.bounds.size()));
+    result.set("statesUnit", object.mesh.read.in_mm);
     result.set("sizeProblem", refused ? val(refused->message) : val::null());
     result.set("cloud", object.kind == ObjectKind::cloud);
     result.set("watertight", measure.watertight);

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include <fast_float/fast_float.h>
 
 #include "snug/base/text.h"
+#include "snug/base/utf16.h"
 
 namespace snug {
 namespace {
@@ -168,6 +170,8 @@ std::string field_text(const std::optional<double>& value) {
 
 CaseList parse_cases(std::string_view text) {
     CaseList list;
+    const auto decoded = utf8_of_utf16(std::as_bytes(std::span(text)));
+    if (decoded) text = *decoded;
     if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
     std::vector<std::string> columns;
     std::size_t unnamed = 0;

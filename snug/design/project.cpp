@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "snug/base/text.h"
+#include "snug/base/utf16.h"
 #include "snug/design/fit_json.h"
 #include "snug/design/json_reader.h"
 #include "snug/design/workshop_json.h"
@@ -253,6 +255,8 @@ std::string project_json(const Project& project) {
 }
 
 Result<Project> parse_project(std::string_view text) {
+    const auto decoded = utf8_of_utf16(std::as_bytes(std::span(text)));
+    if (decoded) text = *decoded;
     const auto json = parse_json(text, ErrorKind::input);
     if (!json) return tl::unexpected(json.error());
     JsonReader reader(*json, "");

@@ -134,6 +134,7 @@ Result<StreamedBounds> streamed_bounds(const TriangleStream& stream, const FileT
     const auto done = stream.pass(
         [&](std::span<const Corners> piece, std::size_t worker) {
             StreamedBounds own = workers[worker];
+            own.triangles += piece.size();
             for_groups(piece, [&](std::span<const Corners> group) {
                 const Box3d box = box_of(group);
                 own.file.include(box);
@@ -150,6 +151,7 @@ Result<StreamedBounds> streamed_bounds(const TriangleStream& stream, const FileT
     for (const StreamedBounds& own : workers) {
         all.file.include(own.file);
         all.turned.include(own.turned);
+        all.triangles += own.triangles;
     }
     return all;
 }

@@ -29,8 +29,9 @@ struct FileToObject {
 
 /// What one pass over a file tells.
 struct StreamedBounds {
-    Box3d file;    ///< of the coordinates as the file has them
-    Box3d turned;  ///< of the object's, turned
+    Box3d file;                   ///< of the coordinates as the file has them
+    Box3d turned;                 ///< of the object's, turned
+    std::uint64_t triangles = 0;  ///< those that are usable
 };
 [[nodiscard]] Result<StreamedBounds> streamed_bounds(const TriangleStream& stream, const FileToObject& object,
                                                      const Rotation& rotation, const Progress& progress = {});

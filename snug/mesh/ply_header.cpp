@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "snug/base/text.h"
+#include "snug/mesh/ply_names.h"
 #include "snug/mesh/text_scan.h"
 
 namespace snug {
@@ -42,13 +43,12 @@ class HeaderReader {
                 good = read_element();
             } else if (word == "property") {
                 good = read_property();
-            } else if (!(word.empty() || word == "comment" || word == "obj_info" || word == "end_header")) {
-                good = refuse(quoted(word) + " does not belong into a PLY header");
             }
             if (!good) return tl::unexpected(error_);
         }
         if (!has_format) return fail(ErrorKind::input, "the PLY header has no line \"format\"");
         header_.lines = text_.line() - 1;
+        use_known_names(header_);
         return std::move(header_);
     }
 
@@ -72,7 +72,8 @@ class HeaderReader {
     }
 
     bool read_element() {
-        PlyElement element{std::string(text_.word('\0')), 0, {}};
+        PlyElement element;
+        element.name = text_.word('\0');
         const std::string_view shown = text_.word('\0');
         std::int64_t count = 0;
         if (!to_number(shown, count) || count < 0) return refuse(quoted(shown) + " is no number of elements");

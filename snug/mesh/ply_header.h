@@ -21,10 +21,17 @@ struct PlyProperty {
     std::optional<PlyType> count_type;  ///< set for lists
 };
 
+/// Which properties of a face hold its corners: a list, or several numbers one after the other.
+struct PlyCorners {
+    std::size_t first = 0;
+    std::size_t count = 0;  ///< of the properties; 0 where there are none
+};
+
 struct PlyElement {
-    std::string name;
+    std::string name;  ///< as the format has it ("vertex", "face") where the file has another word for it
     std::uint64_t count = 0;  ///< fits the file, unless there are no properties
     std::vector<PlyProperty> properties;
+    PlyCorners corners;  ///< of elements "face" and "tristrips"
 
     /// The place of a property, or properties.size().
     [[nodiscard]] std::size_t find(std::string_view property) const;
@@ -39,7 +46,8 @@ struct PlyHeader {
     std::size_t lines = 0;  ///< of the header
 };
 
-/// Fails with the line that is wrong; counts that the file is too short for are refused.
+/// Fails with the line that is wrong; counts that the file is too short for are refused. Lines that begin
+/// with an unknown word are passed over.
 [[nodiscard]] Result<PlyHeader> read_ply_header(Bytes file);
 /// The same of a file's beginning, as much of it as kLongestPlyHeader or all, and the size of the whole.
 [[nodiscard]] Result<PlyHeader> read_ply_header(Bytes beginning, std::uint64_t file_size);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cmath>
 #include <limits>
 #include <memory>
 #include <mutex>
@@ -13,6 +12,7 @@
 
 #include "snug/base/box.h"
 #include "snug/base/text.h"
+#include "snug/mesh/left_out.h"
 #include "snug/mesh/ply_header.h"
 #include "snug/mesh/ply_values.h"
 #include "snug/mesh/raw_mesh.h"
@@ -35,8 +35,8 @@ struct Layout {
     bool swapped = false;
     Records vertices, faces;
     std::array<Field, 3> coordinate;
-    Field corner_count;  ///< of a face
-    Field corners;       ///< the first of three
+    std::optional<Field> corner_count;  ///< of a face, where it has a list
+    std::array<Field, 3> corners;
 
     /// x, y and z one after the other, as nearly all programs write vertices.
     [[nodiscard]] bool plain_floats() const {
@@ -45,7 +45,7 @@ struct Layout {
     }
     /// As nearly all programs write faces: a byte and three little-endian 32-bit numbers.
     [[nodiscard]] bool usual() const {
-        return !swapped && size_of(corner_count.type) == 1 && size_of(corners.type) == 4;
+        return !swapped && corner_count && size_of(corner_count->type) == 1 && size_of(corners[0].type) == 4;
     }
 };
 
@@ -59,11 +59,12 @@ std::string shown_as(const PlyElement& element) {
 
 /// Bytes of a record; faces are taken to be triangles. None where a list of another kind makes records
 /// uneven.
-std::optional<std::size_t> record_size(const PlyElement& element, std::size_t corners) {
+std::optional<std::size_t> record_size(const PlyElement& element) {
     std::size_t size = 0;
     for (std::size_t i = 0; i < element.properties.size(); ++i) {
         const PlyProperty& property = element.properties[i];
-        if (property.count_type && i != corners) return {};
+        const bool corners = element.corners.count == 1 && element.corners.first == i;
+        if (property.count_type && !corners) return {};
         size += property.count_type ? size_of(*property.count_type) + 3 * size_of(property.type)
                                     : size_of(property.type);
     }
@@ -86,15 +87,22 @@ Result<void> take_vertices(const PlyElement& element, const Records& records, La
     return {};
 }
 
-Result<void> take_faces(const PlyElement& element, std::size_t corners, const Records& records,
-                        Layout& layout) {
-    const PlyProperty& list = element.properties[corners];
-    if (!list.count_type || !is_integer(list.type))
-        return refuse("the " + list.name + " of this PLY are no list of whole numbers");
-    // Only what stands before the list counts here, and none of that is a list.
-    layout.corner_count = {field_at(element, corners).at, *list.count_type};
-    layout.corners = {layout.corner_count.at + size_of(*list.count_type), list.type};
+Result<void> take_faces(const PlyElement& element, const Records& records, Layout& layout) {
+    const auto [first, count] = element.corners;
+    const PlyProperty& list = element.properties[first];
     layout.faces = records;
+    if (count == 1) {
+        if (!list.count_type || !is_integer(list.type))
+            return refuse("the " + list.name + " of this PLY are no list of whole numbers");
+        // Only what stands before the list counts here, and none of that is a list.
+        layout.corner_count = Field{field_at(element, first).at, *list.count_type};
+        const std::size_t at = layout.corner_count->at + size_of(*list.count_type);
+        for (std::size_t i = 0; i < 3; ++i) layout.corners[i] = {at + i * size_of(list.type), list.type};
+        return {};
+    }
+    if (count != 3)
+        return refuse("faces of more than three corners are not read in pieces: export triangles");
+    for (std::size_t i = 0; i < 3; ++i) layout.corners[i] = field_at(element, first + i);
     return {};
 }
 
@@ -107,12 +115,10 @@ Result<Layout> layout_of(const PlyHeader& header, std::uint64_t file_size) {
     layout.swapped = header.encoding == PlyEncoding::big_endian;
     std::uint64_t at = header.bytes;
     for (const PlyElement& element : header.elements) {
-        std::size_t corners = element.find("vertex_indices");
-        if (corners == element.properties.size()) corners = element.find("vertex_index");
-        if (element.name == "tristrips" && corners < element.properties.size())
+        if (element.name == "tristrips" && element.corners.count > 0)
             return refuse("triangle strips are not read in pieces: export the PLY with plain faces");
-        const bool faces = element.name == "face" && corners < element.properties.size();
-        const auto size = record_size(element, faces ? corners : element.properties.size());
+        const bool faces = element.corners.count > 0;
+        const auto size = record_size(element);
         if (!size)
             return refuse(shown_as(element) + " has lists, so it is not read in pieces: leave them out");
         const Records records{at, *size == 0 ? 0 : element.count, std::max<std::size_t>(*size, 1)};
@@ -123,7 +129,7 @@ Result<Layout> layout_of(const PlyHeader& header, std::uint64_t file_size) {
         at = records.end();
         Result<void> taken;
         if (element.name == "vertex") taken = take_vertices(element, records, layout);
-        if (faces) taken = take_faces(element, corners, records, layout);
+        if (faces) taken = take_faces(element, records, layout);
         if (!taken) return tl::unexpected(taken.error());
     }
     if (layout.vertices.bytes == 0) return refuse("the PLY has no element \"vertex\" with x, y and z");
@@ -143,52 +149,49 @@ class PlyTriangles {
     /// The corners of one face.
     [[nodiscard]] static Result<std::array<std::uint32_t, 3>> indices(const Layout& layout, Bytes record,
                                                                       std::uint64_t number) {
-        BinaryPlyValues values(record.subspan(layout.corner_count.at), layout.swapped);
-        std::int64_t count = 0;
-        (void)values.next_whole(layout.corner_count.type, count);
+        std::int64_t count = 3;
+        if (layout.corner_count) count = whole_at(layout, record, *layout.corner_count);
         if (count != 3)
             return refuse("face " + grouped(number + 1) + " has " + std::to_string(count) +
                           " corners: only triangles are read in pieces; export the mesh with triangles, or "
                           "read it whole with "
                           "--no-stream");
         std::array<std::uint32_t, 3> corners;
-        for (std::uint32_t& corner : corners) {
-            std::int64_t value = 0;
-            (void)values.next_whole(layout.corners.type, value);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::int64_t value = whole_at(layout, record, layout.corners[i]);
             if (value < 0 || static_cast<std::uint64_t>(value) >= layout.vertices.count)
                 return tl::unexpected(ply_wrong_index("face", number, value, layout.vertices.count));
-            corner = static_cast<std::uint32_t>(value);
+            corners[i] = static_cast<std::uint32_t>(value);
         }
         return corners;
     }
 
-    Result<void> operator()(const RecordPiece& piece, std::span<TriangleStream::Corners> corners) const {
+    Result<std::size_t> operator()(const RecordPiece& piece,
+                                   std::span<TriangleStream::Corners> corners) const {
         for (std::size_t f = usual_faces(piece, corners); f < piece.count; ++f) {
             const Bytes record = piece.bytes.subspan(f * layout_.faces.bytes, layout_.faces.bytes);
             const auto index = indices(layout_, record, piece.first + f);
             if (!index) return tl::unexpected(index.error());
-            for (std::size_t i = 0; i < 3; ++i) {
-                const Vec3f p = vertices_[(*index)[i]];
-                if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
-                    return refuse("vertex " + grouped(std::uint64_t{(*index)[i]} + 1) +
-                                  " has a coordinate that is not a number, or beyond 1e30: repair or "
-                                  "export it again");
-                corners[f][i] = p;
-            }
+            for (std::size_t i = 0; i < 3; ++i) corners[f][i] = vertices_[(*index)[i]];
         }
-        return {};
+        return usable_first(corners);
     }
 
   private:
+    static std::int64_t whole_at(const Layout& layout, Bytes record, Field field) {
+        std::int64_t value = 0;
+        (void)BinaryPlyValues(record.subspan(field.at), layout.swapped).next_whole(field.type, value);
+        return value;
+    }
+
     /// The quick way for what nearly all files hold. Ends at the first face that needs a closer look.
     std::size_t usual_faces(const RecordPiece& piece, std::span<TriangleStream::Corners> corners) const {
         if (!layout_.usual()) return 0;
-        const std::byte* at = piece.bytes.data() + layout_.corner_count.at;
+        const std::byte* at = piece.bytes.data() + layout_.corner_count->at;
         for (std::size_t f = 0; f < piece.count; ++f, at += layout_.faces.bytes) {
             const std::uint32_t a = read_u32(at + 1), b = read_u32(at + 5), c = read_u32(at + 9);
             if (at[0] != std::byte{3} || std::max({a, b, c}) >= vertices_.size()) return f;
             corners[f] = {vertices_[a], vertices_[b], vertices_[c]};
-            if (!all_finite(corners.subspan(f, 1))) return f;
         }
         return piece.count;
     }
@@ -225,10 +228,26 @@ Result<void> pass_vertices(const ByteSource& source, const Layout& layout, const
         progress);
 }
 
-/// The origin that a mesh in memory would have: of the vertices that triangles use.
-Result<Vec3d> used_origin(const ByteSource& source, const Layout& layout, const Progress& progress) {
-    constexpr std::uint32_t kBits = 32;
-    std::vector<std::atomic<std::uint32_t>> used(static_cast<std::size_t>(layout.vertices.count / kBits + 1));
+/// One bit for each vertex, set from several threads.
+class VertexSet {
+  public:
+    explicit VertexSet(std::uint64_t count) : words_(static_cast<std::size_t>(count / kBits + 1)) {}
+    void insert(std::size_t v) {
+        words_[v / kBits].fetch_or(std::uint32_t{1} << v % kBits, std::memory_order_relaxed);
+    }
+    [[nodiscard]] bool holds(std::size_t v) const {
+        return (words_[v / kBits].load(std::memory_order_relaxed) >> v % kBits & 1) != 0;
+    }
+
+  private:
+    static constexpr std::uint32_t kBits = 32;
+    std::vector<std::atomic<std::uint32_t>> words_;
+};
+
+/// The vertices of all faces that have none in `unusable`.
+Result<VertexSet> used_vertices(const ByteSource& source, const Layout& layout, const VertexSet& unusable,
+                                const Progress& progress) {
+    VertexSet used(layout.vertices.count);
     const auto marked = pass_records(
         source, layout.faces,
         [&](const RecordPiece& piece) -> Result<void> {
@@ -236,32 +255,66 @@ Result<Vec3d> used_origin(const ByteSource& source, const Layout& layout, const 
                 const Bytes record = piece.bytes.subspan(f * layout.faces.bytes, layout.faces.bytes);
                 const auto corners = PlyTriangles::indices(layout, record, piece.first + f);
                 if (!corners) return tl::unexpected(corners.error());
-                for (const std::uint32_t v : *corners)
-                    used[v / kBits].fetch_or(std::uint32_t{1} << v % kBits, std::memory_order_relaxed);
+                const auto& [a, b, c] = *corners;
+                if (unusable.holds(a) || unusable.holds(b) || unusable.holds(c)) continue;
+                for (const std::uint32_t v : *corners) used.insert(v);
             }
             return {};
         },
-        part_of(progress, 0, 0.6));
+        progress);
     if (!marked) return tl::unexpected(marked.error());
+    return used;
+}
+
+/// The box of the vertices in `used`; puts those that are not usable() into `unusable` and says whether there
+/// are any.
+struct UsedBox {
     Box3d box;
+    bool whole = true;
+};
+Result<UsedBox> box_of_used(const ByteSource& source, const Layout& layout, const VertexSet& used,
+                            VertexSet& unusable, const Progress& progress) {
+    UsedBox result;
     std::mutex joining;
     const auto measured = pass_records(
         source, layout.vertices,
         [&](const RecordPiece& piece) -> Result<void> {
-            Box3d own;
+            UsedBox own;
             for (std::size_t i = 0; i < piece.count; ++i) {
                 const auto v = static_cast<std::size_t>(piece.first + i);
-                if ((used[v / kBits].load(std::memory_order_relaxed) >> v % kBits & 1) == 0) continue;
-                own.include(
-                    position(layout, piece.bytes.subspan(i * layout.vertices.bytes, layout.vertices.bytes)));
+                if (!used.holds(v)) continue;
+                const Vec3d p =
+                    position(layout, piece.bytes.subspan(i * layout.vertices.bytes, layout.vertices.bytes));
+                if (usable(p)) {
+                    own.box.include(p);
+                } else {
+                    own.whole = false;
+                    unusable.insert(v);
+                }
             }
             const std::lock_guard lock(joining);
-            box.include(own);
+            result.box.include(own.box);
+            result.whole = result.whole && own.whole;
             return {};
         },
-        part_of(progress, 0.6, 1));
+        progress);
     if (!measured) return tl::unexpected(measured.error());
-    return origin_for(box);
+    return result;
+}
+
+/// The origin that a mesh in memory would have: of the vertices that triangles use. Where some of these are
+/// no places, another round leaves out their triangles.
+Result<Vec3d> used_origin(const ByteSource& source, const Layout& layout, const Progress& progress) {
+    VertexSet unusable(layout.vertices.count);
+    for (const auto& [from, to] : {std::pair{0.0, 0.5}, {0.5, 1.0}}) {
+        const double middle = 0.5 * (from + to);
+        const auto used = used_vertices(source, layout, unusable, part_of(progress, from, middle));
+        if (!used) return tl::unexpected(used.error());
+        const auto measured = box_of_used(source, layout, *used, unusable, part_of(progress, middle, to));
+        if (!measured) return tl::unexpected(measured.error());
+        if (measured->whole) return origin_for(measured->box);
+    }
+    return Vec3d{};
 }
 
 }  // namespace
@@ -284,7 +337,9 @@ Result<TriangleStream> open_ply_stream(ByteSource source, const Progress& progre
     std::vector<Vec3f> vertices(static_cast<std::size_t>(layout->vertices.count));
     const auto kept =
         pass_vertices(source, *layout, part_of(progress, 0.6, 1), [&](std::uint64_t v, Vec3d p) {
-            vertices[static_cast<std::size_t>(v)] = vec_cast<float>(p - origin);
+            constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+            vertices[static_cast<std::size_t>(v)] =
+                usable(p) ? vec_cast<float>(p - origin) : Vec3f{kNone, kNone, kNone};
         });
     if (!kept) return tl::unexpected(kept.error());
     // Shared, so that copies of the stream do not copy the vertices.

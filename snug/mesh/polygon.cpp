@@ -183,6 +183,11 @@ bool clip_where_a_fan_would_leave(RawMeshOf<T>& mesh, std::span<const std::uint3
 
 template <class T>
 void append_polygon(RawMeshOf<T>& mesh, std::span<const std::uint32_t> corners) {
+    const auto wrong = [&](std::uint32_t v) { return !usable(mesh.vertices[v]); };
+    if (corners.size() < 3 || (corners.size() > 3 && std::any_of(corners.begin(), corners.end(), wrong))) {
+        ++mesh.read.left_out_faces;
+        return;
+    }
     if (corners.size() > 3 && corners.size() <= kMostCornersToClip &&
         clip_where_a_fan_would_leave(mesh, corners))
         return;

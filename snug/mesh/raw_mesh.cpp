@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "snug/base/box.h"
@@ -33,9 +34,31 @@ void drop_unused(RawMeshOf<T>& raw) {
         for (std::uint32_t& v : triangle) v = number[v];
 }
 
-bool usable(Vec3d p) {
-    const auto one = [](double value) { return std::fabs(value) <= kGreatestCoordinate; };
-    return one(p.x) && one(p.y) && one(p.z);
+/// None where a vertex is not usable.
+template <class T>
+std::optional<Box3d> box_of(const std::vector<Vec3<T>>& vertices) {
+    Box3d box;
+    for (const Vec3<T>& v : vertices) {
+        const Vec3d p = vec_cast<double>(v);
+        if (!usable(p)) return {};
+        box.include(p);
+    }
+    return box;
+}
+
+template <class T>
+void leave_out_triangles(RawMeshOf<T>& raw) {
+    const auto wrong = [&](const Triangle& triangle) {
+        return std::any_of(triangle.begin(), triangle.end(),
+                           [&](std::uint32_t v) { return !usable(raw.vertices[v]); });
+    };
+    raw.read.left_out_faces += std::erase_if(raw.triangles, wrong);
+    drop_unused(raw);
+}
+
+template <class T>
+void leave_out_points(RawMeshOf<T>& raw) {
+    raw.read.left_out_points += std::erase_if(raw.vertices, [](Vec3<T> p) { return !usable(p); });
 }
 
 std::vector<Vec3f> relative_to(Vec3d origin, std::vector<Vec3d> vertices) {
@@ -51,22 +74,13 @@ std::vector<Vec3f> relative_to(Vec3d origin, std::vector<Vec3f> vertices) {
     return vertices;
 }
 
-/// `noun` and `which` name a vertex that is wrong.
 template <class T>
-Result<Mesh> recentred(RawMeshOf<T> raw, const std::string& noun, const std::string& which) {
-    Box3d box;
-    for (std::size_t v = 0; v < raw.vertices.size(); ++v) {
-        const Vec3d p = vec_cast<double>(raw.vertices[v]);
-        if (!usable(p))
-            return fail(ErrorKind::input, noun + " " + grouped(v + 1) + which +
-                                              " has a coordinate that is not a number, "
-                                              "or beyond 1e30: repair or export it again");
-        box.include(p);
-    }
+Mesh recentred(RawMeshOf<T> raw, const Box3d& box) {
     Mesh mesh;
     mesh.origin = origin_for(box);
     mesh.vertices = relative_to(mesh.origin, std::move(raw.vertices));
     mesh.triangles = std::move(raw.triangles);
+    mesh.read = raw.read;
     return mesh;
 }
 
@@ -81,17 +95,24 @@ Vec3d origin_for(const Box3d& box) {
 
 template <class T>
 Result<Mesh> finish(RawMeshOf<T> raw) {
-    if (raw.triangles.empty() && raw.vertices.empty())
+    if (raw.read.faces == 0) raw.read.faces = raw.triangles.size() + raw.read.left_out_faces;
+    if (raw.read.faces == 0 && raw.vertices.empty())
         return fail(ErrorKind::input, "there are no triangles in this file");
-    if (raw.triangles.empty())
+    if (raw.read.faces == 0)
         return fail(ErrorKind::input,
                     "there are " + counted(raw.vertices.size(), "point", "points") +
                         " but no triangles: this is a point cloud; make a mesh of it first");
     if (raw.vertices.size() > kMostVertices)
         return fail(ErrorKind::input, "there are more than 2^32 - 2 vertices");
     drop_unused(raw);
-
-    return recentred(std::move(raw), "vertex", " of those that triangles use");
+    auto box = box_of(raw.vertices);
+    if (!box) {
+        leave_out_triangles(raw);
+        box = box_of(raw.vertices);
+    }
+    if (auto error = too_much_left_out(raw.read)) return tl::unexpected(std::move(*error));
+    if (raw.triangles.empty()) return fail(ErrorKind::input, "there are no triangles in this file");
+    return recentred(std::move(raw), *box);
 }
 
 template <class T>
@@ -99,7 +120,14 @@ Result<Mesh> finish_cloud(RawMeshOf<T> raw) {
     if (raw.vertices.empty()) return fail(ErrorKind::input, "there are no points in this file");
     if (raw.vertices.size() > kMostVertices)
         return fail(ErrorKind::input, "there are more than 2^32 - 2 points");
-    return recentred(std::move(raw), "point", "");
+    const std::size_t points = raw.vertices.size();
+    auto box = box_of(raw.vertices);
+    if (!box) {
+        leave_out_points(raw);
+        box = box_of(raw.vertices);
+    }
+    if (auto error = too_much_left_out(raw.read, points)) return tl::unexpected(std::move(*error));
+    return recentred(std::move(raw), *box);
 }
 
 template Result<Mesh> finish_cloud(RawMeshOf<float>);

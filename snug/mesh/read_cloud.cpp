@@ -18,7 +18,7 @@ constexpr std::size_t kLeastPoint = 6;  // bytes: three digits, each with what e
 constexpr std::size_t kLongestShown = 40;
 
 bool is_blank(char c) {
-    return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+    return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\0' || c == '\x1a';
 }
 
 /// The first words of a line and how its columns stand apart.
@@ -30,8 +30,12 @@ struct Columns {
     bool blanks_alone = false;  ///< somewhere nothing but blanks stands between two columns
 };
 
+/// 1.#QNAN is how old C libraries write what is no number, and no comment.
 std::string_view without_comment(std::string_view line) {
-    return line.substr(0, std::min(line.find('#'), line.find("//")));
+    std::size_t mark = line.find('#');
+    while (mark != std::string_view::npos && mark > 0 && line[mark - 1] == '.')
+        mark = line.find('#', mark + 1);
+    return line.substr(0, std::min(mark, line.find("//")));
 }
 
 Columns columns_of(std::string_view line) {
@@ -91,10 +95,6 @@ std::string ambiguity(const Columns& columns) {
            "decimal points";
 }
 
-bool ends_with(std::string_view name, std::string_view lower) {
-    return name.size() >= lower.size() && same_word(name.substr(name.size() - lower.size()), lower);
-}
-
 }  // namespace
 
 Result<Mesh> read_xyz(Bytes file) {
@@ -119,7 +119,8 @@ Result<Mesh> read_xyz(Bytes file) {
             return fail(ErrorKind::input, lines.place() + wrong);
         Vec3d p;
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            if (axis < columns.count && to_number(columns.word[axis], p[static_cast<int>(axis)])) continue;
+            if (axis < columns.count && to_coordinate(columns.word[axis], p[static_cast<int>(axis)]))
+                continue;
             const std::string found = axis < columns.count
                                           ? ", not " + quoted(columns.word[axis].substr(0, kLongestShown))
                                           : ", and here are only " + std::to_string(columns.count);
@@ -132,13 +133,6 @@ Result<Mesh> read_xyz(Bytes file) {
                                           " points and has " + grouped(raw.vertices.size()) +
                                           "; copy or export it again");
     return finish_cloud(std::move(raw));
-}
-
-Result<Mesh> read_mesh_or_cloud(Bytes file, std::string_view name) {
-    const bool named_cloud = ends_with(name, ".xyz") || ends_with(name, ".pts");
-    const auto format = mesh_format(file, name);
-    if (!format) return named_cloud && !file.empty() ? read_xyz(file) : tl::unexpected(format.error());
-    return *format == MeshFormat::ply ? read_ply_or_cloud(file) : read_mesh(file, name);
 }
 
 }  // namespace snug

@@ -3,6 +3,7 @@
 #include "snug/base/text.h"
 #include "snug/mesh/raw_mesh.h"
 #include "snug/mesh/read.h"
+#include "snug/mesh/read_cloud.h"
 #include "snug/mesh/text_scan.h"
 
 namespace snug {
@@ -65,7 +66,7 @@ class ObjReader {
         mesh_.triangles.reserve(std::min(counts.faces, most));
     }
 
-    Result<Mesh> read() {
+    Result<Mesh> read(bool as_cloud) {
         for (; !text_.at_end(); text_.next_line()) {
             Statement statement(text_);
             const std::string_view keyword = statement.word();
@@ -73,12 +74,19 @@ class ObjReader {
                 if (!read_vertex(statement)) return tl::unexpected(error_);
             } else if (keyword == "f" || keyword == "fo") {
                 if (!read_face(statement)) return tl::unexpected(error_);
+            } else if (keyword == "l" || keyword == "curv" || keyword == "surf") {
+                has_curves_ = true;
             }
         }
         if (!highest_is_known()) return tl::unexpected(error_);
         for (const Polygon& polygon : waiting_)
             append_polygon(mesh_, std::span(waiting_corners_).subspan(polygon.first, polygon.count));
-        return finish(std::move(mesh_));
+        const bool points_alone = mesh_.read.faces == 0 && !mesh_.vertices.empty();
+        if (points_alone && has_curves_)
+            return fail(ErrorKind::input,
+                        "there are lines, curves or free-form surfaces but no faces: export the object as a "
+                        "mesh of triangles");
+        return points_alone && as_cloud ? finish_cloud(std::move(mesh_)) : finish(std::move(mesh_));
     }
 
   private:
@@ -96,7 +104,7 @@ class ObjReader {
         for (int axis = 0; axis < 3; ++axis) {
             if (text_.plain_number(p[axis])) continue;
             const std::string_view word = statement.word();
-            if (!to_number(word, p[axis]))
+            if (!to_coordinate(word, p[axis]))
                 return refuse(text_.place() + "a vertex needs three numbers, not " + quoted(word));
         }
         mesh_.vertices.push_back(p);
@@ -106,6 +114,8 @@ class ObjReader {
     /// Faces may come before their vertices, so positive indices are checked at the end.
     bool read_face(Statement& statement) {
         corners_.clear();
+        const std::uint32_t highest_before = highest_;
+        const std::size_t highest_line_before = highest_line_;
         for (;;) {
             std::uint32_t number = 0;
             if (text_.plain_whole(number, '/')) {
@@ -123,9 +133,14 @@ class ObjReader {
                               counted(mesh_.vertices.size(), "vertex", "vertices") + " before it");
             add_corner(static_cast<std::uint32_t>(index < 0 ? known + index : index - 1));
         }
-        if (corners_.size() < 3)
-            return refuse(text_.place() + "a face has only " + counted(corners_.size(), "corner", "corners"));
-        append_or_wait();
+        ++mesh_.read.faces;
+        if (corners_.size() >= 3) {
+            append_or_wait();
+        } else {
+            ++mesh_.read.left_out_faces;
+            highest_ = highest_before;
+            highest_line_ = highest_line_before;
+        }
         return true;
     }
 
@@ -166,13 +181,18 @@ class ObjReader {
     std::vector<std::uint32_t> waiting_corners_;
     std::uint32_t highest_ = 0;
     std::size_t highest_line_ = 0;
+    bool has_curves_ = false;
     Error error_;
 };
 
 }  // namespace
 
 Result<Mesh> read_obj(Bytes file) {
-    return ObjReader(file).read();
+    return ObjReader(file).read(false);
+}
+
+Result<Mesh> read_obj_or_cloud(Bytes file) {
+    return ObjReader(file).read(true);
 }
 
 }  // namespace snug

@@ -31,20 +31,21 @@ class PlyReader {
         for (const Faces& faces : early_faces_) {
             element_ = faces.element;
             values_ = faces.values;
-            if (!read_faces(faces.list)) return tl::unexpected(error_);
+            if (!read_faces()) return tl::unexpected(error_);
         }
         if (has_wrong_index_) return tl::unexpected(wrong_index_);
-        if (as_cloud && mesh_.triangles.empty()) return finish_cloud(std::move(mesh_));
+        if (as_cloud && mesh_.read.faces == 0) return finish_cloud(std::move(mesh_));
         return finish(std::move(mesh_));
     }
+
+    [[nodiscard]] Values& values() { return values_; }
 
   private:
     /// Faces that come before vertices, and those after them, since triangles keep the order of the file:
     /// read once to get past them, and again when all vertices are known.
     struct Faces {
         const PlyElement* element;
-        std::size_t list;  ///< the property that holds the corners
-        Values values;     ///< at the first of them
+        Values values;  ///< at the first of them
     };
 
     bool refuse(const std::string& message) {
@@ -63,15 +64,24 @@ class PlyReader {
 
     bool read_element(const PlyElement& element) {
         if (element.name == "vertex") return read_vertices(element);
-        if (element.name == "face" || element.name == "tristrips") {
-            std::size_t list = element.find("vertex_indices");
-            if (list == element.properties.size()) list = element.find("vertex_index");
-            if (list < element.properties.size()) return read_or_pass_faces(element, list);
-        }
-        for (std::size_t i = 0; i < element.count; ++i)
+        if (element.corners.count > 0) return read_or_pass_faces(element);
+        for (std::size_t i = 0; i < element.count; ++i) {
+            values_.begin_record();
             for (const PlyProperty& property : element.properties)
                 if (!skip(property)) return cut_off(i);
+            end_record(i);
+        }
         return true;
+    }
+
+    void end_record(std::size_t number) {
+        values_.end_record([&] {
+            std::uint64_t left = element_->count - number - 1;
+            const PlyElement* const end = header_.elements.data() + header_.elements.size();
+            for (const PlyElement* later = element_ + 1; later < end; ++later)
+                if (!later->properties.empty()) left += later->count;
+            return left;
+        });
     }
 
     bool skip(const PlyProperty& property) {
@@ -101,50 +111,58 @@ class PlyReader {
         mesh_.vertices.reserve(mesh_.vertices.size() + static_cast<std::size_t>(element.count));
         for (std::size_t v = 0; v < element.count; ++v) {
             Vec3<Coordinate> p;
+            values_.begin_record();
             for (std::size_t i = 0; i < axis_of.size(); ++i) {
                 const PlyProperty& property = element.properties[i];
                 if (axis_of[i] < 0 ? !skip(property) : !values_.next(property.type, p[axis_of[i]]))
                     return cut_off(v);
             }
+            end_record(v);
             mesh_.vertices.push_back(p);
         }
         return true;
     }
 
-    bool read_or_pass_faces(const PlyElement& element, std::size_t list) {
-        if (!element.properties[list].count_type || !is_integer(element.properties[list].type))
-            return refuse("the " + element.properties[list].name +
-                          " of this PLY are no list of whole numbers");
+    bool read_or_pass_faces(const PlyElement& element) {
+        const PlyProperty& first = element.properties[element.corners.first];
+        if (element.corners.count == 1 && (!first.count_type || !is_integer(first.type)))
+            return refuse("the " + first.name + " of this PLY are no list of whole numbers");
         const bool last_vertices_are_known =
             std::none_of(&element, header_.elements.data() + header_.elements.size(),
                          [](const PlyElement& later) { return later.name == "vertex"; });
-        if (last_vertices_are_known && early_faces_.empty()) return read_faces(list);
-        early_faces_.push_back({&element, list, values_});
+        if (last_vertices_are_known && early_faces_.empty()) return read_faces();
+        early_faces_.push_back({&element, values_});
         passing_ = true;
-        const bool good = read_faces(list);
+        const bool good = read_faces();
         passing_ = false;
         return good;
     }
 
-    bool read_faces(std::size_t list) {
-        const std::vector<PlyProperty>& properties = element_->properties;
+    bool read_faces() {
+        const auto [first, count] = element_->corners;
+        const std::size_t properties = element_->properties.size();
         const bool strips = element_->name == "tristrips";
         if (!passing_)
             mesh_.triangles.reserve(
                 mesh_.triangles.size() +
                 std::min(static_cast<std::size_t>(element_->count), values_.left() / kLeastTriangle));
         for (std::size_t f = 0; f < element_->count; ++f) {
-            for (std::size_t i = 0; i < properties.size(); ++i)
-                if (i == list ? !read_corners(properties[i]) : !skip(properties[i])) return cut_off(f);
+            corners_.clear();
+            values_.begin_record();
+            for (std::size_t i = 0; i < properties; ++i) {
+                const PlyProperty& property = element_->properties[i];
+                if (i - first < count ? !read_corners(property) : !skip(property)) return cut_off(f);
+            }
+            end_record(f);
             if (!passing_ && !has_wrong_index_) append_face(f, strips);
         }
         return true;
     }
 
+    /// Of a list, or one corner of those that stand by themselves.
     bool read_corners(const PlyProperty& property) {
-        std::size_t length = 0;
-        if (!read_list_length(property, length)) return false;
-        corners_.clear();
+        std::size_t length = 1;
+        if (property.count_type && !read_list_length(property, length)) return false;
         for (std::size_t c = 0; c < length; ++c) {
             std::int64_t corner = 0;
             if (!values_.next_whole(property.type, corner)) return false;
@@ -170,10 +188,9 @@ class PlyReader {
             }
             polygon_.push_back(static_cast<std::uint32_t>(corner));
         }
-        if (strip)
-            append_strip();
-        else if (polygon_.size() >= 3)
-            append_polygon(mesh_, polygon_);
+        if (strip) return append_strip();
+        ++mesh_.read.faces;
+        append_polygon(mesh_, polygon_);
     }
 
     /// Every second triangle of a strip runs the other way; those that repeat a vertex only steer the strip.
@@ -181,6 +198,7 @@ class PlyReader {
         for (std::size_t i = 0; i + 2 < polygon_.size(); ++i) {
             const std::uint32_t a = polygon_[i], b = polygon_[i + 1], c = polygon_[i + 2];
             if (a == b || b == c || c == a) continue;
+            ++mesh_.read.faces;
             mesh_.triangles.push_back(i % 2 == 0 ? Triangle{a, b, c} : Triangle{b, a, c});
         }
     }
@@ -199,12 +217,23 @@ class PlyReader {
     Error error_;
 };
 
+/// Where lines seem to hold more than the header says, they may as well be broken anywhere: that is tried,
+/// too, unless all is as it should be.
+Result<Mesh> read_text(const PlyHeader& header, Bytes data, bool as_cloud) {
+    using Values = AsciiPlyValues;
+    PlyReader<Values, double> by_lines(header, Values(data, header.lines));
+    Result<Mesh> mesh = by_lines.read(as_cloud);
+    if (!by_lines.values().by_lines() || (mesh && by_lines.values().used_up())) return mesh;
+    PlyReader<Values, double> by_words(header, Values(data, header.lines, Values::Lines::do_not_count));
+    Result<Mesh> other = by_words.read(as_cloud);
+    return other ? other : mesh;
+}
+
 Result<Mesh> read(Bytes file, bool as_cloud) {
     const auto header = read_ply_header(file);
     if (!header) return tl::unexpected(header.error());
     const Bytes data = file.subspan(std::min(header->bytes, file.size()));
-    if (header->encoding == PlyEncoding::ascii)
-        return PlyReader<AsciiPlyValues, double>(*header, AsciiPlyValues(data, header->lines)).read(as_cloud);
+    if (header->encoding == PlyEncoding::ascii) return read_text(*header, data, as_cloud);
     const BinaryPlyValues values(data, header->encoding == PlyEncoding::big_endian);
     return has_float_vertices(*header) ? PlyReader<BinaryPlyValues, float>(*header, values).read(as_cloud)
                                        : PlyReader<BinaryPlyValues, double>(*header, values).read(as_cloud);

@@ -1,8 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -38,39 +38,33 @@ inline void copy_stl_corners(const std::byte* facet, std::array<Vec3f, 3>& corne
     std::memcpy(corners.data(), facet + 12, sizeof corners);
 }
 
-/// False where a coordinate is not finite.
-[[nodiscard]] inline bool read_stl_corners(const std::byte* facet, std::array<Vec3f, 3>& corners) {
-    const std::byte* at = facet + 12;  // behind the normal
-    for (Vec3f& p : corners) {
-        p = {read_f32(at), read_f32(at + 4), read_f32(at + 8)};
-        if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z)) return false;
-        at += 12;
-    }
-    return true;
-}
-
-/// Whether no exponent is full. Bits instead of floats, which the compiler turns into vector instructions.
-[[nodiscard]] inline bool all_finite(std::span<const std::array<Vec3f, 3>> corners) {
-    constexpr std::uint32_t kExponent = 0x7f80'0000;
+/// Whether every corner is usable() (left_out.h). Bits instead of floats, which the compiler turns into
+/// vector instructions.
+[[nodiscard]] inline bool all_usable(std::span<const std::array<Vec3f, 3>> corners) {
+    constexpr std::uint32_t kMagnitude = 0x7fff'ffff;
+    constexpr std::uint32_t kGreatest = 0x7149'f2c9;  // of the last float below kGreatestCoordinate
     std::uint32_t wrong = 0;
     for (const std::array<Vec3f, 3>& triangle : corners) {
         std::array<std::uint32_t, 9> bits;
         static_assert(sizeof bits == sizeof triangle);
         std::memcpy(bits.data(), &triangle, sizeof bits);
-        for (const std::uint32_t each : bits) wrong |= (each & kExponent) == kExponent;
+        for (const std::uint32_t each : bits) wrong |= (each & kMagnitude) > kGreatest;
     }
     return wrong == 0;
+}
+
+/// Moves the usable ones to the front, in their order, and counts them.
+[[nodiscard]] inline std::size_t usable_first(std::span<std::array<Vec3f, 3>> corners) {
+    if (all_usable(corners)) return corners.size();
+    const auto end = std::remove_if(corners.begin(), corners.end(), [](const std::array<Vec3f, 3>& each) {
+        return !all_usable(std::span(&each, 1));
+    });
+    return static_cast<std::size_t>(end - corners.begin());
 }
 
 [[nodiscard]] inline Error stl_cut_off(std::uint64_t count, std::uint64_t held) {
     return {ErrorKind::input, "the file is cut off: it says " + counted(count, "triangle", "triangles") +
                                   " but holds " + grouped(held) + "; copy or export it again"};
-}
-
-[[nodiscard]] inline Error stl_not_finite(std::uint64_t triangle, std::uint64_t count) {
-    return {ErrorKind::input, "triangle " + grouped(triangle + 1) + " of " + grouped(count) +
-                                  " has a coordinate that is not a finite number: repair or export the mesh "
-                                  "again"};
 }
 
 }  // namespace snug

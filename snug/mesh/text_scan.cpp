@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include <fast_float/fast_float.h>
 
@@ -11,6 +12,19 @@ namespace {
 std::string_view without_plus(std::string_view word) {
     if (word.size() > 1 && word[0] == '+' && word[1] != '-' && word[1] != '+') word.remove_prefix(1);
     return word;
+}
+
+/// Old C libraries write 1.#IND, 1.#QNAN0 and 1.#INF.
+bool says_no_number(std::string_view word) {
+    word = without_plus(word);
+    if (word.empty()) return false;
+    double value = 0;
+    const char* end = word.data() + word.size();
+    const auto [stop, error] = fast_float::from_chars(word.data(), end, value);
+    if (stop == end) return error == std::errc::result_out_of_range || !std::isfinite(value);
+    if (word[0] == '-') word.remove_prefix(1);
+    return word.substr(0, 3) == "1.#" || same_word(word, "na") || same_word(word, "n/a") ||
+           same_word(word, "qnan") || same_word(word, "snan");
 }
 
 }  // namespace
@@ -35,6 +49,13 @@ bool to_number(std::string_view word, double& value) {
     if (!word.empty() && to_plain_number(word.data(), end, value) == end) return true;
     const auto [stop, error] = fast_float::from_chars(word.data(), end, value);
     return error == std::errc() && stop == end && !word.empty() && std::isfinite(value);
+}
+
+bool to_coordinate(std::string_view word, double& value) {
+    if (to_number(word, value)) return true;
+    if (!says_no_number(word)) return false;
+    value = std::numeric_limits<double>::quiet_NaN();
+    return true;
 }
 
 bool to_number(std::string_view word, std::int64_t& value) {

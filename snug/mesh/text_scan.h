@@ -13,7 +13,9 @@ enum class CharKind : std::uint8_t { in_word, blank, line_end };
 
 inline constexpr std::array<CharKind, 256> kCharKinds = [] {
     std::array<CharKind, 256> kinds{};
-    for (const char c : {' ', '\t', '\v', '\f', '\0'}) kinds[static_cast<unsigned char>(c)] = CharKind::blank;
+    // 0x1a is the end of a text for old systems, which some programs still write.
+    for (const char c : {' ', '\t', '\v', '\f', '\0', '\x1a'})
+        kinds[static_cast<unsigned char>(c)] = CharKind::blank;
     for (const char c : {'\n', '\r'}) kinds[static_cast<unsigned char>(c)] = CharKind::line_end;
     return kinds;
 }();
@@ -127,6 +129,10 @@ class TextScan {
 /// The whole word as a finite number; a leading + is allowed.
 [[nodiscard]] bool to_number(std::string_view word, double& value);
 [[nodiscard]] bool to_number(std::string_view word, std::int64_t& value);
+
+/// As to_number(), and true as well for what programs write where a coordinate is no number (nan, -inf,
+/// -nan(ind), 1.#QNAN, 1e999, na): `value` is NaN then.
+[[nodiscard]] bool to_coordinate(std::string_view word, double& value);
 
 /// Case of ASCII letters ignored; `lower` must be in lower case.
 [[nodiscard]] bool same_word(std::string_view word, std::string_view lower);

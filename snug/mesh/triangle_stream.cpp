@@ -42,14 +42,11 @@ Result<TriangleStream> open_stl(ByteSource source) {
     if (const auto foreign = count == 0 ? foreign_format(header) : std::nullopt)
         return tl::unexpected(*foreign);
     if (count == 0) return fail(ErrorKind::input, "there are no triangles in this file");
-    const auto decode = [count](const RecordPiece& piece,
-                                std::span<TriangleStream::Corners> corners) -> Result<void> {
+    const auto decode = [](const RecordPiece& piece,
+                           std::span<TriangleStream::Corners> corners) -> Result<std::size_t> {
         for (std::size_t t = 0; t < piece.count; ++t)
             copy_stl_corners(piece.bytes.data() + t * kStlFacet, corners[t]);
-        if (all_finite(corners)) return {};
-        std::size_t wrong = 0;
-        while (all_finite(corners.subspan(wrong, 1))) ++wrong;
-        return tl::unexpected(stl_not_finite(piece.first + wrong, count));
+        return usable_first(corners);
     };
     return TriangleStream(std::move(source), {kStlHeader, count, kStlFacet}, decode);
 }
@@ -73,8 +70,9 @@ Result<void> TriangleStream::pass(const std::function<void(std::span<const Corne
         [&](const RecordPiece& piece) -> Result<void> {
             std::vector<Corners>& corners = rooms[piece.worker];
             corners.resize(piece.count);
-            if (auto done = decode_(piece, corners); !done) return done;
-            visit(corners, piece.worker);
+            const auto usable = decode_(piece, corners);
+            if (!usable) return tl::unexpected(usable.error());
+            if (*usable > 0) visit(std::span(corners).first(*usable), piece.worker);
             return {};
         },
         progress);

@@ -22,8 +22,9 @@ namespace snug {
 class TriangleStream {
   public:
     using Corners = std::array<Vec3f, 3>;  ///< relative to origin()
-    /// Turns records into corners, or says what is wrong with the first that is wrong.
-    using Decode = std::function<Result<void>(const RecordPiece&, std::span<Corners>)>;
+    /// Turns records into corners, and says how many: those with a corner that is not usable() (left_out.h)
+    /// are left out. Or says what is wrong with the first that is wrong.
+    using Decode = std::function<Result<std::size_t>(const RecordPiece&, std::span<Corners>)>;
 
     /// Reads the header, and a PLY's vertices. Fails (kind `input`) where it is no file of these kinds, with
     /// what to do, and where it is cut off.
@@ -32,15 +33,16 @@ class TriangleStream {
     TriangleStream(ByteSource source, Records records, Decode decode)
         : source_(std::move(source)), records_(records), decode_(std::move(decode)) {}
 
+    /// As many as the file has; pass() may leave some out.
     [[nodiscard]] std::uint64_t triangles() const { return records_.count; }
     /// As many as the file has; none where its triangles share none, as an STL's.
     [[nodiscard]] std::optional<std::uint64_t> vertices() const { return vertices_; }
     /// Zero, unless the file's numbers are more exact than a float: then as a mesh in memory has it.
     [[nodiscard]] Vec3d origin() const { return origin_; }
 
-    /// Shows all triangles to `visit` in pieces, in any order and on several threads; `worker` as in
-    /// parallel_for_workers(). Fails with the first triangle of the file that is wrong, where reading fails,
-    /// and when cancelled.
+    /// Shows all triangles that are usable to `visit` in pieces, in any order and on several threads;
+    /// `worker` as in parallel_for_workers(). Fails with the first triangle of the file that is wrong, where
+    /// reading fails, and when cancelled.
     [[nodiscard]] Result<void> pass(
         const std::function<void(std::span<const Corners> piece, std::size_t worker)>& visit,
         const Progress& progress = {}) const;

@@ -36,6 +36,19 @@ inline Mesh tetrahedron() {
         {{0, 0, 0}, {60, 0, 0}, {0, 60, 0}, {0, 0, 60}}, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}, {}};
 }
 
+/// Latin-1 text in UTF-16, with a byte order mark if wanted.
+inline std::string utf16(const std::string& text, bool big, bool mark) {
+    std::string wide;
+    const auto put = [&](unsigned unit) {
+        const char low = static_cast<char>(unit & 0xff), high = static_cast<char>(unit >> 8);
+        wide += big ? high : low;
+        wide += big ? low : high;
+    };
+    if (mark) put(0xfeff);
+    for (const char c : text) put(static_cast<unsigned char>(c));
+    return wide;
+}
+
 /// A binary STL.
 inline std::string stl_of(const Mesh& mesh) {
     const FileBytes file = write_stl(mesh.vertices, mesh.triangles, "t");
