@@ -44,8 +44,8 @@ Result<Measured> measured(const TriangleStream& stream, const Design& design, co
     if (!by_length) result.to_object.factor = millimetres_per_unit({}, design.object);
     auto bounds = streamed_bounds(stream, result.to_object, rotation, part_of(progress, 0, 0.5));
     if (!bounds) return tl::unexpected(bounds.error());
-    result.read.faces = stream.triangles();
-    result.read.left_out_faces = stream.triangles() - bounds->triangles;
+    result.read.faces = static_cast<std::size_t>(stream.triangles());
+    result.read.left_out_faces = static_cast<std::size_t>(stream.triangles() - bounds->triangles);
     if (auto error = too_much_left_out(result.read)) return tl::unexpected(std::move(*error));
     const Vec3d origin = origin_for(bounds->file);
     result.box = relative_to(origin, bounds->file);

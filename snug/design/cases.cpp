@@ -170,7 +170,7 @@ std::string field_text(const std::optional<double>& value) {
 
 CaseList parse_cases(std::string_view text) {
     CaseList list;
-    const auto decoded = utf8_of_utf16(std::as_bytes(std::span(text)));
+    const auto decoded = utf8_of_utf16(std::as_bytes(std::span(text.data(), text.size())));
     if (decoded) text = *decoded;
     if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
     std::vector<std::string> columns;

@@ -255,7 +255,7 @@ std::string project_json(const Project& project) {
 }
 
 Result<Project> parse_project(std::string_view text) {
-    const auto decoded = utf8_of_utf16(std::as_bytes(std::span(text)));
+    const auto decoded = utf8_of_utf16(std::as_bytes(std::span(text.data(), text.size())));
     if (decoded) text = *decoded;
     const auto json = parse_json(text, ErrorKind::input);
     if (!json) return tl::unexpected(json.error());

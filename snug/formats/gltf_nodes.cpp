@@ -73,32 +73,33 @@ Result<Nodes> Nodes::open(const Json& scene) {
 }
 
 Result<void> Nodes::link() {
-    for (std::uint64_t node = 0; node < parent_.size(); ++node) {
+    for (std::size_t node = 0; node < parent_.size(); ++node) {
         const Json& children = field(json(node), "children");
         for (std::uint64_t i = 0; i < count_of(children); ++i) {
             const auto child = whole_value(item(children, i), "children");
             if (!child) return tl::unexpected(child.error());
             if (*child >= parent_.size()) return tl::unexpected(missing_node(*child));
-            std::uint64_t& parent = parent_[static_cast<std::size_t>(*child)];
+            const auto of = static_cast<std::size_t>(*child);
+            std::size_t& parent = parent_[of];
             if (parent == parent_.size())
                 parent = node;
             else if (parent != node)
-                further_parents_[*child].push_back(node);
+                further_parents_[of].push_back(node);
         }
     }
     return {};
 }
 
-Result<Affine> Nodes::first_world(std::uint64_t node) {
-    std::vector<std::uint64_t> path;
-    for (std::uint64_t at = node; at != parent_.size() && state_[at] != State::known; at = parent_[at]) {
+Result<Affine> Nodes::first_world(std::size_t node) {
+    std::vector<std::size_t> path;
+    for (std::size_t at = node; at != parent_.size() && state_[at] != State::known; at = parent_[at]) {
         if (state_[at] == State::on_the_way)
             return refuse("its node " + grouped(at) + " lies within itself: export it again");
         state_[at] = State::on_the_way;
         path.push_back(at);
     }
     for (; !path.empty(); path.pop_back()) {
-        const std::uint64_t at = path.back(), parent = parent_[at];
+        const std::size_t at = path.back(), parent = parent_[at];
         const auto own = local(json(at));
         if (!own) return own;
         world_[at] = parent == parent_.size() ? *own : world_[parent] * *own;
@@ -107,15 +108,16 @@ Result<Affine> Nodes::first_world(std::uint64_t node) {
     return world_[node];
 }
 
-Result<Affine> Nodes::world(std::uint64_t node) {
-    if (node >= parent_.size()) return tl::unexpected(missing_node(node));
+Result<Affine> Nodes::world(std::uint64_t number) {
+    if (number >= parent_.size()) return tl::unexpected(missing_node(number));
+    const auto node = static_cast<std::size_t>(number);
     auto place = first_world(node);
     if (!place) return place;
     const auto further = further_parents_.find(node);
     if (further == further_parents_.end()) return place;
     const auto first = first_world(parent_[node]);
     if (!first) return first;
-    for (const std::uint64_t parent : further->second) {
+    for (const std::size_t parent : further->second) {
         const auto other = first_world(parent);
         if (!other) return other;
         if (!(*other == *first))
@@ -126,11 +128,11 @@ Result<Affine> Nodes::world(std::uint64_t node) {
     return place;
 }
 
-Result<std::vector<std::uint64_t>> Nodes::roots() {
-    std::vector<std::uint64_t> roots;
+Result<std::vector<std::size_t>> Nodes::roots() {
+    std::vector<std::size_t> roots;
     const Json& scenes = field(*scene_, "scenes");
     if (count_of(scenes) == 0) {
-        for (std::uint64_t node = 0; node < parent_.size(); ++node)
+        for (std::size_t node = 0; node < parent_.size(); ++node)
             if (parent_[node] == parent_.size()) roots.push_back(node);
         return roots;
     }
@@ -140,29 +142,30 @@ Result<std::vector<std::uint64_t>> Nodes::roots() {
         return refuse("it opens with scene " + grouped(*which) + ", which it does not have: export it again");
     const Json& nodes = field(item(scenes, *which), "nodes");
     for (std::uint64_t i = 0; i < count_of(nodes); ++i) {
-        const auto node = whole_value(item(nodes, i), "nodes");
-        if (!node) return tl::unexpected(node.error());
-        if (*node >= parent_.size()) return tl::unexpected(missing_node(*node));
-        if (const std::uint64_t parent = parent_[*node]; parent != parent_.size()) {
+        const auto number = whole_value(item(nodes, i), "nodes");
+        if (!number) return tl::unexpected(number.error());
+        if (*number >= parent_.size()) return tl::unexpected(missing_node(*number));
+        const auto node = static_cast<std::size_t>(*number);
+        if (const std::size_t parent = parent_[node]; parent != parent_.size()) {
             const auto within = world(parent);
             if (!within) return tl::unexpected(within.error());
             if (!(*within == Affine{}))
-                return refuse("its scene lists node " + grouped(*node) + ", which node " + grouped(parent) +
+                return refuse("its scene lists node " + grouped(node) + ", which node " + grouped(parent) +
                               " moves as well: export it again");
         }
-        roots.push_back(*node);
+        roots.push_back(node);
     }
     return roots;
 }
 
-Result<std::vector<std::uint64_t>> Nodes::shown() {
+Result<std::vector<std::size_t>> Nodes::shown() {
     auto waiting = roots();
     if (!waiting) return waiting;
     std::reverse(waiting->begin(), waiting->end());
-    std::vector<std::uint64_t> shown;
+    std::vector<std::size_t> shown;
     std::vector<std::uint8_t> seen(parent_.size(), 0);
     while (!waiting->empty()) {
-        const std::uint64_t node = waiting->back();
+        const std::size_t node = waiting->back();
         waiting->pop_back();
         if (seen[node] != 0) continue;
         seen[node] = 1;
@@ -170,7 +173,7 @@ Result<std::vector<std::uint64_t>> Nodes::shown() {
         shown.push_back(node);
         const Json& children = field(json(node), "children");
         for (std::uint64_t i = count_of(children); i-- > 0;)
-            waiting->push_back(*whole_value(item(children, i), "children"));
+            waiting->push_back(static_cast<std::size_t>(*whole_value(item(children, i), "children")));
     }
     return shown;
 }

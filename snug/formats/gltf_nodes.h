@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <vector>
@@ -25,19 +26,19 @@ class Nodes {
     /// named, all where there is no scene. Fails where the scene lists a node that also lies within another
     /// which moves it: viewers do not agree on that either. KHR_node_visibility hides a node and what lies
     /// below it.
-    [[nodiscard]] Result<std::vector<std::uint64_t>> shown();
+    [[nodiscard]] Result<std::vector<std::size_t>> shown();
     [[nodiscard]] const Json& json(std::uint64_t node) const { return item(*nodes_, node); }
 
   private:
     explicit Nodes(const Json& scene);
     [[nodiscard]] Result<void> link();
-    [[nodiscard]] Result<Affine> first_world(std::uint64_t node);
-    [[nodiscard]] Result<std::vector<std::uint64_t>> roots();
+    [[nodiscard]] Result<Affine> first_world(std::size_t node);
+    [[nodiscard]] Result<std::vector<std::size_t>> roots();
 
     const Json* scene_;
     const Json* nodes_;
-    std::vector<std::uint64_t> parent_;  ///< the first; count of nodes for none
-    std::map<std::uint64_t, std::vector<std::uint64_t>> further_parents_;
+    std::vector<std::size_t> parent_;  ///< the first; count of nodes for none
+    std::map<std::size_t, std::vector<std::size_t>> further_parents_;
     enum class State : std::uint8_t { unknown, on_the_way, known };
     std::vector<State> state_;
     std::vector<Affine> world_;  ///< where known
