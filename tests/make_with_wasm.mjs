@@ -8,7 +8,7 @@ const [wasmFolder, objectPath, projectPath, folder] = process.argv.slice(2);
 const {default: createSnug} = await import(join(wasmFolder, 'snug.mjs'));
 const snug = await createSnug({wasmBinary: readFileSync(join(wasmFolder, 'snug.wasm'))});
 
-const result = snug.make(readFileSync(objectPath), readFileSync(projectPath, 'utf8'));
+const result = snug.make(readFileSync(objectPath), readFileSync(projectPath, 'utf8'), null);
 if (result.error) {
   console.error(result.error);
   process.exit(1);

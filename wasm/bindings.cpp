@@ -4,9 +4,10 @@
 #include <emscripten/bind.h>
 
 #include "snug/fabricate/mesh_files.h"
-#include "snug/mesh/read_cloud.h"
+#include "snug/formats/read_object.h"
 #include "snug/mesh/samples.h"
 
+#include "wasm/scene_tools.h"
 #include "wasm/session.h"
 #include "wasm/values.h"
 
@@ -62,10 +63,10 @@ val sample_file(const std::string& name) {
     return to_val(OutputFile{name + ".ply", write_ply(mesh->vertices, mesh->triangles, {})});
 }
 
-val make(const val& object_bytes, const std::string& project_text) {
+val make(const val& object_bytes, const std::string& project_text, const val& tools) {
     const auto project = parse_project(project_text);
     if (!project) return to_val(project.error());
-    auto mesh = read_mesh_or_cloud(bytes_from(object_bytes), project->object.name);
+    auto mesh = read_object(bytes_from(object_bytes), project->object.name, scene_tools_from(tools));
     if (!mesh) return to_val(mesh.error());
     const auto object = prepare(std::move(*mesh), project->design);
     if (!object) return to_val(object.error());

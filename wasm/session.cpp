@@ -5,12 +5,13 @@
 #include <utility>
 
 #include "snug/base/stopwatch.h"
+#include "snug/formats/read_object.h"
 #include "snug/mesh/measure.h"
-#include "snug/mesh/read_cloud.h"
 #include "snug/search/rank_cases.h"
 #include "snug/search/search_design.h"
 #include "snug/workshop.h"
 
+#include "wasm/scene_tools.h"
 #include "wasm/workshop_values.h"
 
 namespace snug::wasm {
@@ -65,10 +66,11 @@ val make_files(const Object& object, const Project& project, const Progress& pro
     return result;
 }
 
-val Session::load(const val& bytes, const std::string& name, const std::string& design_text) {
+val Session::load(const val& bytes, const std::string& name, const std::string& design_text,
+                  const val& tools) {
     const auto design = parse_design(design_text);
     if (!design) return to_val(design.error());
-    auto mesh = read_mesh_or_cloud(bytes_from(bytes), name);
+    auto mesh = read_object(bytes_from(bytes), name, scene_tools_from(tools));
     if (!mesh) return to_val(mesh.error());
     const Box3d box = bounds(*mesh);
     auto object = prepare(*mesh, *design);

@@ -22,8 +22,8 @@ namespace snug::wasm {
 class Session {
   public:
     /// Reads a file and makes it the object. An implausible size is no failure: the object is kept, and its
-    /// size_mm is null until a design chooses the unit.
-    val load(const val& bytes, const std::string& name, const std::string& design);
+    /// size_mm is null until a design chooses the unit. `tools`: what scenes need (scene_tools.h).
+    val load(const val& bytes, const std::string& name, const std::string& design, const val& tools);
     /// What the design's object options make of the object that is loaded.
     val describe(const std::string& design);
     /// The object in mm, before the placement; as the file has it while it has no size in mm. {positions,

@@ -38,6 +38,7 @@ describe('an object', () => {
       triangles: 12,
       fileSize: [120, 80, 60],
       size_mm: [120, 80, 60],
+      statesUnit: false,
       sizeProblem: null,
       watertight: true,
       holes: 0,

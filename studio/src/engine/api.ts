@@ -2,6 +2,8 @@
 // the page holds the design. Lengths in mm, angles in degrees, design coordinates as the library has them: x is
 // the insertion axis and points up, the space is centred at the origin.
 
+import type {BesideFile} from './scene_tools';
+
 export type Triple = [number, number, number];
 
 /** Everything that a user chooses: the `design` of a project file, field for field (snug/design/design.h). */
@@ -173,10 +175,14 @@ export interface ObjectPart {
 
 export interface ObjectInfo {
   file: ObjectFile;
+  /** Names of the files beside it that it was read with, such as a .gltf's .bin. */
+  beside: string[];
   vertices: number;
   triangles: number;
   /** In the unit of the file. */
   fileSize: Triple;
+  /** The format says which unit its lengths are in, so none can be chosen: fileSize is in mm. */
+  statesUnit: boolean;
   /** What the design makes of it; null while the size is implausible and no unit is chosen. */
   size_mm: Triple | null;
   /** Why size_mm is null: the library's sentence. */
@@ -317,10 +323,15 @@ export interface Engine {
   samples(): Promise<string[]>;
   /** One of them as a file for load(), the same bytes as `snug sample NAME -o NAME.ply`. */
   sampleFile(name: string): Promise<OutputFile | Failure>;
-  /** Reads, measures and keeps the object (STL, OBJ, PLY, OFF; others go through convert.ts first); a failed
-   *  load keeps the last good object. An implausible size is no failure: size_mm is null then, and pack() says
-   *  why it cannot. `bytes` stays the caller's. */
-  load(name: string, bytes: ArrayBuffer | Blob, object: Design['object']): Promise<ObjectInfo | Failure>;
+  /** Reads, measures and keeps the object (every format that the library reads); a failed load keeps the last good
+   *  object. An implausible size is no failure: size_mm is null then, and pack() says why it cannot. `bytes` stays the
+   *  caller's; `beside`: files that a scene may need, such as a .gltf's .bin. */
+  load(
+    name: string,
+    bytes: ArrayBuffer | Blob,
+    object: Design['object'],
+    beside?: readonly BesideFile[],
+  ): Promise<ObjectInfo | Failure>;
   /** Ends load() and everything else that the object is asked for, at once: they give a Failure of kind `cancelled`, and
    *  the last good object is read again. */
   stopReading(): Promise<void>;

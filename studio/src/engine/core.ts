@@ -18,6 +18,7 @@ import type {
 } from './api';
 import {simplified} from './display_mesh';
 import {brokenModule, isFailure} from './failure';
+import {SceneToolbox, type BesideFile} from './scene_tools';
 
 // Often enough for a progress bar.
 const PROGRESS_EVERY_MS = 50;
@@ -27,6 +28,7 @@ export class EngineCore {
   readonly #snug: SnugModule;
   readonly #session: Session;
   #file: Promise<ObjectFile> = Promise.resolve({name: '', bytes: 0, sha256: ''});
+  #beside: string[] = [];
   #stepping = 0;
 
   constructor(snug: SnugModule) {
@@ -54,19 +56,28 @@ export class EngineCore {
     return guarded(() => this.#snug.sampleFile(name));
   }
 
-  async load(name: string, content: Blob, object: Design['object']): Promise<ObjectInfo | Failure> {
+  async load(
+    name: string,
+    content: Blob,
+    object: Design['object'],
+    beside: readonly BesideFile[] = [],
+  ): Promise<ObjectInfo | Failure> {
     const bytes = new Uint8Array(await content.arrayBuffer());
     const design = JSON.stringify({...(await this.defaultDesign()), object});
-    const info = guarded(() => this.#session.load(bytes, name, design));
+    const box = new SceneToolbox(beside);
+    const read = () => guarded(() => this.#session.load(bytes, name, design, box.tools));
+    let info = read();
+    while (isFailure(info) && info.kind === 'input' && (await box.fetchMissing())) info = read();
     if (isFailure(info)) return info;
+    this.#beside = box.used;
     this.#stepping++;
     this.#file = sha256(bytes).then((hash) => ({name: withoutFolders(name), bytes: bytes.length, sha256: hash}));
-    return {file: await this.#file, ...info};
+    return {file: await this.#file, beside: this.#beside, ...info};
   }
 
   async reprepare(design: Design): Promise<ObjectInfo | Failure> {
     const info = guarded(() => this.#session.describe(JSON.stringify(design)));
-    return isFailure(info) ? info : {file: await this.#file, ...info};
+    return isFailure(info) ? info : {file: await this.#file, beside: this.#beside, ...info};
   }
 
   async displayMesh(mostTriangles: number): Promise<DisplayMesh | Failure> {

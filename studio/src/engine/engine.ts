@@ -19,6 +19,7 @@ import type {EngineCore} from './core';
 import {brokenModule, failure, isFailure} from './failure';
 import {latest} from './latest';
 import {firstMakeLine} from './make_line';
+import type {BesideFile} from './scene_tools';
 
 /** A core somewhere else, as a rule in a worker. */
 export interface CoreHandle {
@@ -57,6 +58,13 @@ function startWorker(): CoreHandle {
 const CANCELLED = failure('cancelled', 'cancelled');
 const SUPERSEDED = failure('cancelled', 'a newer request took its place');
 
+interface Kept {
+  name: string;
+  content: Blob;
+  options: Design['object'];
+  beside: readonly BesideFile[];
+}
+
 /** Two cores: one answers while sliders move; the other, started when it is first needed, does what takes long,
  *  so that the first stays free and the second can be ended in the middle. */
 class PageEngine implements Engine {
@@ -69,7 +77,7 @@ class PageEngine implements Engine {
   /** How often a reading was stopped. */
   #stops = 0;
   /** What a new core needs. A Blob lies outside the page's memory. */
-  #object: {name: string; content: Blob; options: Design['object']} | null = null;
+  #object: Kept | null = null;
   #packed: Design | null = null;
   #displayMeshes = new Map<number, Promise<DisplayMesh>>();
   #defaults: Design | null = null;
@@ -94,19 +102,24 @@ class PageEngine implements Engine {
     return this.#quickly((core) => core.projectText(plain)).then((answer) => orThrow(answer).text);
   };
 
-  async load(name: string, bytes: ArrayBuffer | Blob, object: Design['object']): Promise<ObjectInfo | Failure> {
+  async load(
+    name: string,
+    bytes: ArrayBuffer | Blob,
+    object: Design['object'],
+    beside: readonly BesideFile[] = [],
+  ): Promise<ObjectInfo | Failure> {
     const options = copied(object);
     const content = bytes instanceof Blob ? bytes : new Blob([bytes]);
     const stops = this.#stops;
     await this.#restored;
     // Stopped while it waited for its turn.
     if (stops !== this.#stops) return CANCELLED;
-    const answer = await this.#quickly((core) => core.load(name, content, options)).catch((reason: unknown) =>
+    const answer = await this.#quickly((core) => core.load(name, content, options, beside)).catch((reason: unknown) =>
       failure('input', `${name}: cannot be read (${reason instanceof Error ? reason.message : String(reason)})`),
     );
     if (isFailure(answer)) return answer.kind === 'memory' ? this.#tooLarge(name, options) : answer;
     this.#endSlow();
-    this.#object = {name, content, options};
+    this.#object = {name, content, options, beside};
     this.#packed = null;
     this.#displayMeshes.clear();
     return answer;
@@ -249,7 +262,7 @@ class PageEngine implements Engine {
     const object = this.#object;
     const handle = this.#quick;
     const {core, stopped} = handle;
-    const reload = object ? core.load(object.name, object.content, object.options) : core.version();
+    const reload = object ? loadAgain(core, object) : core.version();
     this.#restored = Promise.race([reload, stopped])
       .catch(brokenModule)
       .then((answer) => {
@@ -278,7 +291,7 @@ class PageEngine implements Engine {
   #startSlow() {
     const handle = this.#start();
     const object = this.#object;
-    const loaded = object ? handle.core.load(object.name, object.content, object.options) : Promise.resolve(null);
+    const loaded = object ? loadAgain(handle.core, object) : Promise.resolve(null);
     this.#slowWork = {gaps: 0, searches: 0, outputs: 0};
     return {handle, loaded};
   }
@@ -288,6 +301,10 @@ class PageEngine implements Engine {
     this.#slow = null;
     this.#slowWork = {gaps: 0, searches: 0, outputs: 0};
   }
+}
+
+function loadAgain(core: CoreHandle['core'], {name, content, options, beside}: Kept) {
+  return core.load(name, content, options, beside);
 }
 
 /** As it is now, and as a plain value: a page's reactive state cannot be sent to a worker. */

@@ -26,10 +26,24 @@ declare module 'snug-wasm/snug.mjs' {
     containers: {name: string; members: OutputFile[]}[];
   }
 
+  /** What the library asks for while it reads a scene. A text is the sentence that says why there is no answer; none
+   *  of them throws. */
+  export interface SceneTools {
+    beside?: (name: string) => Uint8Array | string;
+    /** Raw DEFLATE. */
+    inflate?: (packed: Uint8Array, most: number) => Uint8Array | string;
+    /** `packed` lies in the library's memory, as it does for all of them: copied before anything else is done. */
+    meshopt?: (packed: Uint8Array, count: number, stride: number, mode: string) => Uint8Array | string;
+    draco?: (
+      packed: Uint8Array,
+      attributes: {id: number; components: number}[],
+    ) => {attributes: Float32Array[]; corners: Uint32Array} | string;
+  }
+
   /** Keeps the object between calls. Failures change nothing. */
   export interface Session {
-    load(bytes: Uint8Array, name: string, design: string): Omit<ObjectInfo, 'file'> | Failure;
-    describe(design: string): Omit<ObjectInfo, 'file'> | Failure;
+    load(bytes: Uint8Array, name: string, design: string, tools: SceneTools | null): Omit<ObjectInfo, 'file' | 'beside'> | Failure;
+    describe(design: string): Omit<ObjectInfo, 'file' | 'beside'> | Failure;
     mesh(): Omit<DisplayMesh, 'deviation'>;
     pack(design: string): Packing | Failure;
     gaps(progress: Progress): Gap | Failure;
@@ -54,7 +68,7 @@ declare module 'snug-wasm/snug.mjs' {
     sampleFile(name: string): OutputFile | Failure;
     parseProject(text: string): {object: ObjectFile; design: string} | Failure;
     projectText(design: string, name: string, bytes: number, sha256: string): {text: string} | Failure;
-    make(object: Uint8Array, project: string): Made | Failure;
+    make(object: Uint8Array, project: string, tools: SceneTools | null): Made | Failure;
     Session: new () => Session;
   }
 

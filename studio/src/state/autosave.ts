@@ -1,5 +1,6 @@
 import {openDB, type IDBPTransaction} from 'idb';
 import type {Design} from '../engine/api';
+import type {BesideFile} from '../engine/scene_tools';
 import type {Picture} from '../search/thumbnail';
 import {present, type History} from './history';
 
@@ -11,8 +12,10 @@ export interface StoredObject {
   id: string;
   name: string;
   content: Blob;
-  /** It came from another format and has no file of this name on the person's disk. */
+  /** Snug made it: there is no file of this name on the person's disk. */
   converted: boolean;
+  /** Files that it is read with, such as a .gltf's .bin; none in what earlier versions saved. */
+  beside?: readonly BesideFile[];
 }
 
 /** What is on the screen: a design, and the object in it (by id), if there is one. */

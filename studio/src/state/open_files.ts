@@ -1,9 +1,9 @@
-import type {Design, Failure, ObjectFile} from '../engine/api';
-import {convert, needsConversion} from '../engine/convert';
+import type {Design, ObjectFile} from '../engine/api';
 import {isFailure} from '../engine/failure';
 import {firstMakeLine} from '../engine/make_line';
+import type {BesideFile} from '../engine/scene_tools';
 import {bundled} from './bundle';
-import type {Content, Studio} from './studio.svelte';
+import type {Studio} from './studio.svelte';
 
 /** More than a page can hold as a file, as a mesh and as foams at once: WebAssembly ends at 4 GB. */
 const MOST_BYTES = 1_000_000_000;
@@ -22,10 +22,11 @@ let waiting: {object: ObjectFile; design: Design} | null = null;
  *  stays as it was. */
 export async function openFiles(studio: Studio, files: readonly File[], texts: OpenTexts): Promise<void> {
   const project = files.find(({name}) => /\.json$/i.test(name));
-  const {object, leftOut} = bundled(files.filter((file) => file !== project));
+  const {object, beside, leftOut} = bundled(files.filter((file) => file !== project));
   if (project && !(await readProject(studio, project, texts, object !== undefined))) return;
   const before = studio.object;
-  if (object) await openObject(studio, object, texts);
+  if (object)
+    await openObject(studio, object, beside.map((file) => ({name: file.name, content: file})), texts);
   if (leftOut.length > 0 && studio.object !== before)
     studio.notice = [studio.notice, texts.leftOut(leftOut.map(({name}) => name))].filter(Boolean).join(' ');
 }
@@ -46,13 +47,17 @@ async function readProject(studio: Studio, file: File, texts: OpenTexts, objectC
   return true;
 }
 
-async function openObject(studio: Studio, file: File, texts: OpenTexts): Promise<void> {
+async function openObject(
+  studio: Studio,
+  file: File,
+  beside: readonly BesideFile[],
+  texts: OpenTexts,
+): Promise<void> {
   if (file.size > MOST_BYTES)
     return studio.refuse('object', texts.tooBig(file.name, firstMakeLine(file.name, studio.defaults)));
   const project = waiting;
   waiting = null;
-  const source = needsConversion(file.name) ? () => converted(file) : file;
-  const failed = await studio.openObject(file.name, source, {bytes: file.size, design: project?.design});
+  const failed = await studio.openObject(file.name, file, {beside, design: project?.design});
   if (failed) {
     waiting = project;
     return;
@@ -61,11 +66,6 @@ async function openObject(studio: Studio, file: File, texts: OpenTexts): Promise
     project && project.object.sha256 !== '' && studio.object?.file.sha256 !== project.object.sha256
       ? texts.otherContent(project.object.name)
       : null;
-}
-
-async function converted(file: File): Promise<Content | Failure> {
-  const answer = await convert(file.name, await file.arrayBuffer());
-  return isFailure(answer) ? answer : {name: answer.name, content: new Blob([answer.bytes]), converted: true};
 }
 
 export async function openSample(studio: Studio, name: string): Promise<void> {

@@ -1,6 +1,7 @@
 import {Zip, ZipDeflate} from 'fflate';
 import type {OutputFile} from '../engine/api';
 import {isFailure} from '../engine/failure';
+import {isScene} from './bundle';
 import type {Studio} from './studio.svelte';
 
 /** Takes some hundredths of a second. */
@@ -28,11 +29,15 @@ export async function saveProject(studio: Studio): Promise<void> {
   download(`${stem(studio)}.snug.json`, [new TextEncoder().encode(text)]);
 }
 
-/** A project whose object lies in no file of the person's gets it as company. */
+/** An object that Snug made, and a scene or an archive with the files it was read with, come with their project. */
 async function withObject(studio: Studio, files: OutputFile[]): Promise<OutputFile[]> {
   const {file} = studio;
-  if (!file?.converted) return files;
-  return [...files, {name: file.name, bytes: new Uint8Array(await file.content.arrayBuffer())}];
+  if (!file || !(file.converted || isScene(file.name))) return files;
+  const company = [file, ...(file.beside ?? [])].map(async ({name, content}) => ({
+    name,
+    bytes: new Uint8Array(await content.arrayBuffer()),
+  }));
+  return [...files, ...(await Promise.all(company))];
 }
 
 /** Piece by piece, so that the page stays alive: its policy forbids the workers that fflate would start by itself. */

@@ -1,7 +1,6 @@
 import type {
   Design,
   DirectionMap,
-  DisplayMesh,
   Engine,
   Failure,
   Gap,
@@ -11,6 +10,7 @@ import type {
 } from '../engine/api';
 import {failure, isFailure} from '../engine/failure';
 import {makeLine} from '../engine/make_line';
+import type {BesideFile} from '../engine/scene_tools';
 import {language} from '../i18n/language.svelte';
 import {thumbnail, type Picture} from '../search/thumbnail';
 import {typing} from '../ui/typing.svelte';
@@ -19,6 +19,7 @@ import {completed, forNewObject, withPlacement, withSpace} from './edit';
 import {canRedo, canUndo, moved, present, record, startHistory, type History} from './history';
 import {newId} from './claims';
 import {Placements} from './placements.svelte';
+import type {Busy, Content, DisplayMeshes, FileFacts, Problem, Reading, Timing, Work} from './on_the_page';
 import type {Works} from './works.svelte';
 
 /** Drawn while something moves, and when it stands still. */
@@ -33,59 +34,9 @@ const SAVE_MS = 250;
 const PICTURE_SIZE = 96;
 const PICTURE_COLOR = [214, 200, 170];
 
-/** A sentence for the person, and what it is about. */
-export interface Problem {
-  control: string;
-  text: string;
-}
-
 /** Refusals that no later change of a control answers: they stay until they are read. */
 const LASTING: readonly string[] = ['object', 'project', 'make'];
 const CANCELLED = failure('cancelled', 'cancelled');
-
-export type Work = 'start' | 'read' | 'gaps' | 'search' | 'map' | 'make';
-/** What takes long just now. `fraction`: 0 to 1 where it is known. */
-export interface Busy {
-  work: Work;
-  /** What is read. */
-  file?: FileFacts;
-  fraction: number | null;
-  cancel: (() => void) | null;
-}
-
-export interface FileFacts {
-  name: string;
-  bytes: number;
-}
-
-/** A reading under way: whoever works on it looks after each step whether it still goes on. */
-export interface Reading {
-  cancelled: boolean;
-  cancel(): void;
-  /** Settles when the page is as it was, or shows what was read. */
-  ended: Promise<void>;
-}
-
-/** A file's content as an object. */
-export interface Content {
-  name: string;
-  content: Blob;
-  converted: boolean;
-}
-
-export interface DisplayMeshes {
-  moving: DisplayMesh;
-  still: DisplayMesh;
-}
-
-/** From an input to its new foams. */
-export interface Timing {
-  /** When the change was made, as performance.now() tells. */
-  input: number;
-  /** Until the foams were back on the page. */
-  answer_ms: number;
-  library_ms: number;
-}
 
 /** The work on the page: one object, one design, and what the library makes of them. */
 export class Studio {
@@ -169,7 +120,10 @@ export class Studio {
   }
 
   get makeLine(): string {
-    return makeLine(this.thinned?.name ?? this.object?.file.name ?? 'object.stl', this.design, this.defaults);
+    const {object} = this.design;
+    const units = this.object?.statesUnit ? null : object.units;
+    const name = this.thinned?.name ?? this.object?.file.name ?? 'object.stl';
+    return makeLine(name, {...this.design, object: {...object, units}}, this.defaults);
   }
 
   /** A change by `control`. Refused by the library: its sentence, and everything stays as it was. */
@@ -183,17 +137,17 @@ export class Studio {
   undo = () => this.#go(-1);
   redo = () => this.#go(1);
 
-  /** Puts a file's content on the screen. `source` may make it first, from another format or from several files.
+  /** Puts a file's content on the screen. `source` may make it first.
    *  Null where it worked; refused or cancelled, everything is as it was. */
   async openObject(
     name: string,
     source: Blob | (() => Promise<Content | Failure>),
-    options: {bytes?: number; converted?: boolean; design?: Design | undefined} = {},
+    options: {beside?: readonly BesideFile[]; design?: Design | undefined} = {},
   ): Promise<Failure | null> {
-    const bytes = options.bytes ?? (source instanceof Blob ? source.size : 0);
+    const bytes = source instanceof Blob ? source.size : 0;
     const before = present(this.#history);
     const answer = await this.reading({name, bytes}, async (reading) => {
-      const own = {name, converted: options.converted ?? false};
+      const own = {name, converted: false, beside: options.beside ?? []};
       const made = source instanceof Blob ? {...own, content: source} : await source();
       if (reading.cancelled || isFailure(made)) return isFailure(made) ? made : CANCELLED;
       const wanted = options.design ?? forNewObject(this.design, this.defaults, this.presets);
@@ -207,11 +161,14 @@ export class Studio {
     return this.#refuse('object', {...answer, error: named(name, answer.error)});
   }
 
-  async #open({name, content, converted}: Content, design: Design, reading: Reading): Promise<Failure | null> {
-    const info = await this.engine.load(name, content, design.object);
+  async #open(given: Content, design: Design, reading: Reading): Promise<Failure | null> {
+    const {name, content, converted} = given;
+    const info = await this.engine.load(name, content, design.object, given.beside);
     if (reading.cancelled || isFailure(info)) return isFailure(info) ? info : CANCELLED;
-    const id = info.file.sha256 || newId();
-    this.#objects.set(id, {id, name, content, converted});
+    const beside = given.beside?.filter((file) => info.beside.includes(file.name)) ?? [];
+    // The checksum is the file's own: the same .gltf may come with another .bin.
+    const id = (beside.length === 0 && info.file.sha256) || newId();
+    this.#objects.set(id, {id, name, content, converted, beside});
     await this.#switchTo(id, info, design);
     if (reading.cancelled) return CANCELLED;
     const failed = await this.#show(design, '');
@@ -482,7 +439,7 @@ export class Studio {
         return true;
       }
       const failed = await this.reading({name: stored.name, bytes: stored.content.size}, async (reading) => {
-        const info = await this.engine.load(stored.name, stored.content, design.object);
+        const info = await this.engine.load(stored.name, stored.content, design.object, stored.beside);
         if (reading.cancelled || isFailure(info)) return isFailure(info) ? info : CANCELLED;
         await this.#switchTo(stored.id, info, design);
         if (!reading.cancelled) await this.#pack(design);
