@@ -1,4 +1,8 @@
-import {zipSync} from 'fflate';
+import {readFileSync} from 'node:fs';
+import {strFromU8, unzipSync, zipSync} from 'fflate';
+import {dracoScene, meshoptScene} from '../tests/support/packed_scenes';
+import {GEOMETRY, scene, text} from '../tests/support/scenes';
+import {kept} from './support/kept';
 import {expect, open, status, test} from './support/studio';
 
 const CORNERS = [[0, 0, 0], [120, 0, 0], [0, 90, 0], [0, 0, 60]];
@@ -13,9 +17,11 @@ test('3MF opens with its unit', async ({studio: page}) => {
   const text = (value: string) => new TextEncoder().encode(value);
   const zip = zipSync({'_rels/.rels': text(relations), '3D/3dmodel.model': text(model)});
   await page.getByLabel('Open object', {exact: true}).setInputFiles({name: 'wedge.3mf', mimeType: '', buffer: Buffer.from(zip)});
-  await expect(page.getByTitle('wedge.ply')).toBeVisible();
+  await expect(page.getByTitle('wedge.3mf')).toBeVisible();
   await expect(page.getByText('120 × 90 × 60 mm')).toBeVisible();
   await expect(status(page)).toContainText('F ');
+  await expect(page.getByText('stated by the file')).toBeVisible();
+  await expect(page.getByRole('combobox', {name: 'Unit of the file'})).toHaveCount(0);
 });
 
 test('glTF opens in metres', async ({studio: page}) => {
@@ -43,7 +49,7 @@ test('glTF opens in metres', async ({studio: page}) => {
     ],
   };
   await page.getByLabel('Open object', {exact: true}).setInputFiles({name: 'wedge.gltf', mimeType: '', buffer: Buffer.from(JSON.stringify(gltf))});
-  await expect(page.getByTitle('wedge.ply')).toBeVisible();
+  await expect(page.getByTitle('wedge.gltf')).toBeVisible();
   await expect(page.getByText('120 × 90 × 60 mm')).toBeVisible();
   await expect(status(page)).toContainText('F ');
 });
@@ -53,4 +59,46 @@ test('OBJ and OFF open as they are', async ({studio: page}) => {
   await open(page, {name: 'wedge.obj', buffer: Buffer.from(obj)});
   const off = ['OFF', '4 4 0', ...CORNERS.map((corner) => corner.join(' ')), ...FACES.map((face) => `3 ${face.join(' ')}`), ''].join('\n');
   await open(page, {name: 'wedge.off', buffer: Buffer.from(off)});
+});
+
+test('decoders load in the page, where nothing may be made of texts', async ({studio: page}) => {
+  await open(page, {name: 'draco.glb', buffer: Buffer.from(dracoScene())});
+  await expect(page.getByText('100 × 100 × 100 mm')).toBeVisible();
+  await open(page, {name: 'meshopt.glb', buffer: Buffer.from(meshoptScene('EXT_meshopt_compression'))});
+  await expect(page.getByText('100 × 100 × 100 mm')).toBeVisible();
+  await open(page, {name: 'draco.zip', buffer: Buffer.from(zipSync({'chair.glb': dracoScene()}))});
+  await expect(page.getByText('100 × 100 × 100 mm')).toBeVisible();
+});
+
+test('a .gltf takes its .bin from the files beside it, is exported and kept with it', async ({studio: page}) => {
+  const gltf = Buffer.from(text(scene([{mesh: 0}], {uri: 'chair.bin'})));
+  const input = page.getByLabel('Open object', {exact: true});
+  await input.setInputFiles({name: 'chair.gltf', mimeType: '', buffer: gltf});
+  await expect(page.getByText(/chair\.gltf: .*chair\.bin.*open both files at once/)).toBeVisible();
+  await input.setInputFiles([
+    {name: 'wood.png', mimeType: '', buffer: Buffer.from([1])},
+    {name: 'chair.bin', mimeType: '', buffer: GEOMETRY},
+    {name: 'chair.gltf', mimeType: '', buffer: gltf},
+  ]);
+  await expect(page.getByTitle('chair.gltf')).toBeVisible();
+  await expect(page.getByText('100 × 100 × 100 mm')).toBeVisible();
+  await expect(status(page)).toContainText('F ');
+  await kept(page, 'chair.gltf');
+
+  const exported = async () => {
+    const [download] = await Promise.all([
+      page.waitForEvent('download'),
+      page.getByRole('button', {name: 'Export', exact: true}).click(),
+    ]);
+    return unzipSync(new Uint8Array(readFileSync(await download.path())));
+  };
+  await page.reload();
+  await expect(page.getByTitle('chair.gltf')).toBeVisible();
+  await expect(status(page)).toContainText('F ');
+  const files = await exported();
+  expect(Buffer.from(files['chair.gltf'] ?? []).equals(gltf)).toBe(true);
+  expect(Buffer.from(files['chair.bin'] ?? []).equals(GEOMETRY)).toBe(true);
+  expect(Object.keys(files)).not.toContain('wood.png');
+  const {object} = JSON.parse(strFromU8(files['project.snug.json']!)) as {object: {name: string; bytes: number}};
+  expect(object).toMatchObject({name: 'chair.gltf', bytes: gltf.length});
 });

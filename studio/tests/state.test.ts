@@ -157,6 +157,14 @@ describe('edits', async () => {
     expect(mmPerFileUnit(sized, [1, 2, 3]) * 3).toBeCloseTo(300);
   });
 
+  it('a file that states its unit is in mm, whatever the design says, and a length scales it alone', () => {
+    const before = {...design, object: {...design.object, units: 'in' as const, scale: 3}};
+    expect(mmPerFileUnit(before, [1, 2, 3], true)).toBe(3);
+    const after = withLength(before, 40, 100, true);
+    expect(after.object).toMatchObject({units: null, scale: 2.5});
+    expect(mmPerFileUnit(after, [1, 2, 3], true) * 40).toBeCloseTo(100);
+  });
+
   it('a typed block count takes over from the fitted ones', () => {
     expect(withBlocks(withSpace(design, 'auto'), 1, 9, [4, 5, 6]).space.blocks).toEqual([4, 9, 6]);
   });

@@ -54,6 +54,7 @@ export const en = {
     unit: 'Unit of the file',
     unitTip: 'Meshes carry no unit. If the size above looks wrong, choose what the numbers in the file mean.',
     unitAuto: 'not said (mm)',
+    unitStated: 'stated by the file',
     cap: 'Close the holes before cutting',
     capTip: 'For scans that are open at the base: the missing surface is spanned, so that no foam grows inside.',
     length: 'Set a length',

@@ -186,18 +186,19 @@ export function withLongest(design: Design, longest_mm: number): Design {
 
 export const MM_PER_UNIT: Record<Unit, number> = {mm: 1, cm: 10, m: 1000, in: 25.4};
 
-/** Scales the object so that what is `length` of the file's units long becomes `mm` long. */
-export function withLength(design: Design, length: number, mm: number): Design {
-  const units = design.object.units ?? 'mm';
-  const scale = mm / (length * MM_PER_UNIT[units]);
+/** Scales the object so that what is `length` of the file's units long becomes `mm` long. A file that states its
+ *  unit is in mm, whatever the design says. */
+export function withLength(design: Design, length: number, mm: number, statesUnit = false): Design {
+  const units = statesUnit ? null : (design.object.units ?? 'mm');
+  const scale = mm / (length * MM_PER_UNIT[units ?? 'mm']);
   return {...design, object: {...design.object, units, scale, longest_mm: null}};
 }
 
 /** Millimetres for one unit of the file, as the design has it. */
-export function mmPerFileUnit(design: Design, fileSize: Triple): number {
+export function mmPerFileUnit(design: Design, fileSize: Triple, statesUnit = false): number {
   const {units, scale, longest_mm} = design.object;
   if (longest_mm !== null) return longest_mm / Math.max(...fileSize);
-  return MM_PER_UNIT[units ?? 'mm'] * scale;
+  return MM_PER_UNIT[(statesUnit ? null : units) ?? 'mm'] * scale;
 }
 
 /** A design of another version, with what it does not say as it is by default. */
