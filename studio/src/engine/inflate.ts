@@ -8,6 +8,7 @@ const PIECE = 1 << 14;
 
 /** SceneTools.inflate: raw DEFLATE, never much more than `most` bytes in memory. */
 export const inflate: Required<SceneTools>['inflate'] = (packed, most) => {
+  if (packed.length === 0) return DAMAGED;
   const parts: Uint8Array[] = [];
   let size = 0;
   const stream = new Inflate((part) => {
@@ -15,7 +16,7 @@ export const inflate: Required<SceneTools>['inflate'] = (packed, most) => {
     parts.push(part);
   });
   try {
-    for (let at = 0; at === 0 || at < packed.length; at += PIECE) {
+    for (let at = 0; at < packed.length; at += PIECE) {
       stream.push(packed.slice(at, at + PIECE), at + PIECE >= packed.length);
       if (size > most) return DAMAGED;
     }
