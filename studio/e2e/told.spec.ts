@@ -93,12 +93,12 @@ test('the question for the unit can be left, found again, moved, and answered by
   expect((await question.boundingBox())?.y).not.toBe(before?.y);
   await page.keyboard.press('Escape');
   await expect(question).toBeHidden();
-  await expect(page.getByText('There are no foams yet')).toBeInViewport();
+  await expect(status(page).getByText('There are no foams yet')).toBeInViewport();
   await page.getByRole('button', {name: 'Choose the unit'}).first().click();
   await question.getByRole('spinbutton', {name: 'Or: its longest side is'}).fill('300');
   await question.getByRole('button', {name: 'Set', exact: true}).click();
   await expect(question).toBeHidden();
-  await expect(page.getByText('There are no foams yet')).toBeHidden();
+  await expect(page.getByText('There are no foams yet')).toHaveCount(0);
   await expect(page.getByText('300 × 225 × 150 mm')).toBeVisible();
   await expect(status(page)).toContainText('F ');
 });

@@ -7,7 +7,7 @@ export const en = {
   header: {
     open: 'Open object',
     openShort: 'Open',
-    openTip: 'A scan or 3D model (STL, OBJ, PLY, OFF, glTF, 3MF), a point cloud (PLY, XYZ, PTS) or a Snug project. It stays on this computer.',
+    openTip: 'A scan or 3D model (STL, OBJ, PLY, OFF, glTF, 3MF), a point cloud (PLY, XYZ, PTS), a zip with one of them, or a Snug project. It stays on this computer.',
     undo: 'Undo',
     undoTip: 'Take the last change back (Ctrl+Z)',
     redo: 'Redo',
@@ -29,7 +29,7 @@ export const en = {
     choose: 'Choose a file',
     or: 'or try one of these',
     samples: {torus: 'Ring', vase: 'Vase', figurine: 'Figurine', camera: 'Camera'} as Record<string, string>,
-    formats: 'STL, OBJ, PLY, OFF, glTF, 3MF, XYZ, PTS, or a Snug project',
+    formats: 'STL, OBJ, PLY, OFF, glTF, 3MF, XYZ, PTS, a zip with one of them, or a Snug project',
     drop: 'Drop it anywhere',
   },
   object: {

@@ -9,7 +9,7 @@ export const ja: Texts = {
   header: {
     open: '対象物を開く',
     openShort: '開く',
-    openTip: 'スキャンや3Dモデル（STL、OBJ、PLY、OFF、glTF、3MF）、点群（PLY、XYZ、PTS）、またはSnugのプロジェクト。このコンピューターの外には出ません。',
+    openTip: 'スキャンや3Dモデル（STL、OBJ、PLY、OFF、glTF、3MF）、点群（PLY、XYZ、PTS）、そのどれかが入ったzip、またはSnugのプロジェクト。このコンピューターの外には出ません。',
     undo: '元に戻す',
     undoTip: '最後の変更を取り消します（Ctrl+Z）',
     redo: 'やり直す',
@@ -31,7 +31,7 @@ export const ja: Texts = {
     choose: 'ファイルを選ぶ',
     or: 'または、見本で試す',
     samples: {torus: 'リング', vase: '花瓶', figurine: '人形', camera: 'カメラ'},
-    formats: 'STL、OBJ、PLY、OFF、glTF、3MF、XYZ、PTS、またはSnugのプロジェクト',
+    formats: 'STL、OBJ、PLY、OFF、glTF、3MF、XYZ、PTS、そのどれかが入ったzip、またはSnugのプロジェクト',
     drop: 'どこにでもドロップできます',
   },
   object: {
