@@ -16,13 +16,14 @@
 #include "snug/base/text.h"
 #include "snug/design/project.h"
 #include "snug/fabricate/mesh_files.h"
+#include "snug/formats/read_object.h"
 #include "snug/mesh/thin.h"
 
 #include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/files.h"
 #include "cli/object_file.h"
-#include "cli/scene_file.h"
+#include "cli/scene_tools.h"
 #include "cli/web_server.h"
 
 namespace snug::cli {
@@ -74,6 +75,21 @@ void offer_thin_copy(Site& site, nlohmann::json& info, const Mesh& mesh, const f
     site.contents["/object/file"] = write_ply(thin.mesh.vertices, thin.mesh.triangles, {});
 }
 
+/// The tools that read the object; what it takes from beside itself is offered to the page, by number, and
+/// its name noted.
+SceneTools offering_tools(Site& site, nlohmann::json& beside, const fs::path& path) {
+    SceneTools tools = scene_tools(path);
+    tools.beside = [&site, &beside, read = std::move(tools.beside)](const std::string& name) {
+        auto content = read(name);
+        if (content) {
+            site.contents[fmt::format("/object/beside/{}", beside.size())] = *content;
+            beside.push_back(name);
+        }
+        return content;
+    };
+    return tools;
+}
+
 /// Puts the object, and its project if it has one, where the page looks for it.
 Result<nlohmann::json> offer_object(Site& site, const StudioArguments& arguments, StatusLine& status) {
     const auto source = find_object(*arguments.object, arguments.replacement_object);
@@ -82,7 +98,8 @@ Result<nlohmann::json> offer_object(Site& site, const StudioArguments& arguments
     auto bytes = read_file(source->object);
     if (!bytes) return tl::unexpected(bytes.error());
     const ObjectFile file = describe(source->object, *bytes);
-    const auto mesh = read_object(*bytes, source->object);
+    nlohmann::json beside = nlohmann::json::array();
+    const auto mesh = snug::read_object(*bytes, file.name, offering_tools(site, beside, source->object));
     if (!mesh)
         return fail(mesh.error().kind, fmt::format("{}: {}", source->object.string(), mesh.error().message));
     const bool thin = bytes->size() > arguments.most_bytes;
@@ -91,7 +108,7 @@ Result<nlohmann::json> offer_object(Site& site, const StudioArguments& arguments
                         {"bytes", file.bytes},    {"sha256", file.sha256},
                         {"thinned", thin},        {"project", source->project.has_value()},
                         {"triangles", triangles}, {"shown_triangles", triangles},
-                        {"deviation", 0}};
+                        {"deviation", 0},         {"beside", beside}};
     if (thin) {
         status.show("Thinning " + source->object.string());
         offer_thin_copy(site, info, *mesh, source->object);

@@ -10,7 +10,8 @@ namespace snug {
 namespace {
 
 constexpr double kLongestSideCells = 900;
-constexpr int kMarginCells = 3;  // one more than the slope looks aside
+constexpr double kMostCells = 1 << 28;  // that are drawn, over each other
+constexpr int kMarginCells = 3;         // one more than the slope looks aside
 constexpr double kLeastCellsWhole = 16;
 constexpr double kLeastCellsVisible = 40;  // slivers between the steps of a cavity say nothing
 constexpr double kLeastCellsShade = 60;
@@ -19,7 +20,19 @@ constexpr int kSlopeCells = 2;                      // on either side
 constexpr Vec3d kLight{-0.45, -0.6, 0.66};          // from the upper left: right, down, towards the viewer
 constexpr double kShadeBelow[] = {0.75, 0.5, 0.2};  // of the full light
 
-ImageFrame frame_around(std::span<const Projected> vertices, double finest_mm) {
+/// What all triangles cover together, square mm: what it costs to draw them.
+double covered_area(std::span<const Projected> vertices, std::span<const Triangle> triangles) {
+    double doubled = 0;
+    for (const auto& [a, b, c] : triangles) {
+        const Vec2d ab = vertices[b].at - vertices[a].at, ac = vertices[c].at - vertices[a].at;
+        doubled += std::fabs(ab.x * ac.y - ab.y * ac.x);
+    }
+    return doubled / 2;
+}
+
+/// Coarser where thousands of triangles cover everything.
+ImageFrame frame_around(std::span<const Projected> vertices, std::span<const Triangle> triangles,
+                        double finest_mm) {
     Vec2d least = vertices.front().at, greatest = least;
     for (const Projected& vertex : vertices) {
         least = {std::min(least.x, vertex.at.x), std::min(least.y, vertex.at.y)};
@@ -27,7 +40,8 @@ ImageFrame frame_around(std::span<const Projected> vertices, double finest_mm) {
     }
     const Vec2d size = greatest - least;
     ImageFrame frame;
-    frame.cell = std::max(finest_mm, std::max(size.x, size.y) / kLongestSideCells);
+    frame.cell = std::max({finest_mm, std::max(size.x, size.y) / kLongestSideCells,
+                           std::sqrt(covered_area(vertices, triangles) / kMostCells)});
     frame.corner = least - Vec2d{frame.cell, frame.cell} * kMarginCells;
     frame.width = static_cast<int>(size.x / frame.cell) + 1 + 2 * kMarginCells;
     frame.height = static_cast<int>(size.y / frame.cell) + 1 + 2 * kMarginCells;
@@ -74,7 +88,7 @@ double lightness(const DepthImage& image, int column, int row) {
 ObjectOutlines object_outlines(std::span<const Projected> vertices, std::span<const Triangle> triangles,
                                std::span<const Face> foam, double finest_mm) {
     if (vertices.empty() || triangles.empty()) return {};
-    const ImageFrame frame = frame_around(vertices, finest_mm);
+    const ImageFrame frame = frame_around(vertices, triangles, finest_mm);
     DepthImage object(frame), hiding(frame);
     for (const Triangle& triangle : triangles)
         object.draw(vertices[triangle[0]], vertices[triangle[1]], vertices[triangle[2]], true);

@@ -40,6 +40,36 @@ void DepthMapBuilder::add_triangle(const std::array<Vec3d, 3>& corners) {
 
 void DepthMapBuilder::add_triangle(const std::array<Vec3d, 3>& corners, const ColumnBlock& block,
                                    double x_min, double x_max) {
+    if (block.large())
+        add_in_tiles(corners, block, x_min, x_max);
+    else
+        add_in_block(corners, block, x_min, x_max);
+}
+
+void DepthMapBuilder::add_in_tiles(const std::array<Vec3d, 3>& corners, const ColumnBlock& block,
+                                   double x_min, double x_max) {
+    if (tiles_.empty()) tiles_ = DepthTiles(rows_.count(), columns_.count());
+    const SpreadTriangle triangle(corners);
+    constexpr int kSide = DepthTiles::kSide;
+    for (int tile_j = block.j.first / kSide; tile_j * kSide <= block.j.last; ++tile_j) {
+        const CellRange rows{tile_j * kSide, std::min((tile_j + 1) * kSide, rows_.count()) - 1};
+        for (int tile_k = block.k.first / kSide; tile_k * kSide <= block.k.last; ++tile_k) {
+            const CellRange cells{tile_k * kSide, std::min((tile_k + 1) * kSide, columns_.count()) - 1};
+            const SpreadTriangle::Rectangle seen{rows_.low(rows.first), rows_.high(rows.last),
+                                                 columns_.low(cells.first), columns_.high(cells.last)};
+            if (!triangle.may_meet(seen) || tiles_.hides(tile_j, tile_k, triangle, seen)) continue;
+            const DepthRange x = triangle.over(seen);
+            add_in_block(corners,
+                         {{std::max(rows.first, block.j.first), std::min(rows.last, block.j.last)},
+                          {std::max(cells.first, block.k.first), std::min(cells.last, block.k.last)}},
+                         std::max(x_min, x.lowest), std::min(x_max, x.highest));
+            tiles_.added(tile_j, tile_k, triangle, seen, depths_);
+        }
+    }
+}
+
+void DepthMapBuilder::add_in_block(const std::array<Vec3d, 3>& corners, const ColumnBlock& block,
+                                   double x_min, double x_max) {
     const auto [y_min, y_max] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
     const auto [z_min, z_max] = std::minmax({corners[0].z, corners[1].z, corners[2].z});
     const auto changes = [&](int row, int column) {

@@ -9,6 +9,7 @@
 #include "snug/base/vec.h"
 #include "snug/foam/cells.h"
 #include "snug/foam/depth_map.h"
+#include "snug/foam/depth_tiles.h"
 #include "snug/foam/design_space.h"
 
 namespace snug {
@@ -61,6 +62,9 @@ inline constexpr std::array<CrossedEdges, 8> kEdgesOfLoneCorner = {
 /// The columns where both indices lie within a range.
 struct ColumnBlock {
     CellRange j, k;
+    [[nodiscard]] bool large() const {
+        return (j.last - j.first + 1) * (k.last - k.first + 1) > DepthTiles::kSide * DepthTiles::kSide;
+    }
 };
 
 /// Fills a depth map with placed vertices and triangles: the exact rule, in one place for every way of
@@ -113,6 +117,10 @@ class DepthMapBuilder {
     };
 
     VertexCell add_vertex_of_several(Vec3d p);
+    void add_in_tiles(const std::array<Vec3d, 3>& corners, const ColumnBlock& block, double x_min,
+                      double x_max);
+    void add_in_block(const std::array<Vec3d, 3>& corners, const ColumnBlock& block, double x_min,
+                      double x_max);
     void add_section_along_z(const std::array<Vec3d, 3>& corners, int row, double c, CellRange columns);
     void add_segment(int row, LinePoint p, LinePoint q, CellRange columns);
     void add_crossings_of_z(const std::array<Vec3d, 3>& corners, int column, double c, CellRange rows);
@@ -120,6 +128,7 @@ class DepthMapBuilder {
     GrownCells rows_;
     GrownCells columns_;
     DepthMap depths_;
+    DepthTiles tiles_;  ///< made for the first large triangle
 };
 
 }  // namespace snug

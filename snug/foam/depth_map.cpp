@@ -1,9 +1,11 @@
 #include "snug/foam/depth_map.h"
 
+#include <cstdint>
 #include <vector>
 
 #include "snug/foam/add_in_parallel.h"
 #include "snug/foam/depth_builder.h"
+#include "snug/foam/large_triangles.h"
 
 namespace snug {
 namespace {
@@ -29,10 +31,16 @@ DepthMap depth_map(const Mesh& mesh, const Placement& placement, const DesignSpa
         placed[i] = placement(mesh.vertices[i]);
         cells[i] = own.add_vertex(placed[i]);
     });
-    add_in_parallel(builder, mesh.triangles.size(), [&](DepthMapBuilder& own, std::size_t t) {
-        const auto& [a, b, c] = mesh.triangles[t];
+    const auto add = [&](DepthMapBuilder& own, const Triangle& triangle) {
+        const auto& [a, b, c] = triangle;
         const bool one_cell = cells[a].one() && cells[a] == cells[b] && cells[a] == cells[c];
         if (!one_cell) own.add_triangle({placed[a], placed[b], placed[c]});
+    };
+    const std::vector<std::uint32_t> large = large_triangles(mesh.triangles, placed, space);
+    add_in_parallel(builder, large.size(),
+                    [&](DepthMapBuilder& own, std::size_t i) { add(own, mesh.triangles[large[i]]); });
+    add_in_parallel(builder, mesh.triangles.size(), [&](DepthMapBuilder& own, std::size_t t) {
+        if (large.empty() || !is_large(mesh.triangles[t], placed, space)) add(own, mesh.triangles[t]);
     });
     return builder.take();
 }

@@ -1,12 +1,12 @@
 #include "snug/formats/gltf_gather.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
 
 #include "snug/base/text.h"
 #include "snug/formats/gltf_json.h"
+#include "snug/mesh/left_out.h"
 
 namespace snug::gltf {
 namespace {
@@ -15,11 +15,6 @@ namespace {
 constexpr std::uint64_t kAlwaysTriangles = 5'000'000, kTrianglesPerByte = 8, kMostTriangles = 400'000'000;
 constexpr std::uint64_t kEffortPerCorner = 16;  // morphs and joints
 constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max();
-
-bool usable(Vec3d p) {
-    const auto one = [](double value) { return std::fabs(value) <= kGreatestCoordinate; };
-    return one(p.x) && one(p.y) && one(p.z);
-}
 
 }  // namespace
 

@@ -179,7 +179,8 @@ NearestPoint TriangleTree::nearest(Vec3d p, double at_most, double enough) const
         const Branch next = stack[--waiting];
         if (next.distance2 >= best2) continue;
         const Range range = below(next.node);
-        looked_at += static_cast<std::uint32_t>(range.end - range.first);
+        looked_at += static_cast<std::uint32_t>(range.end - range.first) *
+                     (next.node.level == 0 ? NearestPoint::kLooksOfTriangle : 1);
         if (next.node.level == 0) {
             for (std::size_t i = range.first; i < range.end; ++i) {
                 const Triangle& t = triangles_[i];

@@ -18,7 +18,10 @@ namespace snug {
 struct NearestPoint {
     Vec3d point;
     double distance = 0;
-    std::uint32_t looked_at = 0;  ///< boxes and members of the set that were looked at to find it
+    /// Boxes and members of the set that were looked at to find it; a triangle takes as long as several
+    /// boxes.
+    std::uint32_t looked_at = 0;
+    static constexpr std::uint32_t kLooksOfTriangle = 8;
 };
 
 /// The point of triangle abc (which may have no area) that is nearest to p.

@@ -1,0 +1,64 @@
+#include "snug/foam/large_triangles.h"
+
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+#include "snug/foam/depth_map.h"
+#include "snug/foam/depth_tiles.h"
+
+namespace snug {
+namespace {
+
+struct Large {
+    double outward;                                ///< how far it reaches from the middle
+    std::array<std::array<double, 3>, 3> corners;  ///< the least one first
+    std::uint32_t triangle;
+
+    [[nodiscard]] auto key() const { return std::tie(corners, triangle); }
+};
+
+Large large(const Triangle& t, std::span<const Vec3d> placed, std::uint32_t index) {
+    Large found{0, {}, index};
+    for (std::size_t i = 0; i < 3; ++i) found.corners[i] = {placed[t[i]].x, placed[t[i]].y, placed[t[i]].z};
+    // The order of the corners but not their direction: crossings of an edge are rounded from its beginning.
+    std::rotate(found.corners.begin(), std::min_element(found.corners.begin(), found.corners.end()),
+                found.corners.end());
+    return found;
+}
+
+}  // namespace
+
+bool is_large(const Triangle& t, std::span<const Vec3d> placed, const DesignSpace& space) {
+    const auto [y_min, y_max] = std::minmax({placed[t[0]].y, placed[t[1]].y, placed[t[2]].y});
+    const auto [z_min, z_max] = std::minmax({placed[t[0]].z, placed[t[1]].z, placed[t[2]].z});
+    const double rows = (y_max - y_min) / space.block_mm.y + 1,
+                 cells = (z_max - z_min) / space.block_mm.z + 1;
+    return std::min<double>(rows, space.blocks.y) * std::min<double>(cells, space.blocks.z) >
+           DepthTiles::kSide * DepthTiles::kSide;
+}
+
+std::vector<std::uint32_t> large_triangles(std::span<const Triangle> triangles, std::span<const Vec3d> placed,
+                                           const DesignSpace& space) {
+    std::vector<Large> found;
+    DepthRange x;
+    for (std::size_t t = 0; t < triangles.size(); ++t) {
+        if (!is_large(triangles[t], placed, space)) continue;
+        found.push_back(large(triangles[t], placed, static_cast<std::uint32_t>(t)));
+        for (const auto& corner : found.back().corners) x.include(corner[0]);
+    }
+    const double middle = (x.lowest + x.highest) / 2;
+    for (Large& each : found)
+        for (const auto& corner : each.corners)
+            each.outward = std::max({each.outward, corner[0] - middle, middle - corner[0]});
+    std::sort(found.begin(), found.end(), [](const Large& a, const Large& b) {
+        return a.outward != b.outward ? a.outward > b.outward : a.key() < b.key();
+    });
+    std::vector<std::uint32_t> order;
+    order.reserve(found.size());
+    for (std::size_t i = 0; i < found.size(); ++i)
+        if (i == 0 || found[i].corners != found[i - 1].corners) order.push_back(found[i].triangle);
+    return order;
+}
+
+}  // namespace snug
