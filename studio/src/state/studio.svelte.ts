@@ -1,6 +1,5 @@
 import type {
   Design,
-  DirectionMap,
   Engine,
   Failure,
   Gap,
@@ -8,18 +7,20 @@ import type {
   Packing,
   Preset,
 } from '../engine/api';
-import {failure, isFailure} from '../engine/failure';
+import {isFailure} from '../engine/failure';
 import {makeLine} from '../engine/make_line';
 import type {BesideFile} from '../engine/scene_tools';
 import {language} from '../i18n/language.svelte';
-import {thumbnail, type Picture} from '../search/thumbnail';
 import {typing} from '../ui/typing.svelte';
 import type {Moment, StoredObject} from './autosave';
-import {completed, forNewObject, withPlacement, withSpace} from './edit';
+import {forNewObject} from './edit';
 import {canRedo, canUndo, moved, present, record, startHistory, type History} from './history';
 import {newId} from './claims';
 import {Placements} from './placements.svelte';
+import {Keeping} from './keeping.svelte';
+import {LongWork} from './long_work';
 import type {Busy, Content, DisplayMeshes, FileFacts, Problem, Reading, Timing, Work} from './on_the_page';
+import {CANCELLED, Readings} from './readings';
 import type {Works} from './works.svelte';
 
 /** Drawn while something moves, and when it stands still. */
@@ -28,15 +29,9 @@ const STILL_TRIANGLES = 100_000;
 /** Above this a gap report takes long enough that it is made only when asked for. */
 const GAPS_BY_THEMSELVES = 200_000;
 const REST_MS = 900;
-const SAVE_MS = 250;
-
-/** In pixels, and the colour of the object in it. */
-const PICTURE_SIZE = 96;
-const PICTURE_COLOR = [214, 200, 170];
 
 /** Refusals that no later change of a control answers: they stay until they are read. */
 const LASTING: readonly string[] = ['object', 'project', 'make'];
-const CANCELLED = failure('cancelled', 'cancelled');
 
 /** The work on the page: one object, one design, and what the library makes of them. */
 export class Studio {
@@ -76,16 +71,22 @@ export class Studio {
   works: Works | null = $state.raw(null);
   #objects = new Map<string, StoredObject>();
   #shown: string | null = $state.raw(null);
-  #saving: ReturnType<typeof setTimeout> | undefined;
   #resting: ReturnType<typeof setTimeout> | undefined;
   #meshesOf = 0;
   #arrival: Promise<unknown> = Promise.resolve();
-  #reading: Reading | null = null;
-  /** Nothing is saved while what was saved is not back yet, or shall be forgotten. */
-  #keeping = true;
-  #picture: {of: string; picture: Picture} | null = null;
-  /** Settles when the last long work has ended. */
-  #work: Promise<void> = Promise.resolve();
+  readonly #readings = new Readings(this);
+  readonly #keeping = new Keeping(this, this.#objects, {
+    history: () => this.#history,
+    becomes: (history) => this.#becomes(history),
+    checked: (design) => this.#checked(design),
+  });
+  readonly #long = new LongWork(this, {
+    changes: (design) => this.#changes(design),
+    show: (design, control) => this.#show(design, control),
+    pack: (design) => this.#pack(design),
+    refuse: (control, failed) => this.#refuse(control, failed),
+    stopResting: () => this.#stopResting(),
+  });
 
   private constructor(
     engine: Engine,
@@ -189,35 +190,9 @@ export class Studio {
 
   /** Says from the first moment on what is read, with a way out that ends it at once. Other long work, and the reading
    *  before, end first. */
-  async reading<T>(file: FileFacts, run: (reading: Reading) => Promise<T | Failure>): Promise<T | Failure> {
+  reading<T>(file: FileFacts, run: (reading: Reading) => Promise<T | Failure>): Promise<T | Failure> {
     this.#stopResting();
-    this.#reading?.cancel();
-    // A search or an export of the last object ends, too, and leaves the design alone.
-    if (this.busy) void this.engine.cancel();
-    const before = [this.#reading?.ended, this.#work];
-    let stop: (answer: Failure) => void = () => {};
-    let end = () => {};
-    const cancelled = new Promise<Failure>((resolve) => (stop = resolve));
-    const cancel = () => {
-      if (reading.cancelled) return;
-      reading.cancelled = true;
-      void this.engine.stopReading();
-      stop(CANCELLED);
-    };
-    const reading: Reading = {cancelled: false, cancel, ended: new Promise((resolve) => (end = resolve))};
-    this.#reading = reading;
-    const busy = {work: 'read', file, fraction: null, cancel} as const;
-    this.busy = busy;
-    this.problem = null;
-    await Promise.all(before);
-    this.busy = busy;
-    const answer = reading.cancelled ? CANCELLED : await Promise.race([run(reading), cancelled]);
-    end();
-    if (this.#reading === reading) {
-      this.#reading = null;
-      this.busy = null;
-    }
-    return answer;
+    return this.#readings.run(file, this.#long.ended, run);
   }
 
   /** The moment that was there before a reading which ended in nothing. */
@@ -226,162 +201,23 @@ export class Studio {
     else this.#changes(moment.design);
   }
 
-  /** Looks for the placement that cuts the least foam away, and shows the best so far on the way. */
-  optimize(): Promise<void> {
-    this.#work = this.#search();
-    return this.#work;
-  }
-
-  /** The fewest blocks that hold the object and its walls, and the placement for them. */
-  fitCase(): Promise<void> {
-    this.#work = this.#fitCase();
-    return this.#work;
-  }
-
-  async #fitCase(): Promise<void> {
-    const start = this.design;
-    const fitted = await this.#long('search', (onProgress) => this.engine.fitCase(start, onProgress));
-    if (isFailure(fitted)) {
-      this.#refuse('optimize', fitted);
-      return;
-    }
-    this.#changes(fitted.design);
-    await this.#show(this.design, 'optimize');
-  }
-
-  /** Colours all directions by what they cut, better and better. */
-  map(): Promise<void> {
-    this.#work = this.#map();
-    return this.#work;
-  }
-
-  async #map(): Promise<void> {
-    const design = this.design;
-    this.#stopResting();
-    this.busy = {work: 'map', fraction: 0, cancel: () => void this.engine.cancel()};
-    const grown = (map: DirectionMap) => {
-      if (this.busy?.work === 'map') this.busy = {...this.busy, fraction: map.fraction};
-      this.placements.foundMap(design, map);
-    };
-    const map = await this.engine.directions(design, grown);
-    this.busy = null;
-    if (isFailure(map)) this.#refuse('optimize', map);
-    else grown(map);
-  }
-
-  async #search(): Promise<void> {
-    const start = this.design;
-    this.#stopResting();
-    this.busy = {work: 'search', fraction: 0, cancel: () => void this.engine.cancel()};
-    const blocks = this.packing?.blocks ?? start.space.blocks;
-    let shown = '';
-    const best = await this.engine.search(start, (step) => {
-      if (this.busy?.work !== 'search') return;
-      this.busy = {...this.busy, fraction: step.fraction};
-      const next = withSpace(withPlacement(start, step), blocks);
-      if (JSON.stringify(next.placement) === shown) return;
-      shown = JSON.stringify(next.placement);
-      this.#changes(next);
-      void this.#pack(next);
-    });
-    this.busy = null;
-    if (isFailure(best)) {
-      this.#changes(start);
-      this.#refuse('optimize', best);
-    } else {
-      this.#changes(await this.placements.asFound(withPlacement(start, best), best.cut_blocks, blocks));
-      this.placements.foundDistinct(start, blocks, best.distinct);
-    }
-    await this.#show(this.design, 'optimize');
-  }
-
-  async measureGaps(): Promise<void> {
-    if (!this.packing?.fit || this.busy) return;
-    const packing = this.packing;
-    this.busy = {work: 'gaps', fraction: 0, cancel: () => void this.engine.cancel()};
-    const gap = await this.engine.gaps((fraction) => {
-      if (this.busy?.work === 'gaps') this.busy = {...this.busy, fraction};
-    });
-    if (this.busy?.work === 'gaps') this.busy = null;
-    if (!isFailure(gap) && packing === this.packing) this.gap = gap;
-    else if (isFailure(gap) && gap.kind !== 'cancelled') this.#refuse('check', gap);
-  }
+  optimize = () => this.#long.optimize();
+  fitCase = () => this.#long.fitCase();
+  map = () => this.#long.map();
+  measureGaps = () => this.#long.measureGaps();
 
   /** Runs long work of another file's with this page's progress and cancel. */
   long<T>(work: Work, run: (onProgress: (fraction: number) => void) => Promise<T>): Promise<T> {
-    const answer = this.#long(work, run);
-    this.#work = answer.then(() => {});
-    return answer;
-  }
-
-  async #long<T>(work: Work, run: (onProgress: (fraction: number) => void) => Promise<T>): Promise<T> {
-    this.#stopResting();
-    this.busy = {work, fraction: 0, cancel: () => void this.engine.cancel()};
-    const answer = await run((fraction) => {
-      if (this.busy?.work === work) this.busy = {...this.busy, fraction};
-    });
-    this.busy = null;
-    return answer;
+    return this.#long.run(work, run);
   }
 
   /** Keeps what is on the page from now on; what was there before waits. */
-  async keepIn(works: Works): Promise<void> {
-    this.works = works;
-    await works.begin();
-    await works.renew();
-    await works.look();
-    await this.saveNow();
-  }
-
+  keepIn = (works: Works) => this.#keeping.in(works);
   /** Brings back what this tab had before it was loaded anew. */
-  async restore(works: Works): Promise<void> {
-    this.#keeping = false;
-    this.works = works;
-    const id = await works.begin();
-    if (id && !(await this.#resume(id))) await works.renew();
-    await works.look();
-    this.#keeping = true;
-  }
-
-  /** Goes on with a work that no tab has open; this tab's own stays as it was saved. */
-  async resume(id: string): Promise<void> {
-    const works = this.works;
-    if (!works) return;
-    await this.saveNow();
-    this.#keeping = false;
-    if (!(await works.take(id))) this.notice = language.text.works.elsewhere;
-    else if (!(await this.#resume(id))) await works.renew();
-    await works.look();
-    this.#keeping = true;
-  }
-
-  /** False where nothing came back; then what was saved stays as it is. */
-  async #resume(id: string): Promise<boolean> {
-    const saved = await this.works?.load(id);
-    if (!saved) return true;
-    for (const object of saved.objects) this.#objects.set(object.id, object);
-    // Designs of another version may say less, or other things, than this one's.
-    const moments = saved.work.history.moments.map((at) => ({...at, design: completed(at.design, this.defaults)}));
-    const history = {...saved.work.history, moments, control: '', time: -Infinity};
-    const checked = await this.#checked(present(history).design);
-    if (checked) {
-      this.refuse('object', language.text.works.broken(checked.error));
-      return false;
-    }
-    const before = this.#history;
-    this.#history = history;
-    if (await this.#arrive(present(history))) return true;
-    this.#history = before;
-    await this.#backTo(present(before));
-    return false;
-  }
-
-  /** Forgets everything of this tab, on the screen and in the browser. */
-  async clear(): Promise<void> {
-    this.#keeping = false;
-    await this.works?.discardOwn();
-    location.reload();
-  }
+  restore = (works: Works) => this.#keeping.restore(works);
+  resume = (id: string) => this.#keeping.resume(id);
+  clear = () => this.#keeping.clear();
+  saveNow = () => this.#keeping.saveNow();
 
   refuse(control: string, text: string) {
     this.problem = {control, text};
@@ -390,25 +226,17 @@ export class Studio {
   /** The library had to start anew. */
   restarted(reason: Failure) {
     this.notice = reason.error;
-    if (!this.#reading) this.busy = null;
+    if (!this.#readings.underWay) this.busy = null;
   }
 
-  saveNow = async (): Promise<void> => {
-    clearTimeout(this.#saving);
-    // A page on which nothing happened is no work.
-    if (!this.#keeping || !this.works || this.#history.moments.length < 2) return;
-    const work = {history: $state.snapshot(this.#history)};
-    await this.works.save(work, [...this.#objects.values()], this.#drawn()).catch((reason: unknown) => this.#refuseSaving(reason));
-  };
-
-  /** The object as it lies, small. */
-  #drawn(): Picture | null {
-    if (!this.meshes || !this.#shown) return null;
-    const {rotation_deg} = this.design.placement;
-    const of = JSON.stringify([this.#preparedFor, this.#shown, rotation_deg]);
-    if (this.#picture?.of !== of)
-      this.#picture = {of, picture: thumbnail(this.meshes.moving, rotation_deg, PICTURE_SIZE, PICTURE_COLOR)};
-    return this.#picture.picture;
+  /** Another history, with its present on the screen; false, and everything as it was, where that cannot be had. */
+  async #becomes(history: History<Moment>): Promise<boolean> {
+    const before = this.#history;
+    this.#history = history;
+    if (await this.#arrive(present(history))) return true;
+    this.#history = before;
+    await this.#backTo(present(before));
+    return false;
   }
 
   async #go(by: -1 | 1): Promise<void> {
@@ -425,7 +253,7 @@ export class Studio {
       this.#history = before;
       await this.#backTo(present(before));
     }
-    this.#saveSoon();
+    this.#keeping.saveSoon();
   }
 
   /** Shows a moment of the history, loading its object where that is another one; false where it cannot be had. */
@@ -488,7 +316,7 @@ export class Studio {
     }
     this.#answered();
     this.#history = record(this.#history, {design, object: this.#shown}, control, performance.now());
-    this.#saveSoon();
+    this.#keeping.saveSoon();
     this.#rest();
     return null;
   }
@@ -537,15 +365,6 @@ export class Studio {
   #refuse(control: string, failure: Failure): Failure {
     if (failure.kind !== 'cancelled') this.problem = {control, text: failure.error};
     return failure;
-  }
-
-  #refuseSaving(reason: unknown) {
-    this.notice = language.text.works.cannotKeep(reason instanceof Error ? reason.message : String(reason));
-  }
-
-  #saveSoon() {
-    clearTimeout(this.#saving);
-    this.#saving = setTimeout(this.saveNow, SAVE_MS);
   }
 
   #stopResting() {

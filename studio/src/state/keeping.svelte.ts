@@ -1,0 +1,121 @@
+import type {Design, DisplayMesh, Failure} from '../engine/api';
+import {language} from '../i18n/language.svelte';
+import {thumbnail, type Picture} from '../search/thumbnail';
+import type {Moment, StoredObject} from './autosave';
+import {completed} from './edit';
+import {present, type History} from './history';
+import type {Studio} from './studio.svelte';
+import type {Works} from './works.svelte';
+
+const SAVE_MS = 250;
+/** In pixels, and the colour of the object in it. */
+const PICTURE_SIZE = 96;
+const PICTURE_COLOR = [214, 200, 170];
+
+/** What the studio gives, and does with what comes back. */
+interface Parts {
+  history(): History<Moment>;
+  /** False, and everything as it was, where its present cannot be shown. */
+  becomes(history: History<Moment>): Promise<boolean>;
+  checked(design: Design): Promise<Failure | null>;
+}
+
+/** Keeps the work of a tab in the browser, and brings it back. */
+export class Keeping {
+  readonly #studio: Studio;
+  readonly #objects: Map<string, StoredObject>;
+  readonly #parts: Parts;
+  /** Nothing is saved while what was saved is not back yet, or shall be forgotten. */
+  #on = true;
+  #saving: ReturnType<typeof setTimeout> | undefined;
+  #picture: {mesh: DisplayMesh; turn: string; picture: Picture} | null = null;
+
+  constructor(studio: Studio, objects: Map<string, StoredObject>, parts: Parts) {
+    this.#studio = studio;
+    this.#objects = objects;
+    this.#parts = parts;
+  }
+
+  /** Keeps what is on the page from now on; what was there before waits. */
+  async in(works: Works): Promise<void> {
+    this.#studio.works = works;
+    await works.begin();
+    await works.renew();
+    await works.look();
+    await this.saveNow();
+  }
+
+  /** Brings back what this tab had before it was loaded anew. */
+  async restore(works: Works): Promise<void> {
+    this.#on = false;
+    this.#studio.works = works;
+    const id = await works.begin();
+    if (id && !(await this.#resume(id))) await works.renew();
+    await works.look();
+    this.#on = true;
+  }
+
+  /** Goes on with a work that no tab has open; this tab's own stays as it was saved. */
+  async resume(id: string): Promise<void> {
+    const works = this.#studio.works;
+    if (!works) return;
+    await this.saveNow();
+    this.#on = false;
+    if (!(await works.take(id))) this.#studio.notice = language.text.works.elsewhere;
+    else if (!(await this.#resume(id))) await works.renew();
+    await works.look();
+    this.#on = true;
+  }
+
+  /** False where nothing came back; then what was saved stays as it is. */
+  async #resume(id: string): Promise<boolean> {
+    const saved = await this.#studio.works?.load(id);
+    if (!saved) return true;
+    for (const object of saved.objects) this.#objects.set(object.id, object);
+    // Designs of another version may say less, or other things, than this one's.
+    const moments = saved.work.history.moments.map((at) => ({...at, design: completed(at.design, this.#studio.defaults)}));
+    const history = {...saved.work.history, moments, control: '', time: -Infinity};
+    const checked = await this.#parts.checked(present(history).design);
+    if (checked) {
+      this.#studio.refuse('object', language.text.works.broken(checked.error));
+      return false;
+    }
+    return this.#parts.becomes(history);
+  }
+
+  /** Forgets everything of this tab, on the screen and in the browser. */
+  async clear(): Promise<void> {
+    this.#on = false;
+    await this.#studio.works?.discardOwn();
+    location.reload();
+  }
+
+  async saveNow(): Promise<void> {
+    clearTimeout(this.#saving);
+    // A page on which nothing happened is no work.
+    if (!this.#on || !this.#studio.works || this.#parts.history().moments.length < 2) return;
+    const work = {history: $state.snapshot(this.#parts.history())};
+    const saved = this.#studio.works.save(work, [...this.#objects.values()], this.#drawn());
+    await saved.catch((reason: unknown) => this.#refuse(reason));
+  }
+
+  /** The object as it lies, small. */
+  #drawn(): Picture | null {
+    const mesh = this.#studio.shown ? this.#studio.meshes?.moving : null;
+    if (!mesh) return null;
+    const {rotation_deg} = this.#studio.design.placement;
+    const turn = String(rotation_deg);
+    if (this.#picture?.mesh !== mesh || this.#picture.turn !== turn)
+      this.#picture = {mesh, turn, picture: thumbnail(mesh, rotation_deg, PICTURE_SIZE, PICTURE_COLOR)};
+    return this.#picture.picture;
+  }
+
+  saveSoon() {
+    clearTimeout(this.#saving);
+    this.#saving = setTimeout(() => void this.saveNow(), SAVE_MS);
+  }
+
+  #refuse(reason: unknown) {
+    this.#studio.notice = language.text.works.cannotKeep(reason instanceof Error ? reason.message : String(reason));
+  }
+}
