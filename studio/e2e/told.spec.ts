@@ -93,7 +93,8 @@ test('the question for the unit can be left, found again, moved, and answered by
   expect((await question.boundingBox())?.y).not.toBe(before?.y);
   await page.keyboard.press('Escape');
   await expect(question).toBeHidden();
-  await expect(status(page).getByText('There are no foams yet')).toBeInViewport();
+  // In the step Check it is said as well.
+  await expect(page.locator('span', {hasText: 'There are no foams yet'})).toBeInViewport();
   await page.getByRole('button', {name: 'Choose the unit'}).first().click();
   await question.getByRole('spinbutton', {name: 'Or: its longest side is'}).fill('300');
   await question.getByRole('button', {name: 'Set', exact: true}).click();

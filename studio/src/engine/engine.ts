@@ -72,7 +72,8 @@ class PageEngine implements Engine {
   #quick: CoreHandle;
   /** Settles when #quick has its object back after a restart. */
   #restored: Promise<void> = Promise.resolve();
-  #slow: {handle: CoreHandle; loaded: Promise<ObjectInfo | Failure | null>} | null = null;
+  /** `ready`: it has its object, and hears a cancel() that comes after what it was asked. */
+  #slow: {handle: CoreHandle; loaded: Promise<ObjectInfo | Failure | null>; ready: boolean} | null = null;
   #slowWork = {gaps: 0, searches: 0, outputs: 0};
   /** How often a reading was stopped. */
   #stops = 0;
@@ -213,8 +214,8 @@ class PageEngine implements Engine {
 
   async cancel(): Promise<void> {
     const {gaps, searches, outputs} = this.#slowWork;
-    // A search listens between its steps; the others have no ear until they are done.
-    if (gaps + outputs > 0) this.#endSlow();
+    // A search listens between its steps, once it has begun; the others have no ear until they are done.
+    if (gaps + outputs > 0 || (searches > 0 && !this.#slow?.ready)) this.#endSlow();
     else if (searches > 0) await this.#slow?.handle.core.cancel();
   }
 
@@ -278,9 +279,13 @@ class PageEngine implements Engine {
     kind: 'gaps' | 'searches' | 'outputs',
     ask: (core: CoreHandle['core']) => Promise<T | Failure>,
   ): Promise<T | Failure> {
-    const {handle, loaded} = (this.#slow ??= this.#startSlow());
+    const slow = (this.#slow ??= this.#startSlow());
+    const {handle, loaded} = slow;
     this.#slowWork[kind]++;
-    const work = loaded.then((answer) => (isFailure(answer) ? answer : ask(handle.core)));
+    const work = loaded.then((answer) => {
+      slow.ready = true;
+      return isFailure(answer) ? answer : ask(handle.core);
+    });
     const answer = await Promise.race([work, handle.stopped]);
     if (handle !== this.#slow?.handle) return answer;
     this.#slowWork[kind]--;
@@ -293,7 +298,7 @@ class PageEngine implements Engine {
     const object = this.#object;
     const loaded = object ? loadAgain(handle.core, object) : Promise.resolve(null);
     this.#slowWork = {gaps: 0, searches: 0, outputs: 0};
-    return {handle, loaded};
+    return {handle, loaded, ready: false};
   }
 
   #endSlow(answer: Failure = CANCELLED) {
