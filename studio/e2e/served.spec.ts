@@ -1,5 +1,8 @@
 import {spawn} from 'node:child_process';
-import {sample, SNUG} from './support/command_line';
+import {mkdirSync, writeFileSync} from 'node:fs';
+import {join} from 'node:path';
+import {GEOMETRY, scene, text} from '../tests/support/scenes';
+import {folder, sample, SNUG} from './support/command_line';
 import {expect, test, status} from './support/studio';
 
 /** Runs `snug studio` for the time of one test; gives the address that it prints. */
@@ -33,5 +36,18 @@ test('a thinned copy says how far it is off, and is never exported', async ({stu
     await expect(page.getByRole('button', {name: 'Export', exact: true})).toBeDisabled();
     await expect(page.getByText('snug make vase.stl').first()).toBeVisible();
     await expect(page.getByRole('button', {name: 'Save project'})).toBeDisabled();
+  });
+});
+
+test('a .gltf comes with the files that it names, from folders below it, too', async ({studio: page}) => {
+  const home = folder();
+  mkdirSync(join(home, 'parts'));
+  writeFileSync(join(home, 'parts', 'the chair.bin'), GEOMETRY);
+  writeFileSync(join(home, 'chair.gltf'), text(scene([{mesh: 0}], {uri: 'parts/the%20chair.bin'})));
+  await served([join(home, 'chair.gltf')], async (address) => {
+    await page.goto(address);
+    await expect(page.getByTitle('chair.gltf')).toBeVisible();
+    await expect(page.getByText('100 × 100 × 100 mm')).toBeVisible();
+    await expect(status(page)).toContainText('F ');
   });
 });

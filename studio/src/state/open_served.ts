@@ -17,6 +17,8 @@ export interface ServedObject {
   triangles?: number;
   shown_triangles?: number;
   deviation?: number;
+  /** Names of the files beside it that it needs; the server has them by their numbers. */
+  beside?: string[];
 }
 
 /** Opens the object of the local server that served the page, if it was asked to. False where there is none. */
@@ -25,9 +27,14 @@ export async function openServed(studio: Studio, texts: OpenTexts): Promise<bool
   const answer = await fetch('object/info').catch(() => null);
   if (!answer?.ok) return false;
   const info = (await answer.json()) as ServedObject;
+  const file = async (part: string, name: string) => new File([await (await fetch(`object/${part}`)).blob()], name);
   const files = await studio.reading(info, async () => {
-    const served = [new File([await (await fetch('object/file')).blob()], info.name)];
-    if (info.project) served.push(new File([await (await fetch('object/project')).blob()], `${info.name}.snug.json`));
+    const beside = info.thinned ? [] : (info.beside ?? []);
+    const served = await Promise.all([
+      file('file', info.name),
+      ...beside.map((name, i) => file(`beside/${i}`, name.replace(/^.*[/\\]/, ''))),
+    ]);
+    if (info.project) served.push(await file('project', `${info.name}.snug.json`));
     return served;
   });
   if (isFailure(files)) return true;
