@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "snug/design/brick_parts.h"
 #include "snug/base/half.h"
+#include "snug/design/brick_parts.h"
 
 // Foam halves as bricks. A half stands cavity up, as it is built: rows and columns of studs as it is seen
 // from above, row 0 at the far side and column 0 at the left (the lower foam's far side is BACK, the lid's

@@ -1,10 +1,10 @@
 #pragma once
 
 #include "snug/base/grid.h"
+#include "snug/base/half.h"
 #include "snug/base/result.h"
 #include "snug/design/brick_options.h"
 #include "snug/design/brick_parts.h"
-#include "snug/base/half.h"
 #include "snug/fabricate/workshop_pack.h"
 
 namespace snug {

@@ -4,8 +4,8 @@
 #include <cstdint>
 
 #include "snug/base/grid.h"
-#include "snug/design/mould_options.h"
 #include "snug/base/half.h"
+#include "snug/design/mould_options.h"
 #include "snug/fabricate/print_parts.h"
 #include "snug/fabricate/print_solid.h"
 

@@ -5,9 +5,9 @@
 #include <string_view>
 #include <vector>
 
+#include "snug/base/half.h"
 #include "snug/base/result.h"
 #include "snug/fabricate/drawing.h"
-#include "snug/base/half.h"
 
 // How every page for the workshop looks, and short words to draw it with. Lengths in mm of the page.
 

@@ -4,9 +4,53 @@
 #include <limits>
 
 namespace snug {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
 
 DepthMapBuilder::DepthMapBuilder(const DesignSpace& space, Reach reach)
     : rows_(space, 1, reach), columns_(space, 2, reach), depths_(space.blocks.y, space.blocks.z) {}
+
+// Inlined, the next two share what they look up: they are the heart of every plain depth map.
+
+[[gnu::always_inline]] inline ColumnBlock DepthMapBuilder::block_of(
+    const std::array<Vec3d, 3>& corners) const {
+    const auto [y_min, y_max] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
+    const auto [z_min, z_max] = std::minmax({corners[0].z, corners[1].z, corners[2].z});
+    // A cell more on each side: crossings may be rounded to just outside the triangle.
+    const CellRange j = rows_.meeting(y_min, y_max), k = columns_.meeting(z_min, z_max);
+    return {{std::max(j.first - 1, 0), std::min(j.last + 1, rows_.count() - 1)},
+            {std::max(k.first - 1, 0), std::min(k.last + 1, columns_.count() - 1)}};
+}
+
+[[gnu::always_inline]] inline void DepthMapBuilder::add_in_block(const std::array<Vec3d, 3>& corners,
+                                                                 const ColumnBlock& block, double x_min,
+                                                                 double x_max) {
+    const auto [y_min, y_max] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
+    const auto [z_min, z_max] = std::minmax({corners[0].z, corners[1].z, corners[2].z});
+    const auto changes = [&](int row, int column) {
+        const DepthRange& depth = depths_(row, column);
+        return x_max > depth.highest || x_min < depth.lowest;
+    };
+    for (int row = block.j.first; row <= block.j.last; ++row) {
+        CellRange k = block.k;
+        while (k.first <= k.last && !changes(row, k.first)) ++k.first;
+        while (k.first <= k.last && !changes(row, k.last)) --k.last;
+        if (k.first > k.last) continue;
+        for (const double c : {rows_.low(row), rows_.high(row)})
+            if (y_min <= c && c <= y_max) add_section_along_z(corners, row, c, k);
+    }
+    for (int column = block.k.first; column <= block.k.last; ++column) {
+        CellRange j = block.j;
+        while (j.first <= j.last && !changes(j.first, column)) ++j.first;
+        while (j.first <= j.last && !changes(j.last, column)) --j.last;
+        if (j.first > j.last) continue;
+        for (const double c : {columns_.low(column), columns_.high(column)})
+            if (z_min <= c && c <= z_max) add_crossings_of_z(corners, column, c, j);
+    }
+}
 
 VertexCell DepthMapBuilder::add_vertex_of_several(Vec3d p) {
     const CellRange j = rows_.holding(p.y);
@@ -27,15 +71,14 @@ void DepthMapBuilder::add_vertex(Vec3d p, const ColumnBlock& block) {
 }
 
 void DepthMapBuilder::add_triangle(const std::array<Vec3d, 3>& corners) {
-    const auto [y_min, y_max] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
-    const auto [z_min, z_max] = std::minmax({corners[0].z, corners[1].z, corners[2].z});
-    // A cell more on each side: crossings may be rounded to just outside the triangle.
-    const CellRange j = rows_.meeting(y_min, y_max), k = columns_.meeting(z_min, z_max);
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
-    add_triangle(corners,
-                 {{std::max(j.first - 1, 0), std::min(j.last + 1, rows_.count() - 1)},
-                  {std::max(k.first - 1, 0), std::min(k.last + 1, columns_.count() - 1)}},
-                 -kInfinity, kInfinity);
+    add_triangle(corners, block_of(corners), -kInfinity, kInfinity);
+}
+
+bool DepthMapBuilder::add_small_triangle(const std::array<Vec3d, 3>& corners) {
+    const ColumnBlock block = block_of(corners);
+    if (block.large()) return false;
+    add_in_block(corners, block, -kInfinity, kInfinity);
+    return true;
 }
 
 void DepthMapBuilder::add_triangle(const std::array<Vec3d, 3>& corners, const ColumnBlock& block,
@@ -65,32 +108,6 @@ void DepthMapBuilder::add_in_tiles(const std::array<Vec3d, 3>& corners, const Co
                          std::max(x_min, x.lowest), std::min(x_max, x.highest));
             tiles_.added(tile_j, tile_k, triangle, seen, depths_);
         }
-    }
-}
-
-void DepthMapBuilder::add_in_block(const std::array<Vec3d, 3>& corners, const ColumnBlock& block,
-                                   double x_min, double x_max) {
-    const auto [y_min, y_max] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
-    const auto [z_min, z_max] = std::minmax({corners[0].z, corners[1].z, corners[2].z});
-    const auto changes = [&](int row, int column) {
-        const DepthRange& depth = depths_(row, column);
-        return x_max > depth.highest || x_min < depth.lowest;
-    };
-    for (int row = block.j.first; row <= block.j.last; ++row) {
-        CellRange k = block.k;
-        while (k.first <= k.last && !changes(row, k.first)) ++k.first;
-        while (k.first <= k.last && !changes(row, k.last)) --k.last;
-        if (k.first > k.last) continue;
-        for (const double c : {rows_.low(row), rows_.high(row)})
-            if (y_min <= c && c <= y_max) add_section_along_z(corners, row, c, k);
-    }
-    for (int column = block.k.first; column <= block.k.last; ++column) {
-        CellRange j = block.j;
-        while (j.first <= j.last && !changes(j.first, column)) ++j.first;
-        while (j.first <= j.last && !changes(j.last, column)) --j.last;
-        if (j.first > j.last) continue;
-        for (const double c : {columns_.low(column), columns_.high(column)})
-            if (z_min <= c && c <= z_max) add_crossings_of_z(corners, column, c, j);
     }
 }
 

@@ -91,6 +91,8 @@ class DepthMapBuilder {
 
     /// The edges of a triangle whose vertices do not share one cell.
     void add_triangle(const std::array<Vec3d, 3>& corners);
+    /// The same, unless it is large: then false, and nothing is done.
+    [[nodiscard]] bool add_small_triangle(const std::array<Vec3d, 3>& corners);
     /// The same, but only cells of the block are looked at, and of those only the ones that x from `x_min` to
     /// `x_max` would change: the block must hold all cells that the triangle meets, and the range all x that
     /// it reaches, with kCrossingError and rounding.
@@ -116,6 +118,7 @@ class DepthMapBuilder {
         double x;
     };
 
+    [[nodiscard]] ColumnBlock block_of(const std::array<Vec3d, 3>& corners) const;
     VertexCell add_vertex_of_several(Vec3d p);
     void add_in_tiles(const std::array<Vec3d, 3>& corners, const ColumnBlock& block, double x_min,
                       double x_max);

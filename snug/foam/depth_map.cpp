@@ -1,5 +1,6 @@
 #include "snug/foam/depth_map.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -31,17 +32,20 @@ DepthMap depth_map(const Mesh& mesh, const Placement& placement, const DesignSpa
         placed[i] = placement(mesh.vertices[i]);
         cells[i] = own.add_vertex(placed[i]);
     });
-    const auto add = [&](DepthMapBuilder& own, const Triangle& triangle) {
-        const auto& [a, b, c] = triangle;
-        const bool one_cell = cells[a].one() && cells[a] == cells[b] && cells[a] == cells[c];
-        if (!one_cell) own.add_triangle({placed[a], placed[b], placed[c]});
+    // Large triangles wait: by then much of what they would be looked at for is there.
+    std::vector<std::uint8_t> waits(mesh.triangles.size());
+    const auto corners = [&](std::size_t t) {
+        const auto& [a, b, c] = mesh.triangles[t];
+        return std::array{placed[a], placed[b], placed[c]};
     };
-    const std::vector<std::uint32_t> large = large_triangles(mesh.triangles, placed, space);
-    add_in_parallel(builder, large.size(),
-                    [&](DepthMapBuilder& own, std::size_t i) { add(own, mesh.triangles[large[i]]); });
     add_in_parallel(builder, mesh.triangles.size(), [&](DepthMapBuilder& own, std::size_t t) {
-        if (large.empty() || !is_large(mesh.triangles[t], placed, space)) add(own, mesh.triangles[t]);
+        const auto& [a, b, c] = mesh.triangles[t];
+        const bool one_cell = cells[a].one() && cells[a] == cells[b] && cells[a] == cells[c];
+        if (!one_cell && !own.add_small_triangle(corners(t))) waits[t] = 1;
     });
+    const std::vector<std::uint32_t> large = outermost_first(mesh.triangles, waits, placed);
+    add_in_parallel(builder, large.size(),
+                    [&](DepthMapBuilder& own, std::size_t i) { own.add_triangle(corners(large[i])); });
     return builder.take();
 }
 

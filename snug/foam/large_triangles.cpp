@@ -5,7 +5,6 @@
 #include <tuple>
 
 #include "snug/foam/depth_map.h"
-#include "snug/foam/depth_tiles.h"
 
 namespace snug {
 namespace {
@@ -29,21 +28,13 @@ Large large(const Triangle& t, std::span<const Vec3d> placed, std::uint32_t inde
 
 }  // namespace
 
-bool is_large(const Triangle& t, std::span<const Vec3d> placed, const DesignSpace& space) {
-    const auto [y_min, y_max] = std::minmax({placed[t[0]].y, placed[t[1]].y, placed[t[2]].y});
-    const auto [z_min, z_max] = std::minmax({placed[t[0]].z, placed[t[1]].z, placed[t[2]].z});
-    const double rows = (y_max - y_min) / space.block_mm.y + 1,
-                 cells = (z_max - z_min) / space.block_mm.z + 1;
-    return std::min<double>(rows, space.blocks.y) * std::min<double>(cells, space.blocks.z) >
-           DepthTiles::kSide * DepthTiles::kSide;
-}
-
-std::vector<std::uint32_t> large_triangles(std::span<const Triangle> triangles, std::span<const Vec3d> placed,
-                                           const DesignSpace& space) {
+std::vector<std::uint32_t> outermost_first(std::span<const Triangle> triangles,
+                                           std::span<const std::uint8_t> marked,
+                                           std::span<const Vec3d> placed) {
     std::vector<Large> found;
     DepthRange x;
     for (std::size_t t = 0; t < triangles.size(); ++t) {
-        if (!is_large(triangles[t], placed, space)) continue;
+        if (marked[t] == 0) continue;
         found.push_back(large(triangles[t], placed, static_cast<std::uint32_t>(t)));
         for (const auto& corner : found.back().corners) x.include(corner[0]);
     }

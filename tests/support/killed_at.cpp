@@ -1,6 +1,6 @@
 // A program that is started with this library in LD_PRELOAD is killed before its KILLED_AT-th change to a
-// folder: a file that it makes, renames or takes away, a folder that it makes or takes away. With $COUNTED set
-// it runs to its end, and the number of changes stands in that file.
+// folder: a file that it makes, renames or takes away, a folder that it makes or takes away. With $COUNTED
+// set it runs to its end, and the number of changes stands in that file.
 
 #include <atomic>
 #include <csignal>
