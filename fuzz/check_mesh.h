@@ -15,6 +15,11 @@ inline void require(bool holds) {
     if (!holds) std::abort();
 }
 
+inline void check_vertices(const Mesh& mesh) {
+    for (const Vec3f& v : mesh.vertices)
+        require(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z));
+}
+
 /// What every mesh that a reader gives out must be; an error must say something.
 inline void check(const Result<Mesh>& result) {
     if (!result) return require(!result.error().message.empty() && result.error().kind == ErrorKind::input);
@@ -30,8 +35,7 @@ inline void check(const Result<Mesh>& result) {
         }
     }
     for (const bool each : used) require(each);
-    for (const Vec3f& v : mesh.vertices)
-        require(std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z));
+    check_vertices(mesh);
 }
 
 inline std::span<const std::byte> bytes(const std::uint8_t* data, std::size_t size) {

@@ -68,6 +68,17 @@ TEST(Bundle, OurOwnPackGivesItsObjectAndNeverAFoam) {
     EXPECT_TRUE(mesh.read.left_out_objects.empty());
 }
 
+TEST(Bundle, WhatIsNoProjectBesideAnObjectIsPassedOverAtOnce) {
+    const std::string named = R"({"snug": 1, "object": {"name": "lower.obj"}})";
+    const auto with = [&](const std::string& project) {
+        return good(read(zip_of({{"a.obj", kObj}, {"a.snug.json", project, true}}))).triangles.size();
+    };
+    for (const std::string text : {"", "[]", "{\"snug\": 1}", R"({"snug": 1, "object": {"name": 3}})"})
+        EXPECT_EQ(with(text), 2u) << text;
+    EXPECT_EQ(with(std::string(3'000'000, '[')), 2u);
+    EXPECT_EQ(with(named + std::string(4'000'000, ' ')), 2u);  // nobody's project is so large
+}
+
 TEST(Bundle, A3mfInAZipIsReadAndAZipInAZipIsNot) {
     const std::string threemf =
         threemf_of(model_of(object_of(1, tetrahedron_mesh("3")), "<item objectid=\"1\"/>"));

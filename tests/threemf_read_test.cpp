@@ -305,6 +305,16 @@ TEST(ThreeMfRead, CirclesAndNestsWithoutEndAreSentences) {
                  "object 3 of \"3d/3dmodel.model\" is placed, but it is not there");
 }
 
+TEST(ThreeMfRead, TooMuchIsRefusedWhereItStandsAndNotAfterAllIsRead) {
+    std::string objects;
+    for (int id = 1; id <= 200'001; ++id) objects += "<object id=\"" + std::to_string(id) + "\"/>";
+    expect_holds(sentence(with_body(objects + "<object id=\"no number\"/>")), "200,000 objects");
+    std::string uses;
+    for (int i = 0; i <= 1'000'000; ++i) uses += "<item objectid=\"1\"/>";
+    expect_holds(sentence(with_body("", uses + "<item objectid=\"no number\"/>")),
+                 "1,000,000 items and components");
+}
+
 TEST(ThreeMfRead, FacesThatAreNoneAreLeftOutAndCounted) {
     const std::string more =
         "<vertex x=\"nan\" y=\"0\" z=\"0\"/><vertex y=\"0\" z=\"0\"/></vertices><triangles>"

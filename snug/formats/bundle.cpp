@@ -5,9 +5,8 @@
 #include <optional>
 #include <utility>
 
-#include <nlohmann/json.hpp>
-
 #include "snug/base/text.h"
+#include "snug/formats/gltf_json.h"
 #include "snug/formats/threemf_read.h"
 #include "snug/formats/zip_read.h"
 #include "snug/mesh/text_scan.h"
@@ -18,6 +17,7 @@ namespace {
 constexpr std::array<std::string_view, 9> kEndings = {".stl",  ".obj", ".ply", ".off", ".glb",
                                                       ".gltf", ".3mf", ".xyz", ".pts"};
 constexpr std::string_view kProjectEnding = ".snug.json";
+constexpr std::uint64_t kMostProjectBytes = 4'000'000;  // of all together: a pack has one, of a few thousand
 
 bool has_ending(std::string_view name, std::string_view lower) {
     return name.size() > lower.size() && same_word(name.substr(name.size() - lower.size()), lower);
@@ -54,20 +54,22 @@ const ZipMember* find(const ZipReader& zip, std::string_view name) {
 
 /// What a project calls its object; none where it is no project.
 std::optional<std::string> object_in_project(const FileBytes& text) {
-    const auto* begin = reinterpret_cast<const char*>(text.data());
-    const auto project = nlohmann::json::parse(begin, begin + text.size(), nullptr, false);
-    if (!project.is_object() || !project.contains("snug")) return {};
-    nlohmann::json object = project.value("object", nlohmann::json());
-    if (const auto all = project.find("objects"); all != project.end() && all->is_array() && !all->empty())
-        object = all->front();
-    if (!object.is_object() || !object.contains("name") || !object["name"].is_string()) return {};
-    return std::string(without_folders(object["name"].get<std::string>()));
+    const auto project = gltf::parse_scene(text);
+    if (!project || gltf::field(*project, "snug").is_null()) return {};
+    const gltf::Json& all = gltf::field(*project, "objects");
+    const gltf::Json& object = gltf::count_of(all) > 0 ? all.front() : gltf::field(*project, "object");
+    const gltf::Json& name = gltf::field(object, "name");
+    if (!name.is_string()) return {};
+    return std::string(without_folders(name.get_ref<const std::string&>()));
 }
 
 /// The object of a pack that Snug made, where the zip is one.
 Result<const ZipMember*> find_packed(ZipReader& zip) {
+    std::uint64_t read = 0;
     for (const ZipMember& member : zip.members()) {
         if (is_hidden(member.name) || !has_ending(member.name, kProjectEnding)) continue;
+        if (member.size > kMostProjectBytes - read) continue;
+        read += member.size;
         const auto text = zip.unpack(member);
         if (!text) return tl::unexpected(text.error());
         const auto name = object_in_project(*text);

@@ -15,7 +15,7 @@ namespace {
 constexpr std::array<std::pair<std::string_view, int>, 7> kTypes = {
     {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4}, {"MAT2", 4}, {"MAT3", 9}, {"MAT4", 16}}};
 
-constexpr std::uint64_t kStepsPerReplaced = 8;  // they are sorted
+constexpr std::uint64_t kStepsPerReplaced = 16;  // they are sorted
 
 std::uint64_t size_of(Component component) {
     switch (component) {

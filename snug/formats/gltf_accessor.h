@@ -41,6 +41,8 @@ class Accessor {
     /// Normalised where the accessor says so. i < count(), c < components().
     [[nodiscard]] double at(std::uint64_t i, int c) const;
     [[nodiscard]] Vec3d vec3(std::uint64_t i) const { return {at(i, 0), at(i, 1), at(i, 2)}; }
+    /// What reading an element costs: replaced ones are searched for.
+    [[nodiscard]] std::uint64_t effort() const { return replaced_.empty() ? 1 : 8; }
     /// The greatest value that an index of this type can have.
     [[nodiscard]] std::uint64_t greatest() const;
 

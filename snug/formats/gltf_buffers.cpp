@@ -29,7 +29,7 @@ Result<View> Buffers::view(std::uint64_t index) {
                       ", which it does not have: export it again");
     if (const Json& packed = extension(view, kMeshopt); packed.is_object()) {
         auto unpacked = packed_view(index, packed);
-        if (unpacked || names(field(scene_, "extensionsRequired"), kMeshopt)) return unpacked;
+        if (unpacked || meshopt_required_) return unpacked;
         // Where it is not required, the same bytes may stand beside it as they are.
         const auto plain = slice(view);
         const auto stride = whole(view, "byteStride", 0);
@@ -45,19 +45,25 @@ Result<View> Buffers::view(std::uint64_t index) {
 Result<View> Buffers::packed_view(std::uint64_t index, const Json& extension) {
     const auto stride = whole(extension, "byteStride", 0);
     if (!stride) return tl::unexpected(stride.error());
-    if (const auto known = unpacked_.find(index); known != unpacked_.end())
-        return View{known->second, *stride};
+    auto known = unpacked_.find(index);
+    if (known == unpacked_.end()) known = unpacked_.emplace(index, unpacked(extension)).first;
+    if (!known->second) return tl::unexpected(known->second.error());
+    return View{*known->second, *stride};
+}
+
+Result<FileBytes> Buffers::unpacked(const Json& extension) {
     const auto packed = slice(extension);
     if (!packed) return tl::unexpected(packed.error());
-    auto bytes = unpack_meshopt(*packed, extension, tools_);
-    if (!bytes) return tl::unexpected(bytes.error());
-    read_ += bytes->size();
-    unpacked_bytes_ += bytes->size();
-    if (unpacked_bytes_ > kAlwaysUnpacked + kMostUnpackedPerByte * file_bytes_)
+    const std::uint64_t most = kAlwaysUnpacked + kMostUnpackedPerByte * file_bytes_;
+    auto bytes = unpacked_bytes_ <= most ? unpack_meshopt(*packed, extension, tools_) : FileBytes{};
+    // One that fails may have taken as much time as it could.
+    unpacked_bytes_ += bytes ? bytes->size() : kMostUnpackedPerByte * packed->size();
+    if (unpacked_bytes_ > most)
         return refuse(
             "its parts packed by meshopt repeat each other to more than its size allows: save it without "
             "compression");
-    return View{unpacked_.emplace(index, std::move(*bytes)).first->second, *stride};
+    if (bytes) read_ += bytes->size();
+    return bytes;
 }
 
 Result<Bytes> Buffers::slice(const Json& of) {
@@ -75,6 +81,11 @@ Result<Bytes> Buffers::slice(const Json& of) {
 }
 
 Result<Bytes> Buffers::buffer(std::uint64_t index) {
+    const auto known = known_.find(index);
+    return known != known_.end() ? known->second : known_.emplace(index, find_buffer(index)).first->second;
+}
+
+Result<Bytes> Buffers::find_buffer(std::uint64_t index) {
     const Json& buffer = item(field(scene_, "buffers"), index);
     if (!buffer.is_object())
         return refuse("it speaks of buffer " + grouped(index) + ", which it does not have: export it again");
@@ -82,7 +93,6 @@ Result<Bytes> Buffers::buffer(std::uint64_t index) {
     if (uri.is_string()) {
         const std::string& text = uri.get_ref<const std::string&>();
         if (!is_data_uri(text)) return beside(text);
-        if (const auto known = texts_.find(index); known != texts_.end()) return Bytes(known->second);
         auto data = data_of(text);
         if (!data) return refuse("the data in its text are damaged: export it again, best as .glb");
         return Bytes(texts_.emplace(index, std::move(*data)).first->second);
@@ -112,6 +122,7 @@ Result<Bytes> Buffers::beside(const std::string& uri) {
         if (auto raw = tools_.beside(uri)) file = std::move(raw);
     if (!file) return tl::unexpected(file.error());
     read_ += file->size();
+    file_bytes_ += file->size();
     return Bytes(beside_.emplace(uri, std::move(*file)).first->second);
 }
 

@@ -18,13 +18,15 @@ struct View {
 };
 
 /// The bytes that a scene's JSON speaks of: in its own chunk, as text, in files beside it, packed by meshopt.
-/// Each is read once and only when it is asked for. What is given out lives as long as this and the file.
+/// Each is read once and only when it is asked for, and tried once where it cannot be had. What is given out
+/// lives as long as this and the file.
 class Buffers {
   public:
     Buffers(const Container& file, const SceneTools& tools, std::uint64_t file_bytes)
         : scene_(file.json),
           binary_(file.binary),
           tools_(tools),
+          meshopt_required_(names(field(scene_, "extensionsRequired"), "EXT_meshopt_compression")),
           file_bytes_(file_bytes),
           read_(file_bytes) {}
 
@@ -36,19 +38,23 @@ class Buffers {
 
   private:
     [[nodiscard]] Result<Bytes> buffer(std::uint64_t index);
+    [[nodiscard]] Result<Bytes> find_buffer(std::uint64_t index);
     [[nodiscard]] Result<Bytes> beside(const std::string& uri);
     /// `of`: a buffer view, or the object of an extension that names bytes in the same way.
     [[nodiscard]] Result<Bytes> slice(const Json& of);
     [[nodiscard]] Result<View> packed_view(std::uint64_t index, const Json& extension);
+    [[nodiscard]] Result<FileBytes> unpacked(const Json& extension);
 
     const Json& scene_;
     Bytes binary_;
     const SceneTools& tools_;
+    bool meshopt_required_;
     std::uint64_t file_bytes_, read_, spent_ = 0;
     std::uint64_t unpacked_bytes_ = 0;
+    std::map<std::uint64_t, Result<Bytes>> known_;
     std::map<std::string, FileBytes> beside_;   ///< by their names
     std::map<std::uint64_t, FileBytes> texts_;  ///< of buffers that stand in the JSON
-    std::map<std::uint64_t, FileBytes> unpacked_;
+    std::map<std::uint64_t, Result<FileBytes>> unpacked_;
 };
 
 }  // namespace snug::gltf

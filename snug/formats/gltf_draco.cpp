@@ -56,14 +56,24 @@ Result<const DracoMesh*> DracoMeshes::open(Buffers& buffers, std::uint64_t view,
     std::vector<std::uint64_t> key{view};
     for (const DracoAttribute& each : attributes) key.push_back(static_cast<std::uint64_t>(each.id));
     if (const auto known = known_.find(key); known != known_.end()) return &known->second;
+    if (failed_) return tl::unexpected(*failed_);
     const auto packed = buffers.view(view);
     if (!packed) return tl::unexpected(packed.error());
     if (const auto good = check_draco(packed->bytes); !good) return tl::unexpected(good.error());
+    auto mesh = decode(packed->bytes, attributes);
+    if (!mesh) {
+        failed_ = mesh.error();
+        return tl::unexpected(*failed_);
+    }
+    return &known_.emplace(std::move(key), std::move(*mesh)).first->second;
+}
+
+Result<DracoMesh> DracoMeshes::decode(Bytes packed, const std::vector<DracoAttribute>& attributes) {
     if (!tools_.draco)
         return refuse(
             "its geometry is packed by Draco, which cannot be read here: save it without compression");
-    auto mesh = tools_.draco(packed->bytes, attributes);
-    if (!mesh) return tl::unexpected(mesh.error());
+    auto mesh = tools_.draco(packed, attributes);
+    if (!mesh) return mesh;
     bool good = mesh->attributes.size() == attributes.size() && mesh->corners.size() % 3 == 0;
     const std::size_t points =
         good ? mesh->attributes[0].size() / static_cast<std::size_t>(attributes[0].components) : 0;
@@ -72,7 +82,7 @@ Result<const DracoMesh*> DracoMeshes::open(Buffers& buffers, std::uint64_t view,
     good = good && std::all_of(mesh->corners.begin(), mesh->corners.end(),
                                [&](std::uint32_t corner) { return corner < points; });
     if (!good) return refuse(kDamaged);
-    return &known_.emplace(std::move(key), std::move(*mesh)).first->second;
+    return mesh;
 }
 
 }  // namespace snug::gltf

@@ -12,19 +12,20 @@ namespace snug::gltf {
 namespace {
 
 // What a scene may come to: some copies of anything, and in a large file as much as its bytes can say.
-constexpr std::uint64_t kAlwaysTriangles = 5'000'000, kTrianglesPerByte = 8, kMostTriangles = 400'000'000;
-constexpr std::uint64_t kEffortPerCorner = 16;  // morphs and joints
+constexpr std::uint64_t kAlwaysTriangles = 2'500'000, kTrianglesPerByte = 2, kMostTriangles = 400'000'000;
+constexpr std::uint64_t kEffortPerCorner = 8;  // morphs and joints
 constexpr std::uint32_t kNoVertex = std::numeric_limits<std::uint32_t>::max();
 
 }  // namespace
 
-Result<void> Gatherer::announce(const Primitive& primitive, std::uint64_t copies, std::uint64_t bytes) {
+Result<void> Gatherer::announce(const Primitive& primitive, std::uint64_t copies, std::uint64_t per_copy,
+                                std::uint64_t bytes) {
     const std::uint64_t most =
         std::min(kMostTriangles, std::max(kAlwaysTriangles, kTrianglesPerByte * bytes));
     // Neither can overflow: a count above the limit is cut off there.
     const std::uint64_t corners = std::min(primitive.corners(), 4 * most) * std::min(copies, 4 * most);
     corners_ += corners;
-    effort_ += std::min(corners, 4 * most) * primitive.effort();
+    effort_ += std::min(corners, 4 * most) * primitive.effort() + std::min(copies, 4 * most) * per_copy;
     const bool strips = primitive.topology == Topology::strip || primitive.topology == Topology::fan;
     if (corners_ > (strips ? most : 3 * most))
         return refuse("its nodes repeat what it holds to more than " + grouped(most) +

@@ -17,9 +17,10 @@ namespace snug::gltf {
 class Gatherer {
   public:
     /// Is told of a primitive and how often it will be added, before anything is: refused where a scene
-    /// repeats what it holds far beyond its size. `bytes` stand behind the scene.
+    /// repeats what it holds far beyond its size. `per_copy`: as Primitive::effort(), to place one. `bytes`
+    /// stand behind the scene.
     [[nodiscard]] Result<void> announce(const Primitive& primitive, std::uint64_t copies,
-                                        std::uint64_t bytes);
+                                        std::uint64_t per_copy, std::uint64_t bytes);
     /// `place` takes the primitive's space to mm; with a pose, the joints' space.
     [[nodiscard]] Result<void> add(const Primitive& primitive, const Affine& place,
                                    const std::vector<Affine>* pose);

@@ -51,6 +51,10 @@ class Instances {
     [[nodiscard]] static Result<Instances> open(const Json& scene, Buffers& buffers, const Json& node);
 
     [[nodiscard]] std::uint64_t count() const { return count_; }
+    /// Numbers that are read for one place, as Primitive::effort() counts them.
+    [[nodiscard]] std::uint64_t effort() const {
+        return translation_.effort() + rotation_.effort() + scale_.effort();
+    }
     /// i < count()
     [[nodiscard]] Affine at(std::uint64_t i) const;
 

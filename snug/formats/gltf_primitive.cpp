@@ -8,7 +8,6 @@
 namespace snug::gltf {
 namespace {
 
-constexpr const char* kDraco = "KHR_draco_mesh_compression";
 constexpr const char* kJoints = "JOINTS_0";
 constexpr const char* kWeights = "WEIGHTS_0";
 /// Four weights in a byte each add up to one but for their rounding.
@@ -34,10 +33,10 @@ class PrimitiveReader {
   private:
     /// Unpacked by Draco, or as they are: where they need not be unpacked and cannot be, too.
     Result<void> read_points() {
-        const Json& packed = extension(json_, kDraco);
+        const Json& packed = extension(json_, DracoMeshes::kExtension);
         if (!packed.is_object()) return read_plain();
         auto done = read_packed(packed);
-        if (done || names(field(scene_, "extensionsRequired"), kDraco)) return done;
+        if (done || draco_.required()) return done;
         primitive_.influence.reset();
         return read_plain() ? Result<void>{} : done;
     }
@@ -149,6 +148,12 @@ std::optional<std::uint64_t> Primitive::corner(std::uint64_t i) const {
     // Graphics processors begin anew at the greatest value.
     if (point >= positions.count() && point == indices->greatest()) return {};
     return point;
+}
+
+std::uint64_t Primitive::effort() const {
+    std::uint64_t sum = positions.effort() + (indices ? indices->effort() : 0);
+    for (const Morph& morph : morphs) sum += morph.offsets.effort();
+    return sum + (influence ? 2 * (influence->joints.effort() + influence->weights.effort()) : 0);
 }
 
 Vec3d Primitive::point(std::uint64_t point) const {

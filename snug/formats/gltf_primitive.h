@@ -43,7 +43,7 @@ struct Primitive {
     /// Where the joints take the point; none where a joint is not in the pose.
     [[nodiscard]] std::optional<Affine> skinned(std::uint64_t point, std::span<const Affine> pose) const;
     /// Numbers that are read for one corner.
-    [[nodiscard]] std::uint64_t effort() const { return 1 + morphs.size() + (influence ? 4 : 0); }
+    [[nodiscard]] std::uint64_t effort() const;
 };
 
 /// None where it has nothing that takes room: lines, or no positions. `weights`: of the morph targets.

@@ -1,5 +1,6 @@
 #include "snug/formats/gltf_read.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -20,7 +21,8 @@ namespace gltf {
 namespace {
 
 constexpr double kMmPerMetre = 1000;  // the unit of glTF
-constexpr std::uint64_t kStepsPerPrimitive = 256;
+constexpr std::uint64_t kStepsPerPrimitive = 512, kStepsPerShape = 8;
+constexpr std::uint64_t kBytesPerDracoByte = 4;  // as if not packed
 
 /// Default weights of a node's morph targets: its own, or else the mesh's.
 Result<std::vector<double>> morph_weights(const Json& node, const Json& mesh) {
@@ -36,7 +38,7 @@ class SceneReader {
     SceneReader(const Container& file, const SceneTools& tools, std::uint64_t bytes, Nodes nodes)
         : scene_(file.json),
           buffers_(file, tools, bytes),
-          draco_(tools),
+          draco_(file.json, tools),
           nodes_(std::move(nodes)),
           skins_(file.json, buffers_, nodes_) {}
 
@@ -58,6 +60,10 @@ class SceneReader {
         if (!mesh.is_object())
             return refuse("it speaks of mesh " + grouped(*which) +
                           ", which it does not have: export it again");
+        // Each node that shows a mesh reads all its weights, and each primitive those of its shapes.
+        const std::uint64_t shapes =
+            std::max(count_of(field(node, "weights")), count_of(field(mesh, "weights")));
+        if (const auto fair = buffers_.spend(kStepsPerShape * shapes); !fair) return fair;
         const auto weights = morph_weights(node, mesh);
         if (!weights) return tl::unexpected(weights.error());
         const std::vector<Affine>* pose = nullptr;
@@ -70,8 +76,11 @@ class SceneReader {
         }
         const Json& primitives = field(mesh, "primitives");
         for (std::uint64_t i = 0; i < count_of(primitives); ++i) {
-            if (const auto fair = buffers_.spend(kStepsPerPrimitive); !fair) return fair;
-            const auto primitive = open_primitive(scene_, buffers_, draco_, item(primitives, i), *weights);
+            const Json& json = item(primitives, i);
+            const std::uint64_t mixed = std::min(shapes, count_of(field(json, "targets")));
+            if (const auto fair = buffers_.spend(kStepsPerPrimitive + kStepsPerShape * mixed); !fair)
+                return fair;
+            const auto primitive = open_primitive(scene_, buffers_, draco_, json, *weights);
             if (!primitive) return tl::unexpected(primitive.error());
             if (!primitive->has_value() || (*primitive)->corners() == 0) continue;
             if (const auto done = place(index, **primitive, pose); !done) return done;
@@ -83,19 +92,25 @@ class SceneReader {
     Result<void> place(std::uint64_t node, const Primitive& primitive, const std::vector<Affine>* pose) {
         const Affine to_mm = scaling(kMmPerMetre);
         if (pose != nullptr && primitive.influence) {
-            const auto fair = gatherer_.announce(primitive, 1, buffers_.bytes_read());
+            const auto fair = gatherer_.announce(primitive, 1, 0, bytes_behind());
             return fair ? gatherer_.add(primitive, to_mm, pose) : fair;
         }
         const auto world = nodes_.world(node);
         if (!world) return tl::unexpected(world.error());
         const auto instances = Instances::open(scene_, buffers_, nodes_.json(node));
         if (!instances) return tl::unexpected(instances.error());
-        if (const auto fair = gatherer_.announce(primitive, instances->count(), buffers_.bytes_read()); !fair)
+        if (const auto fair =
+                gatherer_.announce(primitive, instances->count(), instances->effort(), bytes_behind());
+            !fair)
             return fair;
         for (std::uint64_t i = 0; i < instances->count(); ++i)
             if (const auto done = gatherer_.add(primitive, to_mm * *world * instances->at(i), nullptr); !done)
                 return done;
         return {};
+    }
+
+    [[nodiscard]] std::uint64_t bytes_behind() const {
+        return (draco_.used() ? kBytesPerDracoByte : 1) * buffers_.bytes_read();
     }
 
     const Json& scene_;

@@ -49,7 +49,7 @@ std::optional<Affine> parse_transform(std::string_view text, double mm) {
 /// Reads the elements of one model.
 class ModelReader {
   public:
-    explicit ModelReader(Bytes document) : xml_(document) {}
+    ModelReader(Bytes document, ThreeMfTotals& totals) : xml_(document), totals_(totals) {}
 
     Result<ThreeMfModel> read() && {
         auto event = xml_.next();
@@ -107,6 +107,8 @@ class ModelReader {
     Result<void> object() {
         const auto number = id("id");
         if (!number) return tl::unexpected(number.error());
+        if (++totals_.objects > ThreeMfTotals::kMostObjects)
+            return wrong(xml_, too_many_in_3mf(ThreeMfTotals::kMostObjects, "objects"));
         const auto [place, is_new] = model_.objects.try_emplace(*number);
         if (!is_new) return wrong(xml_, "there are two objects with the id " + std::to_string(*number));
         ThreeMfObject& object = place->second;
@@ -135,6 +137,8 @@ class ModelReader {
     Result<void> use(std::vector<ThreeMfUse>& uses) {
         const auto number = id("objectid");
         if (!number) return tl::unexpected(number.error());
+        if (++totals_.uses > ThreeMfTotals::kMostUses)
+            return wrong(xml_, too_many_in_3mf(ThreeMfTotals::kMostUses, "items and components"));
         ThreeMfUse found;
         found.object = *number;
         if (const auto path = xml_.attribute(kThreeMfProduction, "path"))
@@ -151,14 +155,20 @@ class ModelReader {
     }
 
     XmlReader xml_;
+    ThreeMfTotals& totals_;
     double mm_ = 1;
     ThreeMfModel model_;
 };
 
 }  // namespace
 
-Result<ThreeMfModel> read_3mf_model(Bytes xml) {
-    return ModelReader(xml).read();
+Result<ThreeMfModel> read_3mf_model(Bytes xml, ThreeMfTotals& totals) {
+    return ModelReader(xml, totals).read();
+}
+
+std::string too_many_in_3mf(std::uint64_t most, const char* what) {
+    return "it has or repeats more than " + grouped(most) + " " + what +
+           ": export it as one mesh (STL or PLY)";
 }
 
 }  // namespace snug

@@ -36,8 +36,19 @@ struct ThreeMfModel {
     std::vector<ThreeMfUse> build;
 };
 
+/// What all models of a file have together.
+struct ThreeMfTotals {
+    static constexpr std::uint64_t kMostUses = 1'000'000;  ///< items and components
+    static constexpr std::uint64_t kMostObjects = 200'000;
+    std::uint64_t uses = 0, objects = 0;
+};
+
 /// Reads a model (3MF core specification 1.4, production extension 1.1), lengths in mm. What is about looks
-/// is passed over. Errors (input) name the line.
-[[nodiscard]] Result<ThreeMfModel> read_3mf_model(Bytes xml);
+/// is passed over. `totals` grow by what it has, and stop it where they are too high. Errors (input) name the
+/// line.
+[[nodiscard]] Result<ThreeMfModel> read_3mf_model(Bytes xml, ThreeMfTotals& totals);
+
+/// The sentence of a file that has too much of something.
+[[nodiscard]] std::string too_many_in_3mf(std::uint64_t most, const char* what);
 
 }  // namespace snug

@@ -9,9 +9,8 @@
 namespace snug {
 namespace {
 
-constexpr int kMostDepth = 64;                  // of components within components
-constexpr std::uint64_t kMostUses = 1'000'000;  // items and components, written and as they repeat
-constexpr std::uint64_t kMostObjects = 200'000;
+constexpr int kMostDepth = 64;  // of components within components
+constexpr std::uint64_t kMostUses = ThreeMfTotals::kMostUses;
 constexpr std::uint64_t kMostRepeated = 10'000'000;  // triangles, where the file itself has fewer
 constexpr std::uint64_t kMore = 1'000'000'000'000;   // counting ends here
 
@@ -26,8 +25,7 @@ void add_to(ThreeMfCount& sum, const ThreeMfCount& more) {
 }
 
 tl::unexpected<Error> too_many(std::uint64_t most, const char* what) {
-    return fail(ErrorKind::input, "it has or repeats more than " + grouped(most) + " " + what +
-                                      ": export it as one mesh (STL or PLY)");
+    return fail(ErrorKind::input, too_many_in_3mf(most, what));
 }
 
 std::string called(std::int64_t object, const std::string& part) {
@@ -46,16 +44,9 @@ Result<const ThreeMfModel*> ThreeMfScene::model(const std::string& part) {
     constexpr std::string_view kSecret = "%3McF";
     if (std::string_view(reinterpret_cast<const char*>(bytes->data()), bytes->size()).substr(0, 5) == kSecret)
         return fail(ErrorKind::input, quoted(part, 80) + " is encrypted: export it again without encryption");
-    auto read = read_3mf_model(*bytes);
+    auto read = read_3mf_model(*bytes, totals_);
     if (!read) return fail(ErrorKind::input, quoted(part, 80) + ", " + read.error().message);
-    uses_ += read->build.size();
-    objects_ += read->objects.size();
-    for (const auto& [id, object] : read->objects) {
-        uses_ += object.components.size();
-        triangles_ += object.mesh.triangles.size();
-    }
-    if (uses_ > kMostUses) return too_many(kMostUses, "items and components");
-    if (objects_ > kMostObjects) return too_many(kMostObjects, "objects");
+    for (const auto& [id, object] : read->objects) triangles_ += object.mesh.triangles.size();
     return &models_.emplace(part, std::move(*read)).first->second;
 }
 

@@ -63,7 +63,8 @@ class ThreeMfScene {
     std::map<Key, std::size_t> numbers_;
     std::vector<Node> nodes_;
     std::vector<Child> build_;
-    std::uint64_t uses_ = 0, objects_ = 0, triangles_ = 0;  // that the models hold
+    ThreeMfTotals totals_;
+    std::uint64_t triangles_ = 0;  // that the models hold
 };
 
 }  // namespace snug
