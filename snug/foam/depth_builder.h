@@ -62,9 +62,7 @@ inline constexpr std::array<CrossedEdges, 8> kEdgesOfLoneCorner = {
 /// The columns where both indices lie within a range.
 struct ColumnBlock {
     CellRange j, k;
-    [[nodiscard]] bool large() const {
-        return (j.last - j.first + 1) * (k.last - k.first + 1) > DepthTiles::kSide * DepthTiles::kSide;
-    }
+    [[nodiscard]] bool large() const { return DepthTiles::pay(j.last - j.first + 1, k.last - k.first + 1); }
 };
 
 /// Fills a depth map with placed vertices and triangles: the exact rule, in one place for every way of

@@ -1,6 +1,5 @@
 #include "snug/foam/depth_map.h"
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -33,19 +32,19 @@ DepthMap depth_map(const Mesh& mesh, const Placement& placement, const DesignSpa
         cells[i] = own.add_vertex(placed[i]);
     });
     // Large triangles wait: by then much of what they would be looked at for is there.
-    std::vector<std::uint8_t> waits(mesh.triangles.size());
-    const auto corners = [&](std::size_t t) {
-        const auto& [a, b, c] = mesh.triangles[t];
-        return std::array{placed[a], placed[b], placed[c]};
-    };
+    std::vector<std::uint8_t> waits;
+    if (DepthTiles::pay(space.blocks.y, space.blocks.z)) waits.resize(mesh.triangles.size());
     add_in_parallel(builder, mesh.triangles.size(), [&](DepthMapBuilder& own, std::size_t t) {
         const auto& [a, b, c] = mesh.triangles[t];
         const bool one_cell = cells[a].one() && cells[a] == cells[b] && cells[a] == cells[c];
-        if (!one_cell && !own.add_small_triangle(corners(t))) waits[t] = 1;
+        if (!one_cell && !own.add_small_triangle({placed[a], placed[b], placed[c]})) waits[t] = 1;
     });
+    if (waits.empty()) return builder.take();
     const std::vector<std::uint32_t> large = outermost_first(mesh.triangles, waits, placed);
-    add_in_parallel(builder, large.size(),
-                    [&](DepthMapBuilder& own, std::size_t i) { own.add_triangle(corners(large[i])); });
+    add_in_parallel(builder, large.size(), [&](DepthMapBuilder& own, std::size_t i) {
+        const auto& [a, b, c] = mesh.triangles[large[i]];
+        own.add_triangle({placed[a], placed[b], placed[c]});
+    });
     return builder.take();
 }
 

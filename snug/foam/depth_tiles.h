@@ -52,6 +52,10 @@ class SpreadTriangle {
 class DepthTiles {
   public:
     static constexpr int kSide = 32;  ///< columns of a tile along y and z, at most
+    /// Whether a block of so many columns is worth the look at its tiles.
+    [[nodiscard]] static constexpr bool pay(int rows, int columns) {
+        return static_cast<long long>(rows) * columns > kSide * kSide;
+    }
 
     DepthTiles() = default;
     DepthTiles(int rows, int columns);
