@@ -242,6 +242,19 @@ TEST(Stream, BadFilesAreSentences) {
     EXPECT_NE(opened(FileBytes(begin, begin + text.size())).find("--no-stream"), std::string::npos);
 }
 
+TEST(Stream, OfTwoElementsOfOneKindNoneIsTakenForTheOther) {
+    const std::string element = "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
+    const std::string text = "ply\nformat binary_little_endian 1.0\n" + element + element +
+                             "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+    FileBytes bytes;
+    for (const char c : text) bytes.push_back(static_cast<std::byte>(c));
+    bytes.resize(bytes.size() + 2 * 36 + 13, std::byte{3});
+    const auto stream = TriangleStream::open(source_of(bytes));
+    ASSERT_FALSE(stream);
+    EXPECT_NE(stream.error().message.find("not the only one of its kind"), std::string::npos)
+        << stream.error().message;
+}
+
 /// Puts what is no place into corners of some of the triangles of a binary STL, or into vertices of a PLY.
 FileBytes with_bad_records(FileBytes bytes, std::size_t begin, std::size_t record, std::size_t count,
                            std::size_t floats, double share, Random& random) {

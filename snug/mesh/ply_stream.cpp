@@ -128,6 +128,10 @@ Result<Layout> layout_of(const PlyHeader& header, std::uint64_t file_size) {
                           ": it is cut off, or has faces with other than three corners");
         at = records.end();
         Result<void> taken;
+        if ((element.name == "vertex" && layout.vertices.bytes != 0) || (faces && layout.faces.bytes != 0))
+            return refuse(shown_as(element) +
+                          " is not the only one of its kind, so it is not read in pieces: "
+                          "join them, or read the file whole with --no-stream");
         if (element.name == "vertex") taken = take_vertices(element, records, layout);
         if (faces) taken = take_faces(element, records, layout);
         if (!taken) return tl::unexpected(taken.error());
