@@ -87,11 +87,9 @@ test('a place taken from the map cuts what the map says, with the walls that wer
   await set(page, 'slider', 'Wall', 50);
   await set(page, 'slider', 'Rotation θ', 25);
   await page.getByRole('button', {name: 'Map of directions'}).click();
-  // Each place is exact from the moment that it is on the map: once round is enough.
+  // The whole map, however fast the machine: a button to end it early may be gone before it is pressed.
   const progress = page.getByRole('progressbar', {name: 'Looking in every direction'});
-  await expect.poll(async () => Number(await progress.getAttribute('value')), {timeout: 240_000}).toBeGreaterThan(0.08);
-  await page.getByRole('button', {name: 'Cancel'}).click();
-  await expect(page.getByRole('button', {name: 'Cancel'})).toBeHidden();
+  await expect(progress).toBeHidden({timeout: 240_000});
   const map = page.getByRole('button', {name: /^Map of directions: arrow keys/});
   const foam = () => page.evaluate(() => document.querySelector('footer')?.textContent ?? '');
   for (const [right, down] of [[0.5, 0.5], [0.3, 0.4], [0.62, 0.75]] as const) {
