@@ -89,6 +89,7 @@ test('a place taken from the map cuts what the map says, with the walls that wer
   await page.getByRole('button', {name: 'Map of directions'}).click();
   // The whole map, however fast the machine: a button to end it early may be gone before it is pressed.
   const progress = page.getByRole('progressbar', {name: 'Looking in every direction'});
+  await expect(progress).toBeVisible();
   await expect(progress).toBeHidden({timeout: 240_000});
   const map = page.getByRole('button', {name: /^Map of directions: arrow keys/});
   const foam = () => page.evaluate(() => document.querySelector('footer')?.textContent ?? '');
