@@ -4,13 +4,13 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
-#include <sha2.h>
 #include <sys/stat.h>
 
 #include <fmt/core.h>
 
 #include "cli/descriptor.h"
 #include "cli/interrupt.h"
+#include "cli/sha256.h"
 
 namespace snug::cli {
 namespace {
@@ -67,15 +67,6 @@ Result<std::vector<std::byte>> read_file(const fs::path& path) {
         return refuse("the file became shorter while it was read");
     bytes.resize(used);
     return bytes;
-}
-
-std::string sha256(std::span<const std::byte> bytes) {
-    SHA2_CTX context;
-    SHA256Init(&context);
-    SHA256Update(&context, reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size());
-    char digest[SHA256_DIGEST_STRING_LENGTH];
-    SHA256End(&context, digest);
-    return digest;
 }
 
 ObjectFile describe(const fs::path& path, std::span<const std::byte> bytes) {

@@ -14,9 +14,6 @@ namespace snug::cli {
 /// The bytes of a file, or an Error of kind `input` that names it.
 [[nodiscard]] Result<std::vector<std::byte>> read_file(const std::filesystem::path& path);
 
-/// SHA-256 in 64 small hexadecimal digits.
-[[nodiscard]] std::string sha256(std::span<const std::byte> bytes);
-
 /// Name, size and hash, as a project file keeps them.
 [[nodiscard]] ObjectFile describe(const std::filesystem::path& path, std::span<const std::byte> bytes);
 

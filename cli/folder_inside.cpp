@@ -8,7 +8,6 @@
 #include <dirent.h>
 #include <fcntl.h>
 #include <memory>
-#include <sha2.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -17,6 +16,7 @@
 #include <fmt/core.h>
 
 #include "cli/interrupt.h"
+#include "cli/sha256.h"
 
 namespace snug::cli {
 namespace {
@@ -121,20 +121,17 @@ std::optional<std::string> FolderInside::read(const std::string& name, std::uint
 std::optional<std::string> FolderInside::sha256(const std::string& name) const {
     const Descriptor from = file(name);
     if (!from.ok()) return {};
-    SHA2_CTX context;
-    SHA256Init(&context);
-    const auto part = std::make_unique<std::uint8_t[]>(1 << 20);
+    Sha256 hash;
+    const auto part = std::make_unique<std::byte[]>(1 << 20);
     for (;;) {
         const ssize_t count = ::read(from.get(), part.get(), 1 << 20);
         if (InterruptGuard::interrupted()) return {};
         if (count < 0 && errno == EINTR) continue;
         if (count < 0) return {};
         if (count == 0) break;
-        SHA256Update(&context, part.get(), static_cast<std::size_t>(count));
+        hash.add({part.get(), static_cast<std::size_t>(count)});
     }
-    char digest[SHA256_DIGEST_STRING_LENGTH];
-    SHA256End(&context, digest);
-    return digest;
+    return hash.digits();
 }
 
 std::vector<std::string> FolderInside::leftovers(const std::string& folder,

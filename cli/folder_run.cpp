@@ -12,6 +12,7 @@
 #include "snug/base/text.h"
 
 #include "cli/interrupt.h"
+#include "cli/sha256.h"
 
 namespace snug::cli {
 namespace {

@@ -92,14 +92,14 @@ TEST(DepthTiles, WhatIsHiddenIsNotLookedAtAgain) {
     const SpreadTriangle::Rectangle seen{0, 32, 0, 32};
     ASSERT_TRUE(first.spans(seen));
     DepthMap depths(64, 64);
-    EXPECT_FALSE(tiles.hides(0, 0, first, seen));
+    EXPECT_FALSE(tiles.hides(0, 0, first, seen, depths));
     for (int j = 0; j < 32; ++j)
         for (int k = 0; k < 32; ++k) depths(j, k) = {4, 8};
-    tiles.added(0, 0, first, seen, depths);
-    EXPECT_TRUE(tiles.hides(0, 0, first, seen)) << "between the lowest and the highest that is there";
+    tiles.added(0, 0, first, seen);
+    EXPECT_TRUE(tiles.hides(0, 0, first, seen, depths)) << "between the lowest and the highest that is there";
     auto outer = front;
     for (Vec3d& corner : outer) corner.x += 4;
-    EXPECT_FALSE(tiles.hides(0, 0, SpreadTriangle(outer), seen));
+    EXPECT_FALSE(tiles.hides(0, 0, SpreadTriangle(outer), seen, depths));
 }
 
 }  // namespace

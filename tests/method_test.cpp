@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <cstdlib>
+#include <optional>
 
 #include <gtest/gtest.h>
 
 #include "snug/fabricate/solid.h"
 #include "snug/foam/block_map.h"
+#include "snug/foam/depth_builder.h"
 #include "snug/foam/foam_pair.h"
 #include "snug/foam/parting.h"
 
@@ -31,28 +33,41 @@ BlockMap cut(const RandomDesign& design) {
     return block_map(depth_map(design.mesh, design.placement, design.space, grown), design.space, grown);
 }
 
+/// Surface that misses a block by the last tenth of a tie (depth_builder.h, kCrossingError) may count as
+/// touching as well. It takes a hundred thousand snapped designs to meet one.
+Blocks brute_force_of_design(const RandomDesign& design, double touch) {
+    return test::brute_force_cut(test::placed_triangles(design.mesh, design.placement), design.space,
+                                 {design.clearance, design.clearance, design.clearance}, design.cut_on_touch,
+                                 touch);
+}
+
 TEST(Method, EveryBlockEqualsTheBruteForce) {
-    long long snapped = 0, cut_blocks = 0;
+    long long snapped = 0, cut_blocks = 0, ties = 0;
     const int cases = case_count();
     for (int seed = 0; seed < cases; ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         const RandomDesign design = test::random_design(random);
         const BlockMap blocks = cut(design);
-        const Blocks expected = test::brute_force_cut(test::placed_triangles(design.mesh, design.placement),
-                                                      design.space, design.clearance, design.cut_on_touch);
+        const Blocks expected = brute_force_of_design(design, 1e-9);
+        std::optional<Blocks> touched;
         snapped += design.snapped;
         for (int j = 0; j < design.space.blocks.y; ++j) {
             for (int k = 0; k < design.space.blocks.z; ++k) {
                 const CutRun run = blocks(j, k);
                 cut_blocks += run.blocks();
-                for (int i = 0; i < design.space.blocks.x; ++i)
-                    ASSERT_EQ(i >= run.first && i < run.end, expected.cut(i, j, k))
+                for (int i = 0; i < design.space.blocks.x; ++i) {
+                    const bool is_cut = i >= run.first && i < run.end;
+                    if (is_cut == expected.cut(i, j, k)) continue;
+                    if (!touched) touched = brute_force_of_design(design, 1e-9 + 2 * kCrossingError), ++ties;
+                    ASSERT_TRUE(is_cut && touched->cut(i, j, k))
                         << "seed " << seed << ", block " << i << " " << j << " " << k << ", clearance "
                         << design.clearance << (design.cut_on_touch ? ", cut on touch" : "")
                         << (design.snapped ? ", snapped" : "");
+                }
             }
         }
     }
+    EXPECT_LE(ties, cases / 100000 + 1);
     EXPECT_GT(snapped, cases / 3);
     EXPECT_GT(cut_blocks, cases);
     RecordProperty("cases", cases);

@@ -11,14 +11,14 @@
 namespace snug {
 
 /// Adds items 0 to count - 1 with add(builder, item). Each worker fills a depth map of its own: extremes of
-/// extremes are the same whatever each got.
+/// extremes are the same whatever each got. `at_once`: items that one task treats.
 template <class Add>
-void add_in_parallel(DepthMapBuilder& builder, std::size_t count, Add add) {
-    constexpr std::size_t kAtOnce = std::size_t{1} << 14;  // items that one task treats
-    const std::size_t chunks = (count + kAtOnce - 1) / kAtOnce;
+void add_in_parallel(DepthMapBuilder& builder, std::size_t count, Add add,
+                     std::size_t at_once = std::size_t{1} << 14) {
+    const std::size_t chunks = (count + at_once - 1) / at_once;
     const auto add_chunk = [&](DepthMapBuilder& own, std::size_t chunk) {
-        const std::size_t end = std::min(count, (chunk + 1) * kAtOnce);
-        for (std::size_t item = chunk * kAtOnce; item < end; ++item) add(own, item);
+        const std::size_t end = std::min(count, (chunk + 1) * at_once);
+        for (std::size_t item = chunk * at_once; item < end; ++item) add(own, item);
     };
     if (worker_count() == 1 || chunks < 2) {
         for (std::size_t chunk = 0; chunk < chunks; ++chunk) add_chunk(builder, chunk);

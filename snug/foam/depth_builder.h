@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 
 #include "snug/base/vec.h"
@@ -75,6 +76,8 @@ struct ColumnBlock {
 class DepthMapBuilder {
   public:
     DepthMapBuilder(const DesignSpace& space, Reach reach);
+    /// Begins with what is known already.
+    DepthMapBuilder(const DesignSpace& space, Reach reach, DepthMap known);
 
     /// Counts a vertex in the cells that hold it, and says which.
     VertexCell add_vertex(Vec3d p) {
@@ -115,16 +118,29 @@ class DepthMapBuilder {
         double along;
         double x;
     };
+    struct Segment {
+        LinePoint first, last;  ///< first.along <= last.along
+    };
 
     [[nodiscard]] ColumnBlock block_of(const std::array<Vec3d, 3>& corners) const;
     VertexCell add_vertex_of_several(Vec3d p);
-    void add_in_tiles(const std::array<Vec3d, 3>& corners, const ColumnBlock& block, double x_min,
-                      double x_max);
+    void add_in_tiles(const std::array<Vec3d, 3>& corners, const ColumnBlock& block);
+    void add_in_tile(const std::array<Vec3d, 3>& corners, const SpreadTriangle& triangle,
+                     const ColumnBlock& block);
+    void add_in_square(const std::array<Vec3d, 3>& corners, const ColumnBlock& block);
+    [[nodiscard]] bool changes_any(const ColumnBlock& block, double x_min, double x_max) const;
+    [[nodiscard]] SpreadTriangle::Rectangle over(const ColumnBlock& block) const;
+    [[nodiscard]] ColumnBlock narrowed(const std::array<Vec3d, 3>& corners, const ColumnBlock& block) const;
     void add_in_block(const std::array<Vec3d, 3>& corners, const ColumnBlock& block, double x_min,
                       double x_max);
-    void add_section_along_z(const std::array<Vec3d, 3>& corners, int row, double c, CellRange columns);
-    void add_segment(int row, LinePoint p, LinePoint q, CellRange columns);
+    [[nodiscard]] bool changes(int row, int column, double x_min, double x_max) const;
+    /// The columns without those at both ends that x from `x_min` to `x_max` would not change.
+    [[nodiscard]] CellRange changed_in_row(int row, CellRange columns, double x_min, double x_max) const;
+    [[nodiscard]] static std::optional<Segment> section_along_z(const std::array<Vec3d, 3>& corners,
+                                                                double c);
+    void add_segment(int row, const Segment& segment, CellRange columns);
     void add_crossings_of_z(const std::array<Vec3d, 3>& corners, int column, double c, CellRange rows);
+    void add_crossing(double x, double y, int column, CellRange rows);
 
     GrownCells rows_;
     GrownCells columns_;

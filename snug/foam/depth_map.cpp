@@ -1,6 +1,7 @@
 #include "snug/foam/depth_map.h"
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "snug/foam/add_in_parallel.h"
@@ -12,6 +13,7 @@ namespace {
 
 constexpr double kFaceTolerance = 0.01;
 constexpr double kRounding = 1e-9;
+constexpr std::size_t kLargeAtOnce = 256;  // triangles
 
 }  // namespace
 
@@ -24,7 +26,12 @@ Reach reach(Vec3d clearance_mm, bool cut_on_touch) {
 }
 
 DepthMap depth_map(const Mesh& mesh, const Placement& placement, const DesignSpace& space, Reach reach) {
-    DepthMapBuilder builder(space, reach);
+    return depth_map(mesh, placement, space, reach, DepthMap(space.blocks.y, space.blocks.z));
+}
+
+DepthMap depth_map(const Mesh& mesh, const Placement& placement, const DesignSpace& space, Reach reach,
+                   DepthMap known) {
+    DepthMapBuilder builder(space, reach, std::move(known));
     std::vector<Vec3d> placed(mesh.vertices.size());
     std::vector<VertexCell> cells(mesh.vertices.size());
     add_in_parallel(builder, placed.size(), [&](DepthMapBuilder& own, std::size_t i) {
@@ -41,10 +48,13 @@ DepthMap depth_map(const Mesh& mesh, const Placement& placement, const DesignSpa
     });
     if (waits.empty()) return builder.take();
     const std::vector<std::uint32_t> large = outermost_first(mesh.triangles, waits, placed);
-    add_in_parallel(builder, large.size(), [&](DepthMapBuilder& own, std::size_t i) {
-        const auto& [a, b, c] = mesh.triangles[large[i]];
-        own.add_triangle({placed[a], placed[b], placed[c]});
-    });
+    add_in_parallel(
+        builder, large.size(),
+        [&](DepthMapBuilder& own, std::size_t i) {
+            const auto& [a, b, c] = mesh.triangles[large[i]];
+            own.add_triangle({placed[a], placed[b], placed[c]});
+        },
+        kLargeAtOnce);
     return builder.take();
 }
 

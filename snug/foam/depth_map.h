@@ -48,6 +48,9 @@ struct DepthRange {
 using DepthMap = Grid<DepthRange>;
 [[nodiscard]] DepthMap depth_map(const Mesh& mesh, const Placement& placement, const DesignSpace& space,
                                  Reach reach);
+/// The same of a surface and one more, whose depth map for the same space and reach is known.
+[[nodiscard]] DepthMap depth_map(const Mesh& mesh, const Placement& placement, const DesignSpace& space,
+                                 Reach reach, DepthMap known);
 /// The same to the bit, without looking at most of the surface.
 [[nodiscard]] DepthMap depth_map(const PreparedSurface& surface, const Placement& placement,
                                  const DesignSpace& space, Reach reach);

@@ -16,6 +16,7 @@ constexpr double kSlack = 1e-7;
 constexpr double kSlackShare = 1e-11;
 // Rectangles that miss a triangle by less count as met (mm).
 constexpr double kMargin = 1e-6;
+constexpr int kMostIdle = 31;  // triangles
 
 }  // namespace
 
@@ -84,8 +85,9 @@ DepthTiles::DepthTiles(int rows, int columns)
       tiles_(static_cast<std::size_t>((rows + kSide - 1) / kSide) * tiles_along_z_) {}
 
 bool DepthTiles::hides(int tile_j, int tile_k, const SpreadTriangle& triangle,
-                       const SpreadTriangle::Rectangle& seen) const {
-    const Tile& known = tile(tile_j, tile_k);
+                       const SpreadTriangle::Rectangle& seen, const DepthMap& depths) {
+    Tile& known = tile(tile_j, tile_k);
+    if (--known.next_look < 0) look_at_columns(known, tile_j, tile_k, depths);
     const DepthRange x = triangle.over(seen);
     bool above = x.highest > known.least_highest, below = x.lowest < known.most_lowest;
     if (!above && !below) return true;
@@ -102,10 +104,7 @@ bool DepthTiles::hides(int tile_j, int tile_k, const SpreadTriangle& triangle,
     return !above && !below;
 }
 
-void DepthTiles::added(int tile_j, int tile_k, const SpreadTriangle& triangle,
-                       const SpreadTriangle::Rectangle& seen, const DepthMap& depths) {
-    Tile& known =
-        tiles_[static_cast<std::size_t>(tile_j) * tiles_along_z_ + static_cast<std::size_t>(tile_k)];
+void DepthTiles::look_at_columns(Tile& known, int tile_j, int tile_k, const DepthMap& depths) {
     double least_highest = std::numeric_limits<double>::infinity();
     double most_lowest = -least_highest;
     const int last_j = std::min((tile_j + 1) * kSide, depths.ny()),
@@ -116,8 +115,17 @@ void DepthTiles::added(int tile_j, int tile_k, const SpreadTriangle& triangle,
             least_highest = std::min(least_highest, depth.highest);
             most_lowest = std::max(most_lowest, depth.lowest);
         }
+    // Looks that teach nothing become rare: they cost as much as a triangle.
+    const bool learned = least_highest > known.least_highest || most_lowest < known.most_lowest;
+    known.idle = learned ? 0 : std::min(2 * known.idle + 1, kMostIdle);
+    known.next_look = known.idle;
     known.least_highest = least_highest;
     known.most_lowest = most_lowest;
+}
+
+void DepthTiles::added(int tile_j, int tile_k, const SpreadTriangle& triangle,
+                       const SpreadTriangle::Rectangle& seen) {
+    Tile& known = tile(tile_j, tile_k);
     if (!triangle.spans(seen)) return;
     Plane above, below;
     bool higher = true, lower = true;
@@ -132,6 +140,7 @@ void DepthTiles::added(int tile_j, int tile_k, const SpreadTriangle& triangle,
     if (!known.spanned || higher) known.above = above;
     if (!known.spanned || lower) known.below = below;
     known.spanned = true;
+    known.next_look = 0;
 }
 
 }  // namespace snug

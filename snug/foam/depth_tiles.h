@@ -63,10 +63,9 @@ class DepthTiles {
 
     /// Whether the triangle changes nothing in the tile, whose columns see the rectangle.
     [[nodiscard]] bool hides(int tile_j, int tile_k, const SpreadTriangle& triangle,
-                             const SpreadTriangle::Rectangle& seen) const;
+                             const SpreadTriangle::Rectangle& seen, const DepthMap& depths);
     /// After the triangle was added to the tile.
-    void added(int tile_j, int tile_k, const SpreadTriangle& triangle, const SpreadTriangle::Rectangle& seen,
-               const DepthMap& depths);
+    void added(int tile_j, int tile_k, const SpreadTriangle& triangle, const SpreadTriangle::Rectangle& seen);
 
   private:
     /// A plane that the depth map has passed everywhere in a tile, by its x above the rectangle's corners.
@@ -75,10 +74,12 @@ class DepthTiles {
         double least_highest = -std::numeric_limits<double>::infinity();
         double most_lowest = std::numeric_limits<double>::infinity();
         bool spanned = false;
+        int next_look = 0, idle = 0;  ///< triangles until its columns are looked at again
         Plane above{}, below{};
     };
 
-    [[nodiscard]] const Tile& tile(int j, int k) const {
+    static void look_at_columns(Tile& known, int tile_j, int tile_k, const DepthMap& depths);
+    [[nodiscard]] Tile& tile(int j, int k) {
         return tiles_[static_cast<std::size_t>(j) * tiles_along_z_ + static_cast<std::size_t>(k)];
     }
 

@@ -37,10 +37,10 @@ double diagonal(const Box3d& box) {
     return std::sqrt(dot(box.size(), box.size()));
 }
 
-/// Whether a vertex alone cuts a block: it lies in a grown cell and not in a slot between two shrunk blocks.
-class VertexCut {
+/// Whether a point alone cuts a block: it lies in a grown cell and not in a slot between two shrunk blocks.
+class PointCut {
   public:
-    VertexCut(const DesignSpace& space, Reach reach)
+    PointCut(const DesignSpace& space, Reach reach)
         : layers_(space, 0, reach), rows_(space, 1, reach), columns_(space, 2, reach) {}
 
     bool operator()(Vec3d p) const {
@@ -126,9 +126,7 @@ void find_open_holes(const Mesh& hole_spans, const Placement& placement, const D
                      Reach reach, const DepthMap& depths, const BlockMap& blocks,
                      std::vector<Finding>& findings) {
     if (hole_spans.triangles.empty()) return;
-    DepthMap spanned = depth_map(hole_spans, placement, space, reach);
-    for (std::size_t column = 0; column < spanned.size(); ++column) spanned[column].include(depths[column]);
-    const BlockMap closed = block_map(spanned, space, reach);
+    const BlockMap closed = block_map(depth_map(hole_spans, placement, space, reach, depths), space, reach);
     long long columns = 0, inside = 0;
     int most = 0;
     Vec3d where;
@@ -159,17 +157,22 @@ void find_uncut_parts(const Mesh& mesh, const MeshMeasure& measure, bool capped,
                       const DesignSpace& space, Reach reach, const BlockMap& blocks,
                       std::vector<Finding>& findings) {
     if (blocks.size() == 0) return;
-    const VertexCut cuts(space, reach);
+    const PointCut cuts(space, reach);
+    // Vertices often lie on blocks' faces, where alone they cut nothing; points between them rarely do.
+    const auto cuts_at_its_points = [&](const Triangle& t) {
+        const Vec3d a = placement(mesh.vertices[t[0]]), b = placement(mesh.vertices[t[1]]),
+                    c = placement(mesh.vertices[t[2]]);
+        return cuts(a) || cuts(b) || cuts(c) || cuts((a + b) * 0.5) || cuts((b + c) * 0.5) ||
+               cuts((c + a) * 0.5) || cuts((a + b + c) * (1.0 / 3));
+    };
     std::vector<bool> cut(measure.parts.size());
     std::size_t uncut = cut.size();
     for (std::size_t t = 0; t < measure.part_of_triangle.size() && uncut > 0; ++t) {
         const std::uint32_t part = measure.part_of_triangle[t];
         if (cut[part]) continue;
-        for (const std::uint32_t v : mesh.triangles[t]) {
-            if (cut[part] || !cuts(placement(mesh.vertices[v]))) continue;
-            cut[part] = true;
-            --uncut;
-        }
+        if (!cuts_at_its_points(mesh.triangles[t])) continue;
+        cut[part] = true;
+        --uncut;
     }
     if (uncut == 0) return;
     const TrianglesOfParts triangles(measure, cut);

@@ -22,8 +22,8 @@ struct LargestBallOptions {
     double absolute_error = 0.125;  ///< ...or to this, in mm, whichever is larger
     int most_probes = 200'000;      ///< ...or when so many points were probed...
     /// ...or when that took so many looks at boxes, prisms and triangles (which count as several);
-    /// radius_error then tells. Objects that people pack take a thirtieth of this.
-    std::uint64_t most_work = std::uint64_t{1} << 27;
+    /// radius_error then tells. Objects that people pack take a fraction of this.
+    std::uint64_t most_work = std::uint64_t{1} << 25;
 };
 
 /// A bound that the room of no point in the cube exceeds, from a probe of its centre. `half`: half the cube's

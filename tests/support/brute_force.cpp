@@ -24,9 +24,9 @@ Polygon clipped(const Polygon& polygon, const std::function<double(Vec3d)>& side
 }  // namespace
 
 Blocks brute_force_cut(const std::vector<PlacedTriangle>& triangles, const DesignSpace& space,
-                       Vec3d clearance, bool cut_on_touch) {
-    const Vec3d touch{1e-9, 1e-9, 1e-9};
-    const Vec3d e = (cut_on_touch ? clearance : clearance - Vec3d{0.01, 0.01, 0.01}) + touch;
+                       Vec3d clearance, bool cut_on_touch, double touch) {
+    const Vec3d e =
+        (cut_on_touch ? clearance : clearance - Vec3d{0.01, 0.01, 0.01}) + Vec3d{touch, touch, touch};
     const auto start = [&](int axis, int i) { return i * space.block_mm[axis] - space.size()[axis] / 2; };
     Blocks blocks(space.blocks);
     for (int j = 0; j < space.blocks.y; ++j) {

@@ -29,9 +29,9 @@ class Blocks {
 /// Which blocks the object cuts, straight from the definition: every triangle is clipped to every column's
 /// cell grown by e, and every block of the column compared with the extremes of what is left. e = clearance -
 /// 0.01, or the clearance itself with cut_on_touch, along each axis; ties are decided towards touching by
-/// 1e-9 mm.
+/// `touch` mm.
 [[nodiscard]] Blocks brute_force_cut(const std::vector<PlacedTriangle>& triangles, const DesignSpace& space,
-                                     Vec3d clearance, bool cut_on_touch);
+                                     Vec3d clearance, bool cut_on_touch, double touch = 1e-9);
 [[nodiscard]] inline Blocks brute_force_cut(const std::vector<PlacedTriangle>& triangles,
                                             const DesignSpace& space, double clearance, bool cut_on_touch) {
     return brute_force_cut(triangles, space, Vec3d{clearance, clearance, clearance}, cut_on_touch);
