@@ -1,3 +1,4 @@
+#include "snug/fabricate/block_names.h"
 #include "snug/fabricate/sponge.h"
 
 #include <algorithm>

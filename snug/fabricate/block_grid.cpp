@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "snug/fabricate/pluck_plan.h"
+#include "snug/fabricate/block_names.h"
 #include "snug/fabricate/text_lines.h"
 
 namespace snug {

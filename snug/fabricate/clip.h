@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "snug/fabricate/drawing.h"
+#include "snug/base/vec2.h"
 
 namespace snug {
 

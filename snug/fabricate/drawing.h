@@ -5,8 +5,8 @@
 #include <variant>
 #include <vector>
 
+#include "snug/base/color.h"
 #include "snug/base/vec2.h"
-#include "snug/fabricate/mesh_files.h"
 
 // One display list for everything that is drawn for the workshop: maps on paper, outlines for a cutter.
 // Written as SVG and DXF by the library and as PDF by what stands around it. Lengths in mm on the sheet: x to

@@ -22,6 +22,15 @@ struct Projected {
 /// towards the viewer (front) and the tops are seen.
 [[nodiscard]] Projected project(Vec3d scene);
 
+/// How a scene appears on the page.
+struct Page {
+    double scale = 1;  ///< px per mm of the drawing
+    Vec2d shift;
+
+    [[nodiscard]] Vec2d at(Vec2d drawing) const { return drawing * scale + shift; }
+    [[nodiscard]] Vec2d at(Vec3d scene) const { return at(project(scene).at); }
+};
+
 /// The foam pair as it lies open, the lid turned over its BACK edge (-y).
 struct OpenedPair {
     double back_y = 0;     ///< design y of the BACK edges

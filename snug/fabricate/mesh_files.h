@@ -1,23 +1,16 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "snug/base/bytes.h"
+#include "snug/base/color.h"
 #include "snug/base/vec.h"
 
 namespace snug {
-
-struct Color {
-    std::uint8_t red = 0, green = 0, blue = 0;
-    friend bool operator==(const Color&, const Color&) = default;
-};
-constexpr Color kLowerBlue{64, 132, 214};
-constexpr Color kUpperOrange{242, 145, 46};
 
 /// Binary STL: an 80-byte header that starts with `title` ("binary " before a title that would make it look
 /// like a text STL), facet normals from the vertices; no units, no colour.

@@ -10,7 +10,7 @@
 #include "snug/fabricate/finger_room.h"
 #include "snug/fabricate/packing_picture.h"
 #include "snug/fabricate/page_builder.h"
-#include "snug/fabricate/pluck_plan.h"
+#include "snug/fabricate/block_names.h"
 
 namespace snug {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "snug/base/text.h"
 #include "snug/fabricate/block_grid.h"
+#include "snug/fabricate/block_names.h"
 #include "snug/fabricate/svg.h"
 #include "snug/fabricate/text_lines.h"
 

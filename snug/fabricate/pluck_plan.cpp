@@ -85,17 +85,6 @@ PluckPlan pluck_plan(const FoamDesign& design, Half half) {
     return plan;
 }
 
-std::string row_name(int row_from_back) {
-    std::string name;
-    for (int rest = row_from_back; rest >= 0; rest = rest / 26 - 1)
-        name.insert(name.begin(), static_cast<char>('A' + rest % 26));
-    return name;
-}
-
-std::string column_name(int column) {
-    return std::to_string(column + 1);
-}
-
 std::string layers_text(const LayerRun& run) {
     if (run.first == run.last) return "layer " + std::to_string(run.first);
     return "layers " + std::to_string(run.first) + " to " + std::to_string(run.last);

@@ -57,11 +57,6 @@ struct PluckPlan {
 
 [[nodiscard]] PluckPlan pluck_plan(const FoamDesign& design, Half half);
 
-/// The names of a column of blocks, the same in both halves: A, B, ... Z, AA, ... from BACK, and 1, 2, ...
-/// along k.
-[[nodiscard]] std::string row_name(int row_from_back);
-[[nodiscard]] std::string column_name(int column);
-
 /// "layer 3" or "layers 3 to 5"
 [[nodiscard]] std::string layers_text(const LayerRun& run);
 

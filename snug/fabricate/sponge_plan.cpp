@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "snug/base/text.h"
+#include "snug/fabricate/block_names.h"
 #include "snug/fabricate/page_builder.h"
 #include "snug/fabricate/pluck_map.h"
 

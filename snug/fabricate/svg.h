@@ -5,9 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "snug/base/vec.h"
-#include "snug/fabricate/isometric.h"
-#include "snug/fabricate/mesh_files.h"
+#include "snug/base/color.h"
+#include "snug/base/vec2.h"
 
 // Small pieces of SVG text that drawings are made of. Page coordinates: px of the viewBox, y downward.
 
@@ -27,15 +26,6 @@ namespace snug {
 /// an ellipsis if more would follow.
 [[nodiscard]] std::vector<std::string> wrapped(std::string_view text, std::size_t longest,
                                                std::size_t most_lines);
-
-/// How a scene appears on the page.
-struct Page {
-    double scale = 1;  ///< px per mm of the drawing
-    Vec2d shift;
-
-    [[nodiscard]] Vec2d at(Vec2d drawing) const { return drawing * scale + shift; }
-    [[nodiscard]] Vec2d at(Vec3d scene) const { return at(project(scene).at); }
-};
 
 /// d="..." of closed outlines on the page, in px.
 [[nodiscard]] std::string path_data(const std::vector<std::vector<Vec2d>>& loops);

@@ -63,7 +63,7 @@ double farthest(double low, double high, double middle) {
 
 /// The run of faces across x that hold a cell, as first..end of the blocks between them. The case is convex
 /// and widest at its lid's line, so the run includes a face next to that line, or it is empty.
-CutRun run_inside(const CaseSpace& fitted, double far_y, double far_z) {
+Run run_inside(const CaseSpace& fitted, double far_y, double far_z) {
     const DesignSpace& space = fitted.space;
     const auto face_holds = [&](int i) { return holds(fitted, space.face(0, i), far_y, far_z); };
     const double line = fitted.free.min.x - fitted.options.play_mm + lid_line(fitted.options);

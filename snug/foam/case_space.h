@@ -5,10 +5,10 @@
 
 #include "snug/base/box.h"
 #include "snug/base/result.h"
+#include "snug/base/side.h"
 #include "snug/design/case_options.h"
 #include "snug/foam/design_space.h"
-#include "snug/foam/fit_report.h"
-#include "snug/foam/foam_pair.h"
+#include "snug/foam/available.h"
 
 namespace snug {
 

@@ -112,11 +112,6 @@ long long blocks_of(const Grid<Run>& runs) {
 
 }  // namespace
 
-std::string_view side_name(Side side) {
-    constexpr std::string_view kNames[6] = {"floor", "roof", "back", "front", "left", "right"};
-    return kNames[side];
-}
-
 FitReport fit_report(const FoamPair& foams, const BlockMap& blocks, const DesignSpace& space) {
     const Available& available = foams.available;
     const Grid<Run> lower = kept_runs(foams, Half::lower, space.blocks.x);

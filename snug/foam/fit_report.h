@@ -1,18 +1,13 @@
 #pragma once
 
 #include <array>
-#include <string_view>
 
+#include "snug/base/side.h"
 #include "snug/foam/block_map.h"
 #include "snug/foam/design_space.h"
 #include "snug/foam/foam_pair.h"
 
 namespace snug {
-
-/// Sides of the design space, in the order of FitReport::wall_mm.
-enum Side { kFloor, kRoof, kBack, kFront, kLeft, kRight };  // -x, +x, -y, +y, -z, +z
-/// "floor", "roof", "back", "front", "left", "right"
-[[nodiscard]] std::string_view side_name(Side side);
 
 /// What can be read off the foams without looking at the object again.
 struct FitReport {

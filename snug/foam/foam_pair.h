@@ -6,19 +6,11 @@
 #include "snug/base/grid.h"
 #include "snug/base/half.h"
 #include "snug/base/run.h"
+#include "snug/foam/available.h"
 #include "snug/foam/block_map.h"
 #include "snug/foam/design_space.h"
 
 namespace snug {
-
-/// The run of blocks that exist in each column, counted from -x: all but those that would stick out of a case
-/// with rounded corners or leaning walls. An empty grid stands for all blocks of the space.
-using Available = Grid<Run>;
-
-/// The blocks of the column that exist, of nx.
-[[nodiscard]] inline Run available_in(const Available& available, std::size_t column, int nx) {
-    return available.size() == 0 ? Run{0, static_cast<std::int16_t>(nx)} : available[column];
-}
 
 /// The two foam halves (section 3.3 of the paper), each a height field: how high each column reaches, in
 /// blocks counted from its own side of the design space (lower from -x, upper from +x); 0 where it has none.

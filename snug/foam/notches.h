@@ -5,12 +5,12 @@
 #include <string>
 
 #include "snug/base/box.h"
+#include "snug/base/side.h"
 #include "snug/base/vec.h"
 #include "snug/design/fit_options.h"
 #include "snug/design/walls.h"
 #include "snug/foam/block_map.h"
 #include "snug/foam/design_space.h"
-#include "snug/foam/fit_report.h"
 
 namespace snug {
 

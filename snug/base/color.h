@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstdint>
+
+namespace snug {
+
+struct Color {
+    std::uint8_t red = 0, green = 0, blue = 0;
+    friend bool operator==(const Color&, const Color&) = default;
+};
+constexpr Color kLowerBlue{64, 132, 214};
+constexpr Color kUpperOrange{242, 145, 46};
+
+}  // namespace snug
