@@ -1,6 +1,6 @@
 #pragma once
 
-#include "snug/fabricate/brick_build.h"
+#include "snug/fabricate/bricks/brick_build.h"
 
 namespace snug::bench {
 

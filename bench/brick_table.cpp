@@ -8,13 +8,13 @@
 
 #include <nlohmann/json.hpp>
 
-#include "snug/fabricate/brick_forces.h"
-#include "snug/fabricate/brick_layout.h"
-#include "snug/fabricate/brick_shape.h"
-#include "snug/fabricate/brick_springs.h"
-#include "snug/fabricate/brick_statics.h"
-#include "snug/mesh/samples.h"
+#include "snug/fabricate/bricks/brick_forces.h"
+#include "snug/fabricate/bricks/brick_layout.h"
+#include "snug/fabricate/bricks/brick_shape.h"
+#include "snug/fabricate/bricks/brick_springs.h"
+#include "snug/fabricate/bricks/brick_statics.h"
 #include "snug/pipeline.h"
+#include "snug/samples/samples.h"
 
 #include "bench/brick_graph.h"
 #include "bench/measure_times.h"

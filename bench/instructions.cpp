@@ -3,12 +3,12 @@
 #include <tbb/global_control.h>
 #include <vector>
 
-#include "snug/fabricate/mesh_files.h"
+#include "snug/depth/depth_map.h"
 #include "snug/foam/block_map.h"
-#include "snug/foam/depth_map.h"
-#include "snug/foam/prepared_surface.h"
-#include "snug/mesh/read.h"
-#include "snug/mesh/samples.h"
+#include "snug/formats/mesh_files.h"
+#include "snug/formats/read.h"
+#include "snug/object/prepared_surface.h"
+#include "snug/samples/samples.h"
 
 #include "bench/refine.h"
 

@@ -10,13 +10,13 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "snug/depth/depth_map.h"
 #include "snug/design/design.h"
-#include "snug/fabricate/mesh_files.h"
 #include "snug/foam/block_map.h"
-#include "snug/foam/depth_map.h"
 #include "snug/foam/foam_pair.h"
 #include "snug/foam/parting.h"
-#include "snug/foam/prepared_surface.h"
+#include "snug/formats/mesh_files.h"
+#include "snug/object/prepared_surface.h"
 #include "snug/pipeline.h"
 
 #include "bench/measure_times.h"

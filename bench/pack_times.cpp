@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "snug/mesh/samples.h"
+#include "snug/samples/samples.h"
 #include "snug/workshop.h"
 
 #include "bench/measure_times.h"

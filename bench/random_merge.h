@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "snug/base/grid.h"
-#include "snug/fabricate/brick_build.h"
+#include "snug/fabricate/bricks/brick_build.h"
 
 namespace snug::bench {
 

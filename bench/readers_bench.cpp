@@ -14,8 +14,8 @@
 
 #include <benchmark/benchmark.h>
 
-#include "snug/fabricate/mesh_files.h"
-#include "snug/mesh/read.h"
+#include "snug/formats/mesh_files.h"
+#include "snug/formats/read.h"
 
 // The readers beside assimp, on the same bytes in memory, by turns in one run; a million triangles. assimp
 // may leave out whatever it can: its vertices are joined for STL only, where Snug joins them, too. Memory is

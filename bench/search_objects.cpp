@@ -9,8 +9,8 @@
 #include <span>
 #include <utility>
 
-#include "snug/mesh/read.h"
-#include "snug/mesh/samples.h"
+#include "snug/formats/read.h"
+#include "snug/samples/samples.h"
 
 #include "bench/refine.h"
 

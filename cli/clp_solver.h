@@ -1,6 +1,6 @@
 #pragma once
 
-#include "snug/fabricate/linear_program.h"
+#include "snug/fabricate/bricks/linear_program.h"
 
 namespace snug {
 

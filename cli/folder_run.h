@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "snug/base/finding.h"
 #include "snug/base/result.h"
-#include "snug/foam/finding.h"
 
 #include "cli/files.h"
 #include "cli/folder_inside.h"

@@ -12,7 +12,7 @@
 #include "snug/design/design.h"
 #include "snug/mesh/clean.h"
 #include "snug/mesh/measure.h"
-#include "snug/read_findings.h"
+#include "snug/object/read_findings.h"
 
 #include "cli/commands.h"
 #include "cli/console.h"

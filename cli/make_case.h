@@ -7,7 +7,7 @@
 
 #include "snug/base/result.h"
 #include "snug/design/design.h"
-#include "snug/foam/case_space.h"
+#include "snug/space/case_space.h"
 
 namespace snug::cli {
 

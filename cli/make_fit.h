@@ -6,8 +6,8 @@
 #include <CLI/CLI.hpp>
 
 #include "snug/base/result.h"
+#include "snug/check/bearing.h"
 #include "snug/design/design.h"
-#include "snug/foam/bearing.h"
 #include "snug/foam/notches.h"
 
 namespace snug::cli {

@@ -8,7 +8,7 @@
 
 #include "snug/base/result.h"
 #include "snug/design/design.h"
-#include "snug/fabricate/workshop_pack.h"
+#include "snug/fabricate/kit/workshop_pack.h"
 #include "snug/outputs.h"
 
 #include "cli/make_tools.h"

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "snug/base/result.h"
-#include "snug/fabricate/drawing.h"
+#include "snug/drawing/drawing.h"
 
 namespace snug::cli {
 

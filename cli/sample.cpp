@@ -7,8 +7,8 @@
 #include <fmt/core.h>
 
 #include "snug/base/text.h"
-#include "snug/fabricate/mesh_files.h"
-#include "snug/mesh/samples.h"
+#include "snug/formats/mesh_files.h"
+#include "snug/samples/samples.h"
 
 #include "cli/commands.h"
 #include "cli/console.h"

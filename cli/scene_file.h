@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "snug/base/result.h"
+#include "snug/formats/read.h"
 #include "snug/mesh/mesh.h"
-#include "snug/mesh/read.h"
 
 namespace snug::cli {
 

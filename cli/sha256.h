@@ -2,10 +2,9 @@
 
 #include <cstddef>
 #include <memory>
+#include <openssl/evp.h>
 #include <span>
 #include <string>
-
-#include <openssl/evp.h>
 
 namespace snug::cli {
 

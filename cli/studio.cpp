@@ -15,7 +15,7 @@
 
 #include "snug/base/text.h"
 #include "snug/design/project.h"
-#include "snug/fabricate/mesh_files.h"
+#include "snug/formats/mesh_files.h"
 #include "snug/formats/read_object.h"
 #include "snug/mesh/thin.h"
 

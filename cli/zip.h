@@ -1,7 +1,7 @@
 #pragma once
 
 #include "snug/base/result.h"
-#include "snug/fabricate/workshop_pack.h"
+#include "snug/fabricate/kit/workshop_pack.h"
 
 namespace snug::cli {
 

@@ -1,5 +1,5 @@
+#include "snug/formats/read.h"
 #include "snug/mesh/measure.h"
-#include "snug/mesh/read.h"
 
 #include "fuzz/check_mesh.h"
 

@@ -1,4 +1,4 @@
-#include "snug/mesh/read.h"
+#include "snug/formats/read.h"
 
 #include "fuzz/check_mesh.h"
 

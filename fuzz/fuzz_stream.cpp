@@ -1,8 +1,8 @@
 #include <cstring>
 
-#include "snug/foam/streamed_surface.h"
-#include "snug/mesh/read.h"
-#include "snug/mesh/triangle_stream.h"
+#include "snug/depth/streamed_surface.h"
+#include "snug/formats/read.h"
+#include "snug/formats/triangle_stream.h"
 
 #include "fuzz/check_mesh.h"
 

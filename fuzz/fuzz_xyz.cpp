@@ -1,4 +1,4 @@
-#include "snug/mesh/read_cloud.h"
+#include "snug/formats/read_cloud.h"
 
 #include "fuzz/check_mesh.h"
 

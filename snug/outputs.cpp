@@ -10,8 +10,8 @@
 
 #include "snug/base/stopwatch.h"
 #include "snug/base/text.h"
-#include "snug/fabricate/preview.h"
-#include "snug/fabricate/solid.h"
+#include "snug/picture/preview.h"
+#include "snug/solid/solid.h"
 
 namespace snug {
 namespace {

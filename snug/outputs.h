@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "snug/design/project.h"
-#include "snug/fabricate/mesh_files.h"
-#include "snug/fabricate/workshop_pack.h"
+#include "snug/fabricate/kit/workshop_pack.h"
+#include "snug/formats/mesh_files.h"
 #include "snug/pipeline.h"
 #include "snug/search/search_design.h"
 

@@ -6,17 +6,17 @@
 #include <utility>
 
 #include "snug/base/text.h"
-#include "snug/foam/cloud_depth_map.h"
-#include "snug/foam/cloud_places.h"
-#include "snug/foam/cloud_rims.h"
-#include "snug/foam/find_problems.h"
+#include "snug/check/cloud_rims.h"
+#include "snug/check/find_problems.h"
+#include "snug/depth/cloud_depth_map.h"
 #include "snug/foam/object_cut.h"
-#include "snug/foam/point_radius.h"
 #include "snug/foam/space_for.h"
 #include "snug/mesh/cap.h"
 #include "snug/mesh/shell.h"
+#include "snug/object/cloud_places.h"
+#include "snug/object/point_radius.h"
+#include "snug/object/read_findings.h"
 #include "snug/pack_placed.h"
-#include "snug/read_findings.h"
 
 namespace snug {
 namespace {

@@ -4,13 +4,13 @@
 #include <optional>
 #include <utility>
 
+#include "snug/depth/streamed_surface.h"
 #include "snug/foam/space_for.h"
-#include "snug/foam/streamed_surface.h"
 #include "snug/mesh/left_out.h"
 #include "snug/mesh/raw_mesh.h"
 #include "snug/mesh/shell.h"
+#include "snug/object/read_findings.h"
 #include "snug/pack_placed.h"
-#include "snug/read_findings.h"
 
 namespace snug {
 namespace {

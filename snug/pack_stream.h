@@ -3,7 +3,7 @@
 #include "snug/base/progress.h"
 #include "snug/base/result.h"
 #include "snug/design/design.h"
-#include "snug/mesh/triangle_stream.h"
+#include "snug/formats/triangle_stream.h"
 #include "snug/pipeline.h"
 
 namespace snug {

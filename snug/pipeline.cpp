@@ -6,17 +6,17 @@
 
 #include "snug/base/stopwatch.h"
 #include "snug/base/text.h"
-#include "snug/foam/find_case_problems.h"
-#include "snug/foam/find_problems.h"
-#include "snug/foam/fitted_space.h"
+#include "snug/check/find_case_problems.h"
+#include "snug/check/find_problems.h"
 #include "snug/foam/object_cut.h"
 #include "snug/foam/parting.h"
 #include "snug/foam/ribs.h"
 #include "snug/foam/space_for.h"
 #include "snug/mesh/cap.h"
+#include "snug/object/read_findings.h"
 #include "snug/pack_cloud.h"
 #include "snug/pack_placed.h"
-#include "snug/read_findings.h"
+#include "snug/space/fitted_space.h"
 
 namespace snug {
 namespace {

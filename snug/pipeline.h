@@ -4,23 +4,23 @@
 #include <optional>
 #include <vector>
 
+#include "snug/base/finding.h"
 #include "snug/base/progress.h"
 #include "snug/base/result.h"
-#include "snug/clean_object.h"
+#include "snug/check/bearing.h"
+#include "snug/check/fit_report.h"
+#include "snug/check/gap.h"
 #include "snug/design/design.h"
-#include "snug/foam/bearing.h"
 #include "snug/foam/block_map.h"
-#include "snug/foam/case_space.h"
-#include "snug/foam/design_space.h"
-#include "snug/foam/finding.h"
-#include "snug/foam/fit_report.h"
 #include "snug/foam/foam_pair.h"
-#include "snug/foam/gap.h"
 #include "snug/foam/notches.h"
-#include "snug/foam/placement.h"
-#include "snug/foam/prepared_surface.h"
 #include "snug/mesh/measure.h"
 #include "snug/mesh/mesh.h"
+#include "snug/object/clean_object.h"
+#include "snug/object/prepared_surface.h"
+#include "snug/space/case_space.h"
+#include "snug/space/design_space.h"
+#include "snug/space/placement.h"
 
 // The whole method, from a mesh to two foams (Fukusato and Kita, Computational Design and Fabrication of
 // Protective Foam, 2025):

@@ -8,14 +8,14 @@
 #include "snug/base/one_line.h"
 #include "snug/base/text.h"
 #include "snug/design/presets.h"
-#include "snug/fabricate/bricks.h"
-#include "snug/fabricate/mill.h"
-#include "snug/fabricate/mould.h"
-#include "snug/fabricate/packing_sheet.h"
-#include "snug/fabricate/print.h"
-#include "snug/fabricate/sheets_pack.h"
-#include "snug/fabricate/sponge.h"
-#include "snug/fabricate/svg.h"
+#include "snug/drawing/svg.h"
+#include "snug/fabricate/bricks/bricks.h"
+#include "snug/fabricate/kit/packing_sheet.h"
+#include "snug/fabricate/mill/mill.h"
+#include "snug/fabricate/mould/mould.h"
+#include "snug/fabricate/print/print.h"
+#include "snug/fabricate/sheets/sheets_pack.h"
+#include "snug/fabricate/sponge/sponge.h"
 
 namespace snug {
 namespace {

@@ -3,8 +3,8 @@
 #include "snug/base/progress.h"
 #include "snug/base/result.h"
 #include "snug/design/project.h"
-#include "snug/fabricate/linear_program.h"
-#include "snug/fabricate/workshop_pack.h"
+#include "snug/fabricate/bricks/linear_program.h"
+#include "snug/fabricate/kit/workshop_pack.h"
 #include "snug/pipeline.h"
 
 // From a packing to what a maker takes to the workshop:

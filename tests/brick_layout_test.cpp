@@ -1,4 +1,4 @@
-#include "snug/fabricate/brick_layout.h"
+#include "snug/fabricate/bricks/brick_layout.h"
 
 #include <algorithm>
 #include <cstdlib>

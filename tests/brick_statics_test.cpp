@@ -1,4 +1,4 @@
-#include "snug/fabricate/brick_statics.h"
+#include "snug/fabricate/bricks/brick_statics.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "snug/fabricate/brick_forces.h"
-#include "snug/fabricate/brick_springs.h"
-#include "snug/fabricate/brick_statics_report.h"
+#include "snug/fabricate/bricks/brick_forces.h"
+#include "snug/fabricate/bricks/brick_springs.h"
+#include "snug/fabricate/bricks/brick_statics_report.h"
 
 #include "bench/random_merge.h"
 #include "cli/clp_solver.h"

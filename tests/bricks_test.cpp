@@ -1,4 +1,4 @@
-#include "snug/fabricate/bricks.h"
+#include "snug/fabricate/bricks/bricks.h"
 
 #include <algorithm>
 #include <map>
@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "snug/design/presets.h"
-#include "snug/mesh/read.h"
-#include "snug/mesh/samples.h"
+#include "snug/formats/read.h"
 #include "snug/pipeline.h"
+#include "snug/samples/samples.h"
 
 #include "tests/support/brick_design.h"
 #include "tests/support/ldraw_reader.h"

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include "snug/base/rotation.h"
+#include "snug/formats/read.h"
 #include "snug/mesh/measure.h"
-#include "snug/mesh/read.h"
 
 #include "tests/support/models.h"
 #include "tests/support/random.h"

@@ -5,14 +5,14 @@
 
 #include <gtest/gtest.h>
 
+#include "snug/check/find_case_problems.h"
 #include "snug/design/presets.h"
-#include "snug/fabricate/run_solid.h"
-#include "snug/fabricate/solid.h"
-#include "snug/foam/case_space.h"
-#include "snug/foam/find_case_problems.h"
-#include "snug/mesh/samples.h"
 #include "snug/outputs.h"
 #include "snug/pipeline.h"
+#include "snug/samples/samples.h"
+#include "snug/solid/run_solid.h"
+#include "snug/solid/solid.h"
+#include "snug/space/case_space.h"
 
 #include "tests/support/closedness.h"
 #include "tests/support/random.h"

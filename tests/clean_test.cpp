@@ -7,9 +7,9 @@
 
 #include <gtest/gtest.h>
 
-#include "snug/clean_object.h"
-#include "snug/mesh/samples.h"
+#include "snug/object/clean_object.h"
 #include "snug/pipeline.h"
+#include "snug/samples/samples.h"
 
 #include "tests/support/models.h"
 #include "tests/support/random_design.h"

@@ -7,13 +7,13 @@
 
 #include <gtest/gtest.h>
 
+#include "snug/depth/cloud_depth_map.h"
 #include "snug/foam/block_map.h"
-#include "snug/foam/cloud_depth_map.h"
-#include "snug/foam/point_radius.h"
-#include "snug/mesh/read.h"
-#include "snug/mesh/samples.h"
+#include "snug/formats/read.h"
+#include "snug/object/point_radius.h"
 #include "snug/outputs.h"
 #include "snug/pipeline.h"
+#include "snug/samples/samples.h"
 
 #include "tests/support/models.h"
 #include "tests/support/random.h"

@@ -1,4 +1,4 @@
-#include "snug/foam/depth_tiles.h"
+#include "snug/depth/depth_tiles.h"
 
 #include <algorithm>
 #include <array>
@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "snug/foam/depth_builder.h"
-#include "snug/foam/depth_map.h"
+#include "snug/depth/depth_builder.h"
+#include "snug/depth/depth_map.h"
 
 #include "tests/support/random.h"
 

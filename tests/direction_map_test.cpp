@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
-#include "snug/mesh/samples.h"
 #include "snug/pipeline.h"
+#include "snug/samples/samples.h"
 
 #include "tests/support/random.h"
 

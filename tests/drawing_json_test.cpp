@@ -1,4 +1,4 @@
-#include "snug/fabricate/drawing_json.h"
+#include "snug/drawing/drawing_json.h"
 
 #include <cmath>
 #include <string>

@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "snug/foam/fitted_space.h"
-#include "snug/mesh/samples.h"
 #include "snug/pipeline.h"
+#include "snug/samples/samples.h"
+#include "snug/space/fitted_space.h"
 
 #include "tests/support/random.h"
 

@@ -6,12 +6,12 @@
 
 #include <gtest/gtest.h>
 
-#include "snug/fabricate/solid.h"
 #include "snug/foam/notches.h"
 #include "snug/foam/object_cut.h"
 #include "snug/foam/ribs.h"
-#include "snug/mesh/samples.h"
 #include "snug/pipeline.h"
+#include "snug/samples/samples.h"
+#include "snug/solid/solid.h"
 
 #include "tests/support/brute_force.h"
 #include "tests/support/random_design.h"

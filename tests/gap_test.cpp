@@ -1,4 +1,4 @@
-#include "snug/foam/gap.h"
+#include "snug/check/gap.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,9 +8,9 @@
 #include <gtest/gtest.h>
 
 #include "snug/base/box.h"
-#include "snug/foam/depth_map.h"
-#include "snug/foam/line_budget.h"
-#include "snug/foam/line_hits.h"
+#include "snug/check/line_budget.h"
+#include "snug/check/line_hits.h"
+#include "snug/depth/depth_map.h"
 
 #include "tests/support/random.h"
 #include "tests/support/random_gap.h"

@@ -7,11 +7,11 @@
 
 #include <gtest/gtest.h>
 
+#include "snug/check/fit_report.h"
 #include "snug/foam/block_map.h"
-#include "snug/foam/fit_report.h"
 #include "snug/foam/foam_pair.h"
-#include "snug/mesh/samples.h"
 #include "snug/pipeline.h"
+#include "snug/samples/samples.h"
 
 #include "tests/support/random.h"
 #include "tests/support/shapes.h"

@@ -1,4 +1,4 @@
-#include "snug/fabricate/holed_polygon.h"
+#include "snug/polygon/holed_polygon.h"
 
 #include <algorithm>
 #include <numeric>

@@ -1,4 +1,4 @@
-#include "snug/foam/largest_ball.h"
+#include "snug/check/largest_ball.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "snug/foam/gap.h"
-#include "snug/foam/gap_space.h"
+#include "snug/check/gap.h"
+#include "snug/check/gap_space.h"
 
 #include "tests/support/random.h"
 #include "tests/support/random_gap.h"

@@ -1,4 +1,4 @@
-#include "snug/foam/line_hits.h"
+#include "snug/check/line_hits.h"
 
 #include <algorithm>
 #include <cmath>

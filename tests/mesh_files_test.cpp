@@ -1,4 +1,4 @@
-#include "snug/fabricate/mesh_files.h"
+#include "snug/formats/mesh_files.h"
 
 #include <cmath>
 #include <cstdlib>

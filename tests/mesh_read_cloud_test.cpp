@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "snug/mesh/read_cloud.h"
+#include "snug/formats/read_cloud.h"
 
 #include "tests/support/random.h"
 #include "tests/support/read_checks.h"

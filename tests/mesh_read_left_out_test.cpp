@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "snug/mesh/read.h"
-#include "snug/mesh/read_cloud.h"
+#include "snug/formats/read.h"
+#include "snug/formats/read_cloud.h"
 
 #include "tests/support/random.h"
 #include "tests/support/read_checks.h"

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "snug/mesh/text_scan.h"
+#include "snug/formats/text_scan.h"
 
 #include "tests/support/random.h"
 

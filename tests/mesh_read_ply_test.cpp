@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "snug/mesh/read.h"
+#include "snug/formats/read.h"
 
 #include "tests/support/read_checks.h"
 

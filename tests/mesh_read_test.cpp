@@ -4,8 +4,8 @@
 
 #include <gtest/gtest.h>
 
-#include "snug/fabricate/mesh_files.h"
-#include "snug/mesh/read.h"
+#include "snug/formats/mesh_files.h"
+#include "snug/formats/read.h"
 
 #include "tests/support/models.h"
 #include "tests/support/random.h"

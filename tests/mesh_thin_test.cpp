@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "snug/mesh/samples.h"
 #include "snug/mesh/thin.h"
 #include "snug/mesh/triangle_tree.h"
+#include "snug/samples/samples.h"
 
 #include "tests/support/random.h"
 

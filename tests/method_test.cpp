@@ -4,11 +4,11 @@
 
 #include <gtest/gtest.h>
 
-#include "snug/fabricate/solid.h"
+#include "snug/depth/depth_builder.h"
 #include "snug/foam/block_map.h"
-#include "snug/foam/depth_builder.h"
 #include "snug/foam/foam_pair.h"
 #include "snug/foam/parting.h"
+#include "snug/solid/solid.h"
 
 #include "tests/support/brute_force.h"
 #include "tests/support/random_design.h"

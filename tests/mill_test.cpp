@@ -1,4 +1,4 @@
-#include "snug/fabricate/mill.h"
+#include "snug/fabricate/mill/mill.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,11 +10,11 @@
 #include <gtest/gtest.h>
 
 #include "snug/design/presets.h"
-#include "snug/fabricate/gcode.h"
-#include "snug/fabricate/mill_plan.h"
-#include "snug/mesh/read.h"
-#include "snug/mesh/samples.h"
+#include "snug/fabricate/mill/gcode.h"
+#include "snug/fabricate/mill/mill_plan.h"
+#include "snug/formats/read.h"
 #include "snug/pipeline.h"
+#include "snug/samples/samples.h"
 
 #include "tests/support/gcode_stock.h"
 #include "tests/support/models.h"

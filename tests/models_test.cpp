@@ -9,10 +9,10 @@
 
 #include <gtest/gtest.h>
 
-#include "snug/fabricate/solid.h"
+#include "snug/formats/read.h"
 #include "snug/mesh/raw_mesh.h"
-#include "snug/mesh/read.h"
 #include "snug/pipeline.h"
+#include "snug/solid/solid.h"
 
 #include "tests/support/brute_force.h"
 #include "tests/support/random_design.h"

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "snug/base/rotation.h"
-#include "snug/fabricate/mould.h"
+#include "snug/fabricate/mould/mould.h"
 
 #include "tests/support/print_design.h"
 

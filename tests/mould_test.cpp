@@ -1,4 +1,4 @@
-#include "snug/fabricate/mould.h"
+#include "snug/fabricate/mould/mould.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,10 +8,10 @@
 
 #include <gtest/gtest.h>
 
-#include "snug/fabricate/solid.h"
-#include "snug/mesh/read.h"
-#include "snug/mesh/samples.h"
+#include "snug/formats/read.h"
 #include "snug/pipeline.h"
+#include "snug/samples/samples.h"
+#include "snug/solid/solid.h"
 
 #include "tests/support/assembled_mould.h"
 #include "tests/support/models.h"

@@ -7,13 +7,13 @@
 #include <gtest/gtest.h>
 
 #include "snug/base/parallel.h"
-#include "snug/foam/depth_map.h"
-#include "snug/foam/turned_bounds.h"
+#include "snug/depth/depth_map.h"
+#include "snug/formats/read.h"
 #include "snug/mesh/cap.h"
 #include "snug/mesh/measure.h"
-#include "snug/mesh/read.h"
-#include "snug/mesh/samples.h"
+#include "snug/object/turned_bounds.h"
 #include "snug/pipeline.h"
+#include "snug/samples/samples.h"
 
 #include "tests/support/models.h"
 #include "tests/support/random_design.h"

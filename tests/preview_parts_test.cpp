@@ -5,12 +5,12 @@
 
 #include <gtest/gtest.h>
 
-#include "snug/fabricate/depth_image.h"
-#include "snug/fabricate/isometric.h"
-#include "snug/fabricate/object_outlines.h"
-#include "snug/fabricate/outline.h"
-#include "snug/fabricate/relief.h"
-#include "snug/fabricate/svg.h"
+#include "snug/drawing/svg.h"
+#include "snug/picture/depth_image.h"
+#include "snug/picture/isometric.h"
+#include "snug/picture/object_outlines.h"
+#include "snug/picture/outline.h"
+#include "snug/picture/relief.h"
 
 #include "tests/support/random.h"
 

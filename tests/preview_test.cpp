@@ -1,4 +1,4 @@
-#include "snug/fabricate/preview.h"
+#include "snug/picture/preview.h"
 
 #include <cmath>
 #include <cstdint>
@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include "snug/fabricate/gap_maps.h"
+#include "snug/depth/depth_map.h"
 #include "snug/foam/block_map.h"
-#include "snug/foam/depth_map.h"
+#include "snug/picture/gap_maps.h"
 
 #include "tests/support/random.h"
 

@@ -1,4 +1,4 @@
-#include "snug/fabricate/print_parts.h"
+#include "snug/fabricate/printing/print_parts.h"
 
 #include <algorithm>
 #include <array>
@@ -10,9 +10,9 @@
 #include <gtest/gtest.h>
 
 #include "snug/base/rotation.h"
-#include "snug/fabricate/print_bed.h"
-#include "snug/fabricate/print_joints.h"
-#include "snug/fabricate/print_solid.h"
+#include "snug/fabricate/printing/print_bed.h"
+#include "snug/fabricate/printing/print_joints.h"
+#include "snug/fabricate/printing/print_solid.h"
 
 #include "tests/support/closedness.h"
 #include "tests/support/print_design.h"

@@ -1,4 +1,4 @@
-#include "snug/fabricate/print.h"
+#include "snug/fabricate/print/print.h"
 
 #include <algorithm>
 #include <array>
@@ -11,8 +11,8 @@
 
 #include <gtest/gtest.h>
 
-#include "snug/fabricate/print_joints.h"
-#include "snug/fabricate/print_parts.h"
+#include "snug/fabricate/printing/print_joints.h"
+#include "snug/fabricate/printing/print_parts.h"
 
 #include "tests/support/print_design.h"
 #include "tests/support/printed_checks.h"

@@ -1,4 +1,4 @@
-#include "snug/foam/prism_field.h"
+#include "snug/check/prism_field.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "snug/mesh/samples.h"
+#include "snug/samples/samples.h"
 
 #include <cmath>
 #include <cstring>
@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "snug/foam/design_space.h"
-#include "snug/foam/placement.h"
 #include "snug/mesh/measure.h"
+#include "snug/space/design_space.h"
+#include "snug/space/placement.h"
 
 namespace snug {
 namespace {

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "snug/mesh/samples.h"
 #include "snug/pipeline.h"
+#include "snug/samples/samples.h"
 #include "snug/search/search_design.h"
 
 #include "tests/support/random.h"

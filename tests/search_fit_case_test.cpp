@@ -8,13 +8,13 @@
 
 #include <gtest/gtest.h>
 
-#include "snug/foam/fitted_space.h"
-#include "snug/foam/placement.h"
-#include "snug/mesh/read.h"
-#include "snug/mesh/samples.h"
+#include "snug/formats/read.h"
 #include "snug/pipeline.h"
+#include "snug/samples/samples.h"
 #include "snug/search/fit_case.h"
 #include "snug/search/turn.h"
+#include "snug/space/fitted_space.h"
+#include "snug/space/placement.h"
 
 #include "tests/support/models.h"
 #include "tests/support/optimal_box.h"

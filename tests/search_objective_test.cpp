@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "snug/mesh/samples.h"
+#include "snug/samples/samples.h"
 #include "snug/search/direction_map.h"
 #include "snug/search/objective.h"
 #include "snug/search/placement_search.h"

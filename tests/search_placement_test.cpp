@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "snug/mesh/samples.h"
 #include "snug/pipeline.h"
+#include "snug/samples/samples.h"
 #include "snug/search/exact_cut.h"
 #include "snug/search/greedy_climb.h"
 #include "snug/search/placement_search.h"

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "snug/mesh/samples.h"
+#include "snug/samples/samples.h"
 #include "snug/search/exact_cut.h"
 #include "snug/search/quick_cut.h"
 #include "snug/search/turn.h"

@@ -8,13 +8,13 @@
 #include <gtest/gtest.h>
 
 #include "snug/base/text.h"
-#include "snug/fabricate/dowel_holes.h"
-#include "snug/fabricate/nesting.h"
-#include "snug/fabricate/sheet_outlines.h"
-#include "snug/fabricate/sheets_pack.h"
-#include "snug/mesh/read.h"
-#include "snug/mesh/samples.h"
+#include "snug/fabricate/sheets/dowel_holes.h"
+#include "snug/fabricate/sheets/nesting.h"
+#include "snug/fabricate/sheets/sheet_outlines.h"
+#include "snug/fabricate/sheets/sheets_pack.h"
+#include "snug/formats/read.h"
 #include "snug/pipeline.h"
+#include "snug/samples/samples.h"
 
 #include "tests/support/models.h"
 #include "tests/support/random.h"

@@ -5,9 +5,9 @@
 
 #include <gtest/gtest.h>
 
-#include "snug/foam/depth_map.h"
+#include "snug/depth/depth_map.h"
 #include "snug/mesh/measure.h"
-#include "snug/mesh/samples.h"
+#include "snug/samples/samples.h"
 
 #include "tests/support/random_design.h"
 

@@ -1,4 +1,4 @@
-#include "snug/fabricate/slab_solid.h"
+#include "snug/fabricate/printing/slab_solid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "snug/base/rotation.h"
-#include "snug/fabricate/plan_outline.h"
+#include "snug/polygon/plan_outline.h"
 
 #include "tests/support/closedness.h"
 #include "tests/support/random.h"

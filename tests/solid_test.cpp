@@ -1,4 +1,4 @@
-#include "snug/fabricate/solid.h"
+#include "snug/solid/solid.h"
 
 #include <cmath>
 #include <cstdlib>

@@ -1,5 +1,4 @@
-#include "snug/fabricate/block_names.h"
-#include "snug/fabricate/sponge.h"
+#include "snug/fabricate/sponge/sponge.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,12 +9,13 @@
 #include <gtest/gtest.h>
 
 #include "snug/base/stopwatch.h"
-#include "snug/fabricate/finger_room.h"
-#include "snug/fabricate/fit_test.h"
-#include "snug/fabricate/pluck_map.h"
-#include "snug/fabricate/pluck_plan.h"
-#include "snug/fabricate/sponge_plan.h"
-#include "snug/foam/depth_map.h"
+#include "snug/depth/depth_map.h"
+#include "snug/fabricate/kit/block_names.h"
+#include "snug/fabricate/kit/finger_room.h"
+#include "snug/fabricate/kit/fit_test.h"
+#include "snug/fabricate/sponge/pluck_map.h"
+#include "snug/fabricate/sponge/pluck_plan.h"
+#include "snug/fabricate/sponge/sponge_plan.h"
 
 #include "tests/support/drawing_cells.h"
 #include "tests/support/random.h"

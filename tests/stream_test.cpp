@@ -8,10 +8,10 @@
 
 #include <gtest/gtest.h>
 
-#include "snug/fabricate/mesh_files.h"
-#include "snug/mesh/read.h"
-#include "snug/mesh/samples.h"
+#include "snug/formats/mesh_files.h"
+#include "snug/formats/read.h"
 #include "snug/pack_stream.h"
+#include "snug/samples/samples.h"
 
 #include "tests/support/models.h"
 #include "tests/support/random_design.h"

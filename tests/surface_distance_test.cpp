@@ -1,4 +1,4 @@
-#include "snug/foam/surface_distance.h"
+#include "snug/check/surface_distance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "snug/mesh/samples.h"
+#include "snug/samples/samples.h"
 
 #include "tests/support/random.h"
 

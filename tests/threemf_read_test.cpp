@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "snug/fabricate/threemf.h"
+#include "snug/fabricate/printing/threemf.h"
 #include "snug/mesh/measure.h"
 
 #include "cli/inflate.h"

@@ -1,4 +1,4 @@
-#include "snug/fabricate/tiling.h"
+#include "snug/drawing/tiling.h"
 
 #include <algorithm>
 #include <map>
@@ -8,9 +8,9 @@
 
 #include <gtest/gtest.h>
 
-#include "snug/fabricate/clip.h"
-#include "snug/fabricate/drawing_svg.h"
-#include "snug/fabricate/page_builder.h"
+#include "snug/drawing/clip.h"
+#include "snug/drawing/drawing_svg.h"
+#include "snug/drawing/page_builder.h"
 
 #include "tests/support/drawing_cells.h"
 #include "tests/support/random.h"

@@ -1,4 +1,4 @@
-#include "snug/fabricate/triangulate.h"
+#include "snug/polygon/triangulate.h"
 
 #include <cstdlib>
 #include <map>

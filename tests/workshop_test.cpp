@@ -4,8 +4,8 @@
 
 #include "snug/base/stopwatch.h"
 #include "snug/design/presets.h"
-#include "snug/fabricate/text_lines.h"
-#include "snug/mesh/samples.h"
+#include "snug/drawing/text_lines.h"
+#include "snug/samples/samples.h"
 
 #include "tests/support/drawing_cells.h"
 #include "tests/support/shapes.h"

@@ -3,9 +3,9 @@
 
 #include <emscripten/bind.h>
 
-#include "snug/fabricate/mesh_files.h"
+#include "snug/formats/mesh_files.h"
 #include "snug/formats/read_object.h"
-#include "snug/mesh/samples.h"
+#include "snug/samples/samples.h"
 
 #include "wasm/scene_tools.h"
 #include "wasm/session.h"

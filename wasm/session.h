@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "snug/foam/surface_distance.h"
+#include "snug/check/surface_distance.h"
 #include "snug/mesh/mesh.h"
 #include "snug/pipeline.h"
 #include "snug/search/direction_map.h"

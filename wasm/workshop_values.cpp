@@ -1,6 +1,6 @@
 #include "wasm/workshop_values.h"
 
-#include "snug/fabricate/drawing_json.h"
+#include "snug/drawing/drawing_json.h"
 
 namespace snug::wasm {
 namespace {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "snug/fabricate/workshop_pack.h"
+#include "snug/fabricate/kit/workshop_pack.h"
 #include "snug/search/rank_cases.h"
 
 #include "wasm/values.h"

@@ -1,6 +1,6 @@
 #include "snug/foam/block_map.h"
 
-#include "snug/foam/cells.h"
+#include "snug/depth/cells.h"
 
 namespace snug {
 

@@ -2,8 +2,8 @@
 
 #include "snug/base/grid.h"
 #include "snug/base/run.h"
-#include "snug/foam/depth_map.h"
-#include "snug/foam/design_space.h"
+#include "snug/depth/depth_map.h"
+#include "snug/space/design_space.h"
 
 namespace snug {
 

@@ -6,9 +6,9 @@
 #include "snug/base/grid.h"
 #include "snug/base/half.h"
 #include "snug/base/run.h"
-#include "snug/foam/available.h"
 #include "snug/foam/block_map.h"
-#include "snug/foam/design_space.h"
+#include "snug/space/available.h"
+#include "snug/space/design_space.h"
 
 namespace snug {
 

@@ -10,7 +10,7 @@
 #include "snug/design/fit_options.h"
 #include "snug/design/walls.h"
 #include "snug/foam/block_map.h"
-#include "snug/foam/design_space.h"
+#include "snug/space/design_space.h"
 
 namespace snug {
 

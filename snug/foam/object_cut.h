@@ -3,13 +3,13 @@
 #include <optional>
 
 #include "snug/base/box.h"
+#include "snug/depth/depth_map.h"
 #include "snug/design/design.h"
 #include "snug/foam/block_map.h"
-#include "snug/foam/depth_map.h"
-#include "snug/foam/design_space.h"
-#include "snug/foam/placement.h"
-#include "snug/foam/prepared_surface.h"
 #include "snug/mesh/mesh.h"
+#include "snug/object/prepared_surface.h"
+#include "snug/space/design_space.h"
+#include "snug/space/placement.h"
 
 // Where each half has a clearance of its own, each gives way to the object grown by it: a column's lower foam
 // ends below the lowest x that the surface reaches in the cell grown for the lower foam, its upper foam above

@@ -2,7 +2,7 @@
 
 #include "snug/base/box.h"
 #include "snug/foam/block_map.h"
-#include "snug/foam/design_space.h"
+#include "snug/space/design_space.h"
 
 namespace snug {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "snug/foam/block_map.h"
-#include "snug/foam/design_space.h"
+#include "snug/space/design_space.h"
 
 namespace snug {
 

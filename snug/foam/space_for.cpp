@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "snug/base/text.h"
-#include "snug/foam/fitted_space.h"
 #include "snug/foam/notches.h"
+#include "snug/space/fitted_space.h"
 
 namespace snug {
 

@@ -3,7 +3,7 @@
 #include "snug/base/box.h"
 #include "snug/base/result.h"
 #include "snug/design/design.h"
-#include "snug/foam/design_space.h"
+#include "snug/space/design_space.h"
 
 namespace snug {
 

@@ -7,9 +7,9 @@
 
 #include "snug/base/text.h"
 #include "snug/formats/gltf_json.h"
+#include "snug/formats/text_scan.h"
 #include "snug/formats/threemf_read.h"
 #include "snug/formats/zip_read.h"
-#include "snug/mesh/text_scan.h"
 
 namespace snug {
 namespace {

@@ -2,9 +2,9 @@
 
 #include "snug/formats/bundle.h"
 #include "snug/formats/gltf_read.h"
+#include "snug/formats/read_cloud.h"
+#include "snug/formats/text_scan.h"
 #include "snug/formats/zip_read.h"
-#include "snug/mesh/read_cloud.h"
-#include "snug/mesh/text_scan.h"
 
 namespace snug {
 namespace {

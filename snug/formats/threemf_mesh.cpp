@@ -4,8 +4,8 @@
 #include <limits>
 #include <utility>
 
+#include "snug/formats/text_scan.h"
 #include "snug/formats/threemf_extensions.h"
-#include "snug/mesh/text_scan.h"
 
 namespace snug {
 namespace {

@@ -7,12 +7,12 @@
 #include <utility>
 
 #include "snug/base/text.h"
+#include "snug/formats/text_scan.h"
 #include "snug/formats/threemf_extensions.h"
 #include "snug/formats/threemf_mesh.h"
 #include "snug/formats/threemf_package.h"
 #include "snug/formats/xml_read.h"
 #include "snug/formats/xml_text.h"
-#include "snug/mesh/text_scan.h"
 
 namespace snug {
 namespace {

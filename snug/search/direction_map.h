@@ -7,12 +7,12 @@
 
 #include "snug/base/vec.h"
 #include "snug/design/design.h"
-#include "snug/foam/design_space.h"
-#include "snug/foam/prepared_surface.h"
 #include "snug/mesh/mesh.h"
+#include "snug/object/prepared_surface.h"
 #include "snug/search/exact_cut.h"
 #include "snug/search/quick_cut.h"
 #include "snug/search/surface_points.h"
+#include "snug/space/design_space.h"
 
 namespace snug {
 

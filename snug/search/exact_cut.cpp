@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "snug/foam/fit_report.h"
-#include "snug/foam/fitted_space.h"
+#include "snug/check/fit_report.h"
 #include "snug/foam/foam_pair.h"
+#include "snug/space/fitted_space.h"
 
 namespace snug {
 

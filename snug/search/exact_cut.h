@@ -5,11 +5,11 @@
 
 #include "snug/design/design.h"
 #include "snug/foam/block_map.h"
-#include "snug/foam/design_space.h"
 #include "snug/foam/foam_pair.h"
 #include "snug/foam/object_cut.h"
-#include "snug/foam/placement.h"
-#include "snug/foam/prepared_surface.h"
+#include "snug/object/prepared_surface.h"
+#include "snug/space/design_space.h"
+#include "snug/space/placement.h"
 
 namespace snug {
 

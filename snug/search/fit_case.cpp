@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "snug/base/text.h"
-#include "snug/foam/fitted_space.h"
 #include "snug/search/extreme_points.h"
 #include "snug/search/frames.h"
 #include "snug/search/turn.h"
+#include "snug/space/fitted_space.h"
 
 namespace snug {
 namespace {

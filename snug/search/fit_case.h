@@ -6,8 +6,8 @@
 #include "snug/base/result.h"
 #include "snug/base/vec.h"
 #include "snug/design/design.h"
-#include "snug/foam/design_space.h"
 #include "snug/mesh/mesh.h"
+#include "snug/space/design_space.h"
 
 // The smallest case: the rotation and the fewest blocks that hold an object with its clearance and walls.
 // Only how long the turned object is along each axis counts, so the search runs on its outermost vertices.

@@ -6,12 +6,12 @@
 #include <optional>
 
 #include "snug/base/text.h"
-#include "snug/foam/case_space.h"
-#include "snug/foam/fit_report.h"
-#include "snug/foam/fitted_space.h"
+#include "snug/check/fit_report.h"
 #include "snug/foam/foam_pair.h"
 #include "snug/foam/object_cut.h"
-#include "snug/foam/placement.h"
+#include "snug/space/case_space.h"
+#include "snug/space/fitted_space.h"
+#include "snug/space/placement.h"
 
 namespace snug {
 namespace {

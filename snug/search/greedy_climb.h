@@ -5,12 +5,12 @@
 
 #include "snug/base/result.h"
 #include "snug/base/vec.h"
+#include "snug/depth/depth_map.h"
 #include "snug/design/design.h"
-#include "snug/foam/depth_map.h"
-#include "snug/foam/design_space.h"
 #include "snug/foam/foam_pair.h"
-#include "snug/foam/prepared_surface.h"
 #include "snug/mesh/mesh.h"
+#include "snug/object/prepared_surface.h"
+#include "snug/space/design_space.h"
 
 // The paper's search for a better rotation (section 3.4): a greedy climb of the fill ratio F over the three
 // Euler angles, from where they stand. The space does not change on the way, so F rises exactly when fewer

@@ -6,9 +6,9 @@
 #include "snug/base/rotation.h"
 #include "snug/base/vec.h"
 #include "snug/design/search_options.h"
-#include "snug/foam/design_space.h"
 #include "snug/mesh/mesh.h"
 #include "snug/search/exact_cut.h"
+#include "snug/space/design_space.h"
 
 namespace snug {
 

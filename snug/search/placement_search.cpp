@@ -9,7 +9,7 @@
 
 #include "snug/base/parallel.h"
 #include "snug/base/text.h"
-#include "snug/foam/turned_bounds.h"
+#include "snug/object/turned_bounds.h"
 #include "snug/search/exact_cut.h"
 #include "snug/search/frames.h"
 #include "snug/search/objective.h"

@@ -8,10 +8,10 @@
 #include "snug/base/result.h"
 #include "snug/base/vec.h"
 #include "snug/design/design.h"
-#include "snug/foam/design_space.h"
 #include "snug/foam/foam_pair.h"
-#include "snug/foam/prepared_surface.h"
 #include "snug/mesh/mesh.h"
+#include "snug/object/prepared_surface.h"
+#include "snug/space/design_space.h"
 
 // Search over everything that changes the foam: all rotations, less those that the blocks' symmetry makes
 // equal, and the offset within half a block of the centre. Coarse to fine: points of the surface, for a

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstring>
 
-#include "snug/foam/depth_map.h"
+#include "snug/depth/depth_map.h"
 
 namespace snug {
 namespace {

@@ -8,8 +8,8 @@
 #include "snug/base/box.h"
 #include "snug/base/rotation.h"
 #include "snug/design/design.h"
-#include "snug/foam/design_space.h"
 #include "snug/search/surface_points.h"
+#include "snug/space/design_space.h"
 
 namespace snug {
 

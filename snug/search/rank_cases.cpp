@@ -6,10 +6,10 @@
 #include <tuple>
 
 #include "snug/base/rotation.h"
-#include "snug/foam/case_space.h"
-#include "snug/foam/find_case_problems.h"
-#include "snug/foam/fitted_space.h"
+#include "snug/check/find_case_problems.h"
 #include "snug/search/turn.h"
+#include "snug/space/case_space.h"
+#include "snug/space/fitted_space.h"
 
 namespace snug {
 namespace {

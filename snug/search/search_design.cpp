@@ -4,12 +4,12 @@
 #include <utility>
 
 #include "snug/base/text.h"
-#include "snug/foam/case_space.h"
-#include "snug/foam/fitted_space.h"
 #include "snug/search/exact_cut.h"
 #include "snug/search/fit_case.h"
 #include "snug/search/placement_search.h"
 #include "snug/search/turn.h"
+#include "snug/space/case_space.h"
+#include "snug/space/fitted_space.h"
 
 namespace snug {
 namespace {

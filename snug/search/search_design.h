@@ -7,8 +7,8 @@
 
 #include "snug/base/result.h"
 #include "snug/design/design.h"
-#include "snug/foam/prepared_surface.h"
 #include "snug/mesh/mesh.h"
+#include "snug/object/prepared_surface.h"
 
 namespace snug {
 

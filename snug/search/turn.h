@@ -9,7 +9,7 @@
 #include "snug/base/seeded_numbers.h"
 #include "snug/base/vec.h"
 #include "snug/design/search_options.h"
-#include "snug/foam/design_space.h"
+#include "snug/space/design_space.h"
 
 // Rotations as unit quaternions: spread evenly, turned a little, and written as the angles that people and
 // projects use. No libm: the same bits on every system.

@@ -7,7 +7,7 @@ import {en} from '../src/i18n/en';
 import {ja} from '../src/i18n/ja';
 import {counted, findingTitle, titles, worst} from '../src/steps/findings';
 
-const LIBRARY = fileURLToPath(new URL('../../snug/foam/', import.meta.url));
+const LIBRARY = fileURLToPath(new URL('../../snug/check/', import.meta.url));
 const finding = (severity: Finding['severity'], code: string): Finding => ({severity, code, message: '', where: null});
 
 test('people are never shown a code', () => {

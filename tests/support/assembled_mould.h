@@ -13,7 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "snug/base/box.h"
-#include "snug/fabricate/workshop_pack.h"
+#include "snug/fabricate/kit/workshop_pack.h"
 
 #include "tests/support/printed_files.h"
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "snug/foam/design_space.h"
+#include "snug/space/design_space.h"
 
 namespace snug::test {
 

@@ -7,7 +7,7 @@
 #include <variant>
 #include <vector>
 
-#include "snug/fabricate/drawing.h"
+#include "snug/drawing/drawing.h"
 
 namespace snug::test {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "snug/base/vec.h"
-#include "snug/fabricate/brick_forces.h"
+#include "snug/fabricate/bricks/brick_forces.h"
 
 namespace snug::test {
 namespace {

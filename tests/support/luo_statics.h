@@ -1,8 +1,8 @@
 #pragma once
 
-#include "snug/fabricate/brick_build.h"
-#include "snug/fabricate/brick_supports.h"
-#include "snug/fabricate/linear_program.h"
+#include "snug/fabricate/bricks/brick_build.h"
+#include "snug/fabricate/bricks/brick_supports.h"
+#include "snug/fabricate/bricks/linear_program.h"
 
 namespace snug::test {
 

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "snug/design/print_options.h"
-#include "snug/fabricate/workshop_pack.h"
+#include "snug/fabricate/kit/workshop_pack.h"
 
 #include "tests/support/random.h"
 

@@ -10,7 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "snug/base/box.h"
-#include "snug/fabricate/workshop_pack.h"
+#include "snug/fabricate/kit/workshop_pack.h"
 
 namespace snug::test {
 

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "snug/foam/design_space.h"
-#include "snug/foam/placement.h"
 #include "snug/mesh/mesh.h"
+#include "snug/space/design_space.h"
+#include "snug/space/placement.h"
 
 #include "tests/support/brute_force.h"
 #include "tests/support/random.h"

@@ -5,9 +5,9 @@
 
 #include "snug/base/vec.h"
 #include "snug/foam/block_map.h"
-#include "snug/foam/design_space.h"
-#include "snug/foam/placement.h"
 #include "snug/mesh/mesh.h"
+#include "snug/space/design_space.h"
+#include "snug/space/placement.h"
 
 namespace snug::test {
 

@@ -1,9 +1,9 @@
 #pragma once
 
 #include "snug/design/design.h"
-#include "snug/foam/design_space.h"
 #include "snug/mesh/mesh.h"
 #include "snug/search/turn.h"
+#include "snug/space/design_space.h"
 
 #include "tests/support/random.h"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "snug/fabricate/solid.h"
+#include "snug/solid/solid.h"
 
 #include "tests/support/closedness.h"
 

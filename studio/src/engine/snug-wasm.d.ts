@@ -21,7 +21,7 @@ declare module 'snug-wasm/snug.mjs' {
   type Made = {files: OutputFile[]; report: string; pack?: Pack};
   export interface Pack {
     files: OutputFile[];
-    /** `pages`: a JSON text, see snug/fabricate/drawing_json.h. */
+    /** `pages`: a JSON text, see snug/drawing/drawing_json.h. */
     documents: {name: string; title: string; trueSize: boolean; pages: string}[];
     containers: {name: string; members: OutputFile[]}[];
   }

@@ -25,7 +25,7 @@ import {
   stroke,
 } from 'pdf-lib';
 
-// A display list of the library (snug/fabricate/drawing_json.h) as PDF. Lengths in mm, y downward.
+// A display list of the library (snug/drawing/drawing_json.h) as PDF. Lengths in mm, y downward.
 
 interface Pen {
   color: string;

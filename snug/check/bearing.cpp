@@ -1,0 +1,111 @@
+#include "snug/check/bearing.h"
+
+#include <cstdint>
+#include <limits>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "snug/base/text.h"
+#include "snug/check/line_budget.h"
+#include "snug/check/line_hits.h"
+#include "snug/check/line_lattice.h"
+
+namespace snug {
+namespace {
+
+constexpr double kStandardGravity = 9.80665;  // m/s2
+
+/// Where each half ends in a column; where it has no foam the object presses on nothing.
+struct Ends {
+    double lower = -std::numeric_limits<double>::infinity();
+    double upper = std::numeric_limits<double>::infinity();
+};
+
+Ends ends_of(const FoamPair& foams, const DesignSpace& space, int j, int k) {
+    Ends ends;
+    if (foams.lower(j, k) > 0) ends.lower = space.face(0, foams.lower(j, k));
+    if (foams.upper(j, k) > 0) ends.upper = space.face(0, space.blocks.x - foams.upper(j, k));
+    return ends;
+}
+
+/// The areas of the lines' cells, in square units of the lattice.
+struct LineAreas {
+    std::array<std::uint64_t, kSinking.size()> lower{};
+    std::array<std::uint64_t, kSinking.size()> upper{};
+
+    void add(std::span<const Crossing> line, std::uint64_t area, Ends ends) {
+        for (std::size_t i = 0; i < kSinking.size(); ++i) {
+            if (line.front().x - ends.lower < kSinking[i]) lower[i] += area;
+            if (ends.upper - line.back().x < kSinking[i]) upper[i] += area;
+        }
+    }
+};
+
+}  // namespace
+
+Result<BearingReport> bearing_report(const Mesh& mesh, const Placement& placement, const DesignSpace& space,
+                                     const FoamPair& foams, const Progress& progress) {
+    std::vector<Vec3d> placed;
+    placed.reserve(mesh.vertices.size());
+    for (const Vec3f& vertex : mesh.vertices) placed.push_back(placement(vertex));
+    const LineLattice lattice = lattice_within({}, space, placed, mesh.triangles);
+    const auto units_of_cell = static_cast<double>(std::uint64_t{1} << 2 * lattice.cell_bits());
+    LineAreas areas;
+    const auto done = sweep_lines(
+        lattice, placed, mesh.triangles,
+        [&](const LineBand& band) {
+            for (int row = band.first_row; row < band.end_row(); ++row) {
+                if (!band.any(row, band.first_column, band.end_column())) continue;
+                for (int column = band.first_column; column < band.end_column(); ++column) {
+                    const auto line = band.line(row, column);
+                    if (line.empty()) continue;
+                    const auto area = static_cast<std::uint64_t>(lattice.share(row, column) * units_of_cell);
+                    const Ends ends = ends_of(foams, space, lattice.j(row, column), lattice.k(row, column));
+                    areas.add(line, area, ends);
+                }
+            }
+        },
+        progress);
+    if (!done) return tl::unexpected(done.error());
+    const double area = space.block_mm.y * space.block_mm.z / lattice.lines_per_column();
+    const auto mm2 = [&](std::uint64_t units) { return static_cast<double>(units) / units_of_cell * area; };
+    BearingReport report;
+    for (std::size_t i = 0; i < kSinking.size(); ++i) {
+        report.lower_mm2[i] = mm2(areas.lower[i]);
+        report.upper_mm2[i] = mm2(areas.upper[i]);
+    }
+    return report;
+}
+
+std::optional<double> static_pressure_kpa(double mass_kg, double area_mm2) {
+    if (area_mm2 <= 0) return {};
+    return mass_kg * kStandardGravity / area_mm2 * 1e3;
+}
+
+void find_bearing_problems(const BearingReport& bearing, std::optional<double> mass_kg,
+                           std::optional<double> creep_kpa, std::vector<Finding>& findings) {
+    const auto look = [&](const char* half, double area_mm2) {
+        const auto warn = [&](const char* code, std::string message) {
+            findings.push_back({Severity::warning, code, std::move(message), {}});
+        };
+        if (area_mm2 <= 0)
+            return warn("no_bearing",
+                        std::string("the ") + half +
+                            " foam does not hold the object: it would sink more than 5 mm before "
+                            "it lies on foam; choose a smaller clearance or smaller blocks");
+        if (!mass_kg || !creep_kpa) return;
+        const double pressure = *static_pressure_kpa(*mass_kg, area_mm2);
+        if (pressure <= *creep_kpa) return;
+        warn("creep",
+             std::string("the object presses on the ") + half + " foam with " + number(pressure, 1) +
+                 " kPa, more than the " + number(*creep_kpa, 1) +
+                 " kPa that it bears for long: turn the object so that it lies on a larger area, or take "
+                 "a firmer foam");
+    };
+    look("lower", bearing.lower_mm2.back());
+    look("upper", bearing.upper_mm2.back());
+    sort_by_severity(findings);
+}
+
+}  // namespace snug

@@ -1,0 +1,272 @@
+#include "snug/check/find_problems.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "snug/base/text.h"
+#include "snug/check/part_cut.h"
+#include "snug/depth/cells.h"
+#include "snug/mesh/cap.h"
+
+namespace snug {
+namespace {
+
+constexpr double kLeastGoodWall = 25;  // mm; thinner pads do not follow cushion curves
+constexpr double kSpeckShare = 0.02;   // of the object's diagonal
+constexpr std::size_t kPartsNamed = 5;
+
+void add(std::vector<Finding>& findings, Severity severity, std::string code, std::string message,
+         std::optional<Vec3d> where = {}) {
+    findings.push_back({severity, std::move(code), std::move(message), where});
+}
+
+std::string mm(double value) {
+    return number(value, 1) + " mm";
+}
+
+Vec3d column_centre(const DesignSpace& space, int j, int k, CutRun run) {
+    return {(space.face(0, run.first) + space.face(0, run.end)) / 2,
+            (space.face(1, j) + space.face(1, j + 1)) / 2, (space.face(2, k) + space.face(2, k + 1)) / 2};
+}
+
+double diagonal(const Box3d& box) {
+    return std::sqrt(dot(box.size(), box.size()));
+}
+
+/// Whether a point alone cuts a block: it lies in a grown cell and not in a slot between two shrunk blocks.
+class PointCut {
+  public:
+    PointCut(const DesignSpace& space, Reach reach)
+        : layers_(space, 0, reach), rows_(space, 1, reach), columns_(space, 2, reach) {}
+
+    bool operator()(Vec3d p) const {
+        return holds(layers_, p.x) && holds(rows_, p.y) && holds(columns_, p.z);
+    }
+
+  private:
+    static bool holds(const GrownCells& cells, double value) {
+        const CellRange range = cells.holding(value);
+        return range.first <= range.last;
+    }
+    GrownCells layers_, rows_, columns_;
+};
+
+/// The triangles of the parts that are not marked, part by part.
+class TrianglesOfParts {
+  public:
+    TrianglesOfParts(const MeshMeasure& measure, const std::vector<bool>& marked)
+        : begin_(marked.size() + 1) {
+        for (const std::uint32_t part : measure.part_of_triangle)
+            if (!marked[part]) ++begin_[part + 1];
+        for (std::size_t part = 1; part < begin_.size(); ++part) begin_[part] += begin_[part - 1];
+        triangles_.resize(begin_.back());
+        std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
+        for (std::uint32_t t = 0; t < measure.part_of_triangle.size(); ++t)
+            if (const std::uint32_t part = measure.part_of_triangle[t]; !marked[part])
+                triangles_[next[part]++] = t;
+    }
+
+    [[nodiscard]] std::span<const std::uint32_t> operator[](std::size_t part) const {
+        return {triangles_.data() + begin_[part], triangles_.data() + begin_[part + 1]};
+    }
+
+  private:
+    std::vector<std::size_t> begin_;
+    std::vector<std::uint32_t> triangles_;
+};
+
+/// A part of a mesh by itself, with what closes its own holes.
+Mesh with_own_caps(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
+    Mesh part;
+    part.origin = mesh.origin;
+    for (const std::uint32_t t : triangles) {
+        const auto first = static_cast<std::uint32_t>(part.vertices.size());
+        for (const std::uint32_t v : mesh.triangles[t]) part.vertices.push_back(mesh.vertices[v]);
+        part.triangles.push_back({first, first + 1, first + 2});
+    }
+    const MeshMeasure own = measure(part);
+    return capped(part, own.holes);
+}
+
+/// A column that leaves least foam on a side, to show where it is.
+std::optional<Vec3d> thinnest_place(const BlockMap& blocks, const DesignSpace& space, Side side) {
+    std::optional<Vec3d> place;
+    int thinnest = 0;
+    for (int j = 0; j < blocks.ny(); ++j) {
+        for (int k = 0; k < blocks.nz(); ++k) {
+            const CutRun run = blocks(j, k);
+            if (run.none()) continue;
+            const int left[6] = {run.first, space.blocks.x - run.end, j, space.blocks.y - 1 - j,
+                                 k,         space.blocks.z - 1 - k};
+            if (place && left[side] >= thinnest) continue;
+            thinnest = left[side];
+            place = column_centre(space, j, k, run);
+        }
+    }
+    return place;
+}
+
+struct SideWords {
+    const char* name;  ///< in a sentence
+    const char* none_code;
+    const char* thin_code;
+};
+constexpr SideWords kSides[6] = {
+    {"under the object (-x)", "no_floor", "thin_floor"}, {"over the object (+x)", "no_roof", "thin_roof"},
+    {"at the back (-y)", "touches_case", "thin_wall"},   {"at the front (+y)", "touches_case", "thin_wall"},
+    {"at the left (-z)", "touches_case", "thin_wall"},   {"at the right (+z)", "touches_case", "thin_wall"}};
+
+}  // namespace
+
+void find_open_holes(const Mesh& hole_spans, const Placement& placement, const DesignSpace& space,
+                     Reach reach, const DepthMap& depths, const BlockMap& blocks,
+                     std::vector<Finding>& findings) {
+    if (hole_spans.triangles.empty()) return;
+    const BlockMap closed = block_map(depth_map(hole_spans, placement, space, reach, depths), space, reach);
+    long long columns = 0, inside = 0;
+    int most = 0;
+    Vec3d where;
+    for (int j = 0; j < blocks.ny(); ++j) {
+        for (int k = 0; k < blocks.nz(); ++k) {
+            const CutRun whole = closed(j, k);
+            const int grown = whole.blocks() - blocks(j, k).blocks();
+            if (grown <= 0) continue;
+            ++columns;
+            inside += grown;
+            if (grown <= most) continue;
+            most = grown;
+            where = column_centre(space, j, k, whole);
+        }
+    }
+    if (columns == 0) return;
+    const double cm3 = static_cast<double>(inside) * space.block_volume() * 1e-3;
+    add(findings, Severity::danger, "open",
+        "the object is open, and foam would grow inside it: " +
+            counted(static_cast<unsigned long long>(inside), "block", "blocks") + " (" +
+            number(cm3, cm3 < 10 ? 1 : 0) + " cm3) in " +
+            counted(static_cast<unsigned long long>(columns), "column", "columns") +
+            "; close the holes with --cap, or repair the scan",
+        where);
+}
+
+void find_uncut_parts(const Mesh& mesh, const MeshMeasure& measure, bool capped, const Placement& placement,
+                      const DesignSpace& space, Reach reach, const BlockMap& blocks,
+                      std::vector<Finding>& findings) {
+    if (blocks.size() == 0) return;
+    const PointCut cuts(space, reach);
+    // Vertices often lie on blocks' faces, where alone they cut nothing; points between them rarely do.
+    const auto cuts_at_its_points = [&](const Triangle& t) {
+        const Vec3d a = placement(mesh.vertices[t[0]]), b = placement(mesh.vertices[t[1]]),
+                    c = placement(mesh.vertices[t[2]]);
+        return cuts(a) || cuts(b) || cuts(c) || cuts((a + b) * 0.5) || cuts((b + c) * 0.5) ||
+               cuts((c + a) * 0.5) || cuts((a + b + c) * (1.0 / 3));
+    };
+    std::vector<bool> cut(measure.parts.size());
+    std::size_t uncut = cut.size();
+    for (std::size_t t = 0; t < measure.part_of_triangle.size() && uncut > 0; ++t) {
+        const std::uint32_t part = measure.part_of_triangle[t];
+        if (cut[part]) continue;
+        if (!cuts_at_its_points(mesh.triangles[t])) continue;
+        cut[part] = true;
+        --uncut;
+    }
+    if (uncut == 0) return;
+    const TrianglesOfParts triangles(measure, cut);
+    PartCut alone(placement, space, reach);
+    std::size_t named = 0;
+    for (std::uint32_t part = 0; part < cut.size() && named < kPartsNamed; ++part) {
+        if (cut[part] || alone.cuts(mesh, triangles[part])) continue;
+        if (capped && alone.cuts(with_own_caps(mesh, triangles[part]))) continue;
+        ++named;
+        add(findings, Severity::danger, "uncut_part",
+            "a part of the object (" + dimensions(measure.parts[part].bounds.size()) +
+                " mm) cuts no block, so foam would press on it: choose a larger clearance or smaller blocks, "
+                "or move "
+                "the object",
+            placement(mesh.vertices[mesh.triangles[triangles[part].front()][0]]));
+    }
+}
+
+void find_thin_walls(const FitReport& fit, const BlockMap& blocks, const DesignSpace& space,
+                     const Walls& wanted_mm, const SpaceChoice& choice, std::vector<Finding>& findings) {
+    if (fit.cut_blocks == 0) return;
+    Walls least = wanted_mm;
+    for (double& mm : least) mm = std::max(mm, kLeastGoodWall);
+    const std::string advice = wall_advice(fit.wall_mm, least, space, choice);
+    for (int i = 0; i < 6; ++i) {
+        const auto side = static_cast<Side>(i);
+        const double wall = fit.wall_mm[static_cast<std::size_t>(i)];
+        const double wanted = wanted_mm[static_cast<std::size_t>(i)];
+        if (wall >= std::max(kLeastGoodWall, wanted)) continue;
+        const std::string place = std::string(kSides[i].name);
+        const auto where = thinnest_place(blocks, space, side);
+        if (wall <= 0)
+            add(findings, Severity::danger, kSides[i].none_code,
+                "no foam is left " + place + ": the object would touch the case; " + advice, where);
+        else if (wall < kLeastGoodWall)
+            add(findings, Severity::warning, kSides[i].thin_code,
+                "only " + mm(wall) + " of foam " + place +
+                    "; 25 mm is the least that cushions, 50 mm is usual: " + advice,
+                where);
+        else
+            add(findings, Severity::warning, "wall_below_wanted",
+                "only " + mm(wall) + " of foam " + place + " where " + mm(wanted) + " is wanted; " + advice,
+                where);
+    }
+}
+
+void find_pieces(const FitReport& fit, const SpaceChoice& choice, std::vector<Finding>& findings) {
+    const bool fixed = choice.is_case();
+    const auto look = [&](int pieces, const char* half, const char* no_code, const char* pieces_code) {
+        if (pieces == 0)
+            add(findings, Severity::danger, no_code,
+                std::string("the ") + half + " foam is empty: choose another parting level or " +
+                    (fixed ? "a higher case" : "more blocks"));
+        if (pieces > 1)
+            add(findings, Severity::warning, pieces_code,
+                std::string("the ") + half + " foam falls into " + std::to_string(pieces) +
+                    " pieces: glue them to the case, or " +
+                    (fixed ? "take a higher case" : "use more blocks along x"));
+    };
+    look(fit.lower_pieces, "lower", "no_lower", "lower_pieces");
+    look(fit.upper_pieces, "upper", "no_upper", "upper_pieces");
+}
+
+void find_parts(const MeshMeasure& measure, const Placement& placement, std::vector<Finding>& findings) {
+    const auto& parts = measure.parts;
+    if (parts.size() < 2) return;
+    const double whole = diagonal(measure.bounds);
+    const auto apart = [](const Box3d& a, const Box3d& b) {
+        return a.min.x > b.max.x || b.min.x > a.max.x || a.min.y > b.max.y || b.min.y > a.max.y ||
+               a.min.z > b.max.z || b.min.z > a.max.z;
+    };
+    Box3d large;
+    for (const MeshPart& part : parts)
+        if (diagonal(part.bounds) >= kSpeckShare * whole) large.include(part.bounds);
+    std::size_t specks = 0;
+    std::optional<Vec3d> where;
+    for (const MeshPart& part : parts) {
+        if (diagonal(part.bounds) >= kSpeckShare * whole || !apart(part.bounds, large)) continue;
+        ++specks;
+        if (!where) where = placement(vec_cast<float>(part.bounds.centre()));
+    }
+    std::string sizes;
+    for (std::size_t i = 0; i < std::min(parts.size(), kPartsNamed); ++i)
+        sizes += (i ? "; " : "") + dimensions(parts[i].bounds.size());
+    if (parts.size() > kPartsNamed) sizes += "; ...";
+    const std::string count =
+        "the object has " + grouped(parts.size()) + " separate parts (" + sizes + " mm)";
+    if (specks > 0)
+        add(findings, Severity::warning, "specks",
+            count + ", " + counted(specks, "of them a speck", "of them specks") +
+                " away from the rest: clean the scan if they are dirt, they cut foam too",
+            where);
+    else
+        add(findings, Severity::note, "parts", count);
+}
+
+}  // namespace snug

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "snug/depth/cells.h"
+#include "snug/depth/depth_builder.h"
+#include "snug/mesh/mesh.h"
+#include "snug/space/design_space.h"
+#include "snug/space/placement.h"
+
+namespace snug {
+
+/// Says of one part of a mesh after the other whether it cuts any block by itself: the same answer as a depth
+/// map and block map of the part alone, at the cost of the columns around the part.
+class PartCut {
+  public:
+    PartCut(const Placement& placement, const DesignSpace& space, Reach reach);
+
+    /// `triangles`: indices into the mesh's.
+    [[nodiscard]] bool cuts(const Mesh& mesh, std::span<const std::uint32_t> triangles);
+    /// A part that is a mesh of its own.
+    [[nodiscard]] bool cuts(const Mesh& part);
+
+  private:
+    [[nodiscard]] bool reaches_block(double lowest, double highest) const;
+    /// Whether any column of the block is cut; empties them all.
+    bool take_cut(const ColumnBlock& block);
+
+    const Placement& placement_;
+    Reach reach_;
+    GrownCells along_x_;
+    DepthMapBuilder builder_;  ///< empty between parts
+};
+
+}  // namespace snug

@@ -1,0 +1,179 @@
+#include "snug/drawing/svg.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "snug/base/text.h"
+#include "snug/base/utf8.h"
+
+namespace snug {
+namespace {
+
+constexpr std::string_view kReplacement = "\xEF\xBF\xBD";
+constexpr std::string_view kEllipsis = "\xE2\x80\xA6";
+
+/// Bytes of the character at the front of `text`, 0 if there is none that XML allows.
+std::size_t xml_character_bytes(std::string_view text) {
+    const auto lead = static_cast<unsigned char>(text.front());
+    if (lead < 0x20 && lead != '\t' && lead != '\n' && lead != '\r') return 0;
+    const std::string_view character = text.substr(0, character_bytes(text));
+    return character == "\xEF\xBF\xBE" || character == "\xEF\xBF\xBF" ? 0 : character.size();
+}
+
+std::size_t step(std::string_view text) {
+    return std::max<std::size_t>(1, xml_character_bytes(text));
+}
+
+/// Bytes of the first `count` characters, or of all.
+std::size_t bytes_of_characters(std::string_view text, std::size_t count) {
+    std::size_t bytes = 0;
+    while (count-- > 0 && bytes < text.size()) bytes += step(text.substr(bytes));
+    return bytes;
+}
+
+/// In tenths of a px.
+struct Tenths {
+    long long x = 0, y = 0;
+};
+Tenths tenths(Vec2d point) {
+    return {static_cast<long long>(std::floor(point.x * 10 + 0.5)),
+            static_cast<long long>(std::floor(point.y * 10 + 0.5))};
+}
+
+void append_pair(std::string& text, long long x, long long y, bool first) {
+    if (!first && x >= 0) text += ' ';
+    text += std::to_string(x);
+    if (y >= 0) text += ' ';
+    text += std::to_string(y);
+}
+
+/// M and l with whole numbers: differences of rounded corners, so that errors do not add up.
+void append_subpath(std::string& text, const std::vector<Vec2d>& corners, bool closed) {
+    Tenths last = tenths(corners.front());
+    text += 'M';
+    append_pair(text, last.x, last.y, true);
+    text += 'l';
+    for (std::size_t i = 1; i < corners.size(); ++i) {
+        const Tenths next = tenths(corners[i]);
+        append_pair(text, next.x - last.x, next.y - last.y, i == 1);
+        last = next;
+    }
+    if (closed) text += 'z';
+}
+
+/// As wrapped(), each line as full as it can be.
+std::vector<std::string> broken(std::string_view text, std::size_t longest, std::size_t most_lines) {
+    std::vector<std::string> lines;
+    while (!text.empty()) {
+        std::size_t end = bytes_of_characters(text, longest);
+        if (end < text.size()) {
+            if (lines.size() + 1 == most_lines) {
+                end = bytes_of_characters(text, longest - 1);
+                lines.push_back(std::string(text.substr(0, end)) + std::string(kEllipsis));
+                return lines;
+            }
+            const std::size_t space = text.substr(0, end + 1).rfind(' ');
+            if (space != std::string_view::npos && space > 0) end = space;
+        }
+        lines.emplace_back(text.substr(0, end));
+        text.remove_prefix(end);
+        while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+    }
+    return lines;
+}
+
+}  // namespace
+
+std::string hex(Color color) {
+    static constexpr char kDigits[] = "0123456789abcdef";
+    std::string text = "#";
+    for (const int part : {color.red, color.green, color.blue}) {
+        text += kDigits[part / 16];
+        text += kDigits[part % 16];
+    }
+    return text;
+}
+
+Color mixed(Color a, Color b, double share) {
+    const auto mix = [share](int from, int to) {
+        return static_cast<std::uint8_t>(std::floor(from + (to - from) * share + 0.5));
+    };
+    return {mix(a.red, b.red), mix(a.green, b.green), mix(a.blue, b.blue)};
+}
+
+std::string xml_text(std::string_view text) {
+    std::string safe;
+    while (!text.empty()) {
+        const std::size_t bytes = xml_character_bytes(text);
+        switch (text.front()) {
+            case '&':
+                safe += "&amp;";
+                break;
+            case '<':
+                safe += "&lt;";
+                break;
+            case '>':
+                safe += "&gt;";
+                break;
+            case '"':
+                safe += "&quot;";
+                break;
+            case '\'':
+                safe += "&apos;";
+                break;
+            default:
+                safe += bytes == 0 ? kReplacement : text.substr(0, bytes);
+        }
+        text.remove_prefix(step(text));
+    }
+    return safe;
+}
+
+std::vector<std::string> wrapped(std::string_view text, std::size_t longest, std::size_t most_lines) {
+    std::vector<std::string> lines = broken(text, longest, most_lines);
+    if (lines.size() == most_lines) return lines;
+    while (longest > 1) {
+        std::vector<std::string> narrower = broken(text, --longest, most_lines);
+        if (narrower.size() > lines.size()) break;
+        lines = std::move(narrower);
+    }
+    return lines;
+}
+
+std::string path_data(const std::vector<std::vector<Vec2d>>& loops) {
+    std::string text;
+    for (const std::vector<Vec2d>& loop : loops) {
+        for (std::size_t i = 0; i < loop.size(); ++i)
+            text += (i == 0 ? "M" : i == 1 ? "L" : " ") + number(loop[i].x) + " " + number(loop[i].y);
+        if (!loop.empty()) text += "Z";
+    }
+    return text;
+}
+
+void PathWriter::use(Color color) {
+    std::string wanted = hex(color);
+    if (wanted == color_) return;
+    if (!color_.empty()) text_ += "\"/>\n";
+    text_ += "<path fill=\"" + wanted + "\" stroke=\"" + wanted + "\" d=\"";
+    color_ = std::move(wanted);
+}
+
+void PathWriter::polygon(Color color, const std::vector<Vec2d>& corners) {
+    use(color);
+    append_subpath(text_, corners, true);
+}
+
+void PathWriter::line(Color color, Vec2d from, Vec2d to) {
+    use(color);
+    append_subpath(text_, {from, to}, false);
+}
+
+std::string PathWriter::finish() {
+    if (!color_.empty()) text_ += "\"/>\n";
+    color_.clear();
+    return std::exchange(text_, {});
+}
+
+}  // namespace snug

@@ -1,0 +1,69 @@
+#include "snug/fabricate/bricks/brick_list.h"
+
+#include <algorithm>
+
+namespace snug {
+namespace {
+
+void count(std::span<const Brick> bricks, const BrickColor& color, std::vector<BrickCount>& counts) {
+    for (const Brick& brick : bricks) {
+        const BrickPart* part =
+            brick_part(brick.kind, std::min(brick.rows, brick.columns), std::max(brick.rows, brick.columns));
+        const auto found = std::find_if(counts.begin(), counts.end(), [&](const BrickCount& each) {
+            return each.part == part && each.color == &color;
+        });
+        if (found == counts.end())
+            counts.push_back({part, &color, 1});
+        else
+            ++found->pieces;
+    }
+}
+
+std::vector<BrickCount> in_order(std::vector<BrickCount> counts) {
+    // Parts lie in one table from the largest to the smallest of each kind; colours stay in the halves'
+    // order.
+    std::stable_sort(counts.begin(), counts.end(),
+                     [](const BrickCount& a, const BrickCount& b) { return a.part < b.part; });
+    return counts;
+}
+
+}  // namespace
+
+std::vector<BrickCount> brick_counts(std::span<const ColoredBuild> halves) {
+    std::vector<BrickCount> counts;
+    for (const ColoredBuild& half : halves) count(half.build->bricks, *half.color, counts);
+    return in_order(std::move(counts));
+}
+
+std::vector<BrickCount> brick_counts(std::span<const Brick> bricks, const BrickColor& color) {
+    std::vector<BrickCount> counts;
+    count(bricks, color, counts);
+    return in_order(std::move(counts));
+}
+
+std::string part_name(const BrickPart& part) {
+    const char* const kind = part.kind == BrickKind::brick   ? "Brick "
+                             : part.kind == BrickKind::plate ? "Plate "
+                                                             : "Tile ";
+    return kind + std::to_string(part.width) + " x " + std::to_string(part.length);
+}
+
+std::string parts_csv(std::span<const BrickCount> counts) {
+    std::string text = "part,name,color,ldraw_color,bricklink_color,pieces\n";
+    for (const BrickCount& each : counts)
+        text += std::string(each.part->number) + "," + part_name(*each.part) + "," +
+                std::string(each.color->name) + "," + std::to_string(each.color->ldraw) + "," +
+                std::to_string(each.color->bricklink) + "," + std::to_string(each.pieces) + "\n";
+    return text;
+}
+
+std::string wanted_xml(std::span<const BrickCount> counts) {
+    std::string text = "<INVENTORY>\n";
+    for (const BrickCount& each : counts)
+        text += "<ITEM><ITEMTYPE>P</ITEMTYPE><ITEMID>" + std::string(each.part->number) + "</ITEMID><COLOR>" +
+                std::to_string(each.color->bricklink) + "</COLOR><MINQTY>" + std::to_string(each.pieces) +
+                "</MINQTY></ITEM>\n";
+    return text + "</INVENTORY>\n";
+}
+
+}  // namespace snug

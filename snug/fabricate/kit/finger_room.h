@@ -1,0 +1,30 @@
+#pragma once
+
+#include <array>
+
+#include "snug/foam/block_map.h"
+#include "snug/foam/foam_pair.h"
+#include "snug/mesh/mesh.h"
+#include "snug/space/design_space.h"
+#include "snug/space/placement.h"
+
+namespace snug {
+
+constexpr double kFingerWidth = 18;  ///< mm of room that a finger wants beside an object
+constexpr double kFingerDepth = 25;  ///< mm that it reaches down beside it
+
+/// The widest room for fingers beside the object at each side of the lower foam: back (-y), front (+y), left
+/// (-z), right (+z).
+struct FingerRoom {
+    double mm = 0;  ///< from the foam to the object, seen from above
+    Vec3d where;    ///< its middle, in design coordinates, at the parting; no place if mm is 0
+};
+
+/// Measured from above on a grid finer than the blocks, between the object's silhouette and the foam that
+/// stands less than a finger's depth below the parting. Room that foam or object covers from above does not
+/// count. Never too wide; too small by two cells (of about 2 mm) at most.
+[[nodiscard]] std::array<FingerRoom, 4> finger_room(const Mesh& mesh, const Placement& placement,
+                                                    const DesignSpace& space, const BlockMap& blocks,
+                                                    const FoamPair& foams);
+
+}  // namespace snug

@@ -1,0 +1,107 @@
+#include "snug/fabricate/kit/packing_picture.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "snug/drawing/svg.h"
+#include "snug/picture/foam_tones.h"
+#include "snug/picture/isometric.h"
+#include "snug/picture/object_outlines.h"
+
+namespace snug {
+namespace {
+
+constexpr Color kObject{240, 242, 245}, kBlack{0, 0, 0};
+constexpr double kShade = 0.1;           // of black, each shade of the object on the last
+constexpr double kFinestOutline = 0.15;  // mm on the page
+constexpr double kSeam = 0.12;           // mm, closes the seams between neighbours
+
+struct HalfScene {
+    Relief relief;
+    std::vector<Face> faces;
+};
+
+HalfScene half_scene(const FoamPair& foams, const DesignSpace& space, const OpenedPair& pair, Half half) {
+    HalfScene scene{relief(foams, space, pair, half), {}};
+    scene.faces = visible_faces(scene.relief);
+    return scene;
+}
+
+std::vector<Vec3d> corners(const Face& face) {
+    return {face.origin, face.origin + face.across, face.origin + face.across + face.along,
+            face.origin + face.along};
+}
+
+/// The largest scale at which all points fit into the rectangle, centred.
+Page fitted(const std::vector<Vec2d>& points, Vec2d corner, Vec2d size) {
+    Vec2d least = points.front(), most = least;
+    for (const Vec2d p : points) {
+        least = {std::min(least.x, p.x), std::min(least.y, p.y)};
+        most = {std::max(most.x, p.x), std::max(most.y, p.y)};
+    }
+    const Vec2d extent = most - least;
+    Page page;
+    page.scale = std::min(size.x / std::max(extent.x, 1e-9), size.y / std::max(extent.y, 1e-9));
+    page.shift = corner + size * 0.5 - (least + most) * (0.5 * page.scale);
+    return page;
+}
+
+void draw_half(PageBuilder& builder, const Page& page, const HalfScene& scene, Half half) {
+    const FoamTones tones(scene.relief, half_color(half));
+    for (const Face& face : scene.faces) {
+        std::vector<Vec2d> loop;
+        for (const Vec3d& point : corners(face)) loop.push_back(page.at(point));
+        const Color color = tones.of(face);
+        builder.loops({std::move(loop)}, color, Pen{color, kSeam, {}});
+    }
+}
+
+void draw_outlines(PageBuilder& builder, const Page& page, std::vector<Loop> loops, std::optional<Color> fill,
+                   std::optional<Pen> pen) {
+    if (loops.empty()) return;
+    for (Loop& loop : loops)
+        for (Vec2d& point : loop) point = page.at(point);
+    builder.loops(std::move(loops), fill, std::move(pen));
+}
+
+void draw_object(PageBuilder& builder, const Page& page, const ObjectOutlines& outlines) {
+    draw_outlines(builder, page, outlines.visible, kObject, {});
+    Color color = kObject;
+    for (const std::vector<Loop>& shade : outlines.shades) {
+        color = mixed(color, kBlack, kShade);
+        draw_outlines(builder, page, shade, color, {});
+    }
+    draw_outlines(builder, page, outlines.whole, {}, Pen{kInk, 0.2, {0.9, 0.8}});
+    draw_outlines(builder, page, outlines.visible, {}, Pen{kInk, 0.35, {}});
+}
+
+}  // namespace
+
+void draw_packing_picture(PageBuilder& builder, Vec2d corner, Vec2d size, PictureParts parts,
+                          const FoamPair& foams, const DesignSpace& space, const Mesh& mesh,
+                          const Placement& placement) {
+    const OpenedPair pair = opened(space, foams.parting_level);
+    const HalfScene lower = half_scene(foams, space, pair, Half::lower);
+    const HalfScene lid = parts.lid ? half_scene(foams, space, pair, Half::lid) : HalfScene{};
+    std::vector<Projected> vertices;
+    if (parts.object)
+        for (const Vec3f& vertex : mesh.vertices) vertices.push_back(project(pair.lower(placement(vertex))));
+
+    std::vector<Vec2d> points;
+    for (const HalfScene* half : {&lower, &lid})
+        for (const Face& face : half->faces)
+            for (const Vec3d& point : corners(face)) points.push_back(project(point).at);
+    for (const Projected& vertex : vertices) points.push_back(vertex.at);
+    if (points.empty()) return;
+    const Page page = fitted(points, corner, size);
+    if (parts.lid) draw_half(builder, page, lid, Half::lid);
+    draw_half(builder, page, lower, Half::lower);
+    if (parts.object)
+        draw_object(builder, page,
+                    object_outlines(vertices, mesh.triangles, lower.faces, kFinestOutline / page.scale));
+    const Vec3d back_left{lower.relief.right_faces.front(), lower.relief.front_faces.front(), 0};
+    const Vec2d hinge = parts.lid ? Vec2d{-2, -3.5} : Vec2d{-1, -1.5};
+    builder.text(page.at(back_left) + hinge, "BACK", {kSmallText, kInk, true, TextAnchor::end});
+}
+
+}  // namespace snug

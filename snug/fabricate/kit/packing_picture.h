@@ -1,0 +1,22 @@
+#pragma once
+
+#include "snug/drawing/page_builder.h"
+#include "snug/foam/foam_pair.h"
+#include "snug/mesh/mesh.h"
+#include "snug/space/design_space.h"
+#include "snug/space/placement.h"
+
+namespace snug {
+
+struct PictureParts {
+    bool object = false;
+    bool lid = false;
+};
+
+/// The lower foam as it lies on a table, seen into its cavity; with the object in it and the lid turned over
+/// its BACK edge where they are asked for. Fitted into a rectangle of the page and centred.
+void draw_packing_picture(PageBuilder& page, Vec2d corner, Vec2d size, PictureParts parts,
+                          const FoamPair& foams, const DesignSpace& space, const Mesh& mesh,
+                          const Placement& placement);
+
+}  // namespace snug

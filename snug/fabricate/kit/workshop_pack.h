@@ -1,0 +1,65 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "snug/base/finding.h"
+#include "snug/drawing/drawing.h"
+#include "snug/foam/block_map.h"
+#include "snug/foam/foam_pair.h"
+#include "snug/formats/mesh_files.h"
+#include "snug/space/design_space.h"
+
+// What a maker takes to the workshop. Each way of working (sponge, sheets, print, ...) has one function from
+// a FoamDesign and its own options to a WorkshopPack.
+
+namespace snug {
+
+/// The foams as a maker's drawings need them. References live as long as the packing that they belong to.
+struct FoamDesign {
+    const DesignSpace& space;
+    const BlockMap& blocks;
+    const FoamPair& foams;
+    std::string object_name;  ///< as people know it; UTF-8
+};
+
+/// A file to be written, by its name within the output folder ("sheets/lower-01.svg").
+struct PackFile {
+    std::string name;
+    FileBytes bytes;
+};
+
+[[nodiscard]] PackFile text_file(std::string name, std::string_view text);
+
+/// A zip file in the making: 3MF. The writer around the library packs it.
+struct PackContainer {
+    std::string name;
+    std::vector<PackFile> members;  ///< in the order in which they must stand
+};
+
+/// A line of what is shown before anything is written: "Blocks to pluck" "1,204".
+struct PackFigure {
+    std::string label;
+    std::string value;
+};
+
+/// A pack and its material in numbers. A pack fills in what it knows better than the foams alone do.
+struct PackMaterial {
+    std::optional<long long> pieces;  ///< handled one by one: blocks plucked, sheets, printed parts
+    std::optional<double> litres;     ///< to buy or use up; none: the foams' own volume
+    std::optional<double> foam_kg;    ///< of what is left of it; from the density, see snug/workshop.h
+    std::optional<double> cost;       ///< from the price of a litre
+};
+
+struct WorkshopPack {
+    std::vector<PackFile> files;
+    std::vector<DrawingDocument> documents;  ///< become PDF
+    std::vector<PackContainer> containers;
+    std::vector<PackFigure> figures;
+    std::vector<Finding> findings;
+    PackMaterial material;
+};
+
+}  // namespace snug

@@ -1,0 +1,121 @@
+#include "snug/fabricate/mill/mill_plan.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "snug/base/text.h"
+#include "snug/fabricate/mill/mill_allowed.h"
+
+namespace snug {
+namespace {
+
+constexpr double kCellsInRadius = 4;  // fine cells that tell what the cutter leaves
+constexpr double kPinFit = 1e-6;      // mm
+constexpr double kRounding = 1e-6;    // mm
+
+std::string name_of(const MillPlan& plan) {
+    return (plan.half == Half::lower ? "lower half" : "lid") +
+           std::string(plan.outside ? "'s outer side" : "");
+}
+
+double step_down(const MillOptions& options) {
+    return options.step_down_mm.value_or(options.cutter_mm / 2);
+}
+
+/// A cutter that enters some pockets is enough: reliefs take what the others need.
+std::optional<Error> too_wide(const std::vector<MillPlan>& plans, const MillOptions& options) {
+    double widest = 0;
+    bool anything = false;
+    for (const MillPlan& plan : plans) {
+        if (plan.field.lowest() >= plan.field.top) continue;
+        anything = true;
+        const CentreLines lines(plan.field, plan.field.top - 1, options.cutter_mm / 2);
+        if (!level_pass(lines, options.stepover * options.cutter_mm).empty()) return {};
+        widest = std::max(widest, widest_cutter_mm(plan.field));
+    }
+    if (!anything) return {};
+    return Error{ErrorKind::usage, "a cutter of " + number(options.cutter_mm) +
+                                       " mm is wider than every pocket; the widest that goes in is " +
+                                       number(widest, 1) +
+                                       " mm. Choose it with --cutter, or a larger clearance"};
+}
+
+std::optional<Error> too_deep(const std::vector<MillPlan>& plans, const MillOptions& options) {
+    for (const MillPlan& plan : plans) {
+        const double depth = plan.depth_mm();
+        if (depth <= options.flute_mm + kRounding) continue;
+        return Error{ErrorKind::usage, "the flute reaches " + number(options.flute_mm) + " mm, but the " +
+                                           name_of(plan) + " is cut " + number(depth, 1) +
+                                           " mm deep: take a cutter with a flute of at least " +
+                                           number(depth, 1) +
+                                           " mm (--flute), turn the object so that it lies flatter "
+                                           "(--rotate), or choose another parting level (--parting)"};
+    }
+    return {};
+}
+
+/// Passes, reliefs and moves of one side.
+Result<void> work_out(MillPlan& plan, const FoamDesign& design, const std::optional<MilledObject>& object,
+                      const MillOptions& options) {
+    const double radius = options.cutter_mm / 2;
+    const std::vector<LevelPass> passes =
+        level_passes(plan.field, radius, options.stepover * options.cutter_mm);
+    CarvedStock stock(plan.field, radius, radius / kCellsInRadius);
+    if (length(stock.cell_mm()) > radius)
+        return fail(ErrorKind::usage, "the foam has more columns than can be milled with a cutter of " +
+                                          number(options.cutter_mm) +
+                                          " mm; take larger blocks or a larger cutter");
+    for (const LevelPass& pass : passes)
+        for (const std::vector<CutLine>* lines : {&pass.fill, &pass.walls})
+            for (const CutLine& line : *lines) stock.cut(line, pass.level);
+    const Grid<int> allowed = plan.outside ? allowed_outside(design, plan.half, plan.field, stock, object)
+                                           : allowed_heights(design, plan.half, plan.field, stock, object);
+    plan.relief = relieve(plan.field, passes, allowed, radius, stock);
+    plan.path = mill_path(plan.field, passes, plan.relief.reliefs, plan.pins, options);
+    if (!plan.path.too_long) return {};
+    return fail(ErrorKind::usage, "the program for the " + name_of(plan) + " would have more than " +
+                                      grouped(kMostMoves) +
+                                      " moves: take larger blocks, a larger cutter, or deeper passes "
+                                      "(--step-down)");
+}
+
+bool cuts_outside(const MillField& outside) {
+    return outside.lowest() < outside.top;
+}
+
+}  // namespace
+
+Result<MillPlans> mill_plans(const FoamDesign& design, const std::optional<MilledObject>& object,
+                             const MillOptions& options) {
+    if (auto problem = problem_of(options)) return fail(ErrorKind::usage, std::move(*problem));
+    MillPlans result;
+    std::vector<MillPlan>& plans = result.plans;
+    for (const Half half : {Half::lower, Half::lid}) {
+        MillPlan plan;
+        plan.half = half;
+        plan.field = mill_field(design, half, step_down(options));
+        plans.push_back(std::move(plan));
+    }
+    if (design.foams.available.size() > 0)
+        for (const Half half : {Half::lower, Half::lid}) {
+            MillPlan plan;
+            plan.half = half;
+            plan.outside = true;
+            plan.field = mill_outside(design, half, step_down(options));
+            if (cuts_outside(plan.field)) plans.push_back(std::move(plan));
+        }
+    if (auto error = too_wide(plans, options)) return tl::unexpected(std::move(*error));
+    if (auto error = too_deep(plans, options)) return tl::unexpected(std::move(*error));
+    if (options.pin_mm >= options.cutter_mm - kPinFit) {
+        MillPins pins = mill_pins(plans[0].field, plans[1].field, options.pin_mm, options.flute_mm);
+        result.no_room_for_pins = pins.no_room;
+        plans[0].pins = std::move(pins.halves[0]);
+        plans[1].pins = std::move(pins.halves[1]);
+    }
+    for (MillPlan& plan : plans)
+        if (auto done = work_out(plan, design, object, options); !done) return tl::unexpected(done.error());
+    return result;
+}
+
+}  // namespace snug

@@ -1,0 +1,179 @@
+#include "snug/fabricate/mould/mould.h"
+
+#include <algorithm>
+#include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "snug/base/rotation.h"
+#include "snug/base/text.h"
+#include "snug/drawing/page_builder.h"
+#include "snug/fabricate/mould/mould_form.h"
+#include "snug/fabricate/mould/mould_guide.h"
+#include "snug/fabricate/mould/mould_parts.h"
+#include "snug/fabricate/printing/print_things.h"
+
+namespace snug {
+namespace {
+
+long long sum_of(const Grid<std::uint16_t>& blocks) {
+    return std::accumulate(blocks.begin(), blocks.end(), 0LL);
+}
+
+std::string word_of(Half half) {
+    return half == Half::lower ? "lower" : "lid";
+}
+
+Result<std::vector<Mould>> all_moulds(const FoamDesign& design, const WorkshopOptions& options) {
+    std::vector<Mould> moulds;
+    for (const Half half : {Half::lower, Half::lid}) {
+        if (sum_of(design.foams.heights(half)) == 0) continue;
+        Mould mould{
+            mould_form(half, design.foams.heights(half), design.space.block_mm, options.mould), {}, {}};
+        auto made = mould_parts(mould.form, options.mould.draft_deg, options.print);
+        if (!made) return tl::unexpected(made.error());
+        mould.made = std::move(*made);
+        for (std::size_t i = 0; i < mould.made.parts.size(); ++i)
+            mould.names.push_back(word_of(half) + "-" + two_digits(i + 1));
+        moulds.push_back(std::move(mould));
+    }
+    if (moulds.empty())
+        return fail(ErrorKind::usage,
+                    "there is no foam to cast: the object takes every block; take a larger space");
+    return moulds;
+}
+
+/// Where each part's least corner stands in the assembled mould, in mm from the left, from the front and from
+/// the table, as the mould is seen from above, and its size there.
+PackFile parts_list(const std::vector<Mould>& moulds) {
+    std::string text = "part,left_mm,front_mm,up_mm,width_mm,depth_mm,height_mm,turned_deg\n";
+    for (const Mould& mould : moulds)
+        for (std::size_t i = 0; i < mould.made.parts.size(); ++i) {
+            const MouldPart& part = mould.made.parts[i];
+            text += mould.names[i];
+            for (const Vec3d& v : {part.at_mm, part.size_mm})
+                for (int axis = 0; axis < 3; ++axis) text += "," + number(v[axis], 4);
+            text += part.turned ? ",90\n" : ",0\n";
+        }
+    return text_file("mould/parts.csv", text);
+}
+
+/// Below the pour level, along its whole height.
+double greatest_lean_mm(const MouldForm& form, double draft_deg) {
+    const SineCosine lean = sine_cosine_degrees(draft_deg);
+    return lean.sine / lean.cosine * (form.mm(0, form.pour_level) - form.mm(0, 1));
+}
+
+std::string name_of(Half half) {
+    return half == Half::lower ? "lower foam" : "lid";
+}
+
+void tell_draft(const FoamDesign& design, const std::vector<Mould>& moulds, double draft_deg,
+                WorkshopPack& pack) {
+    const std::string degrees = number(draft_deg) + (draft_deg == 1 ? " degree" : " degrees");
+    std::string lean, cut;
+    for (const Mould& mould : moulds) {
+        const Half half = mould.form.half;
+        const double whole =
+            static_cast<double>(sum_of(design.foams.heights(half))) * design.space.block_volume();
+        lean += (lean.empty() ? "the " : ", the ") + name_of(half) + " by up to " +
+                number(greatest_lean_mm(mould.form, draft_deg), 1) + " mm on each side and " +
+                number((whole - mould.made.pour_mm3) * 1e-6, 2) + " of " + number(whole * 1e-6, 2) +
+                " litres";
+        if (mould.made.upright_at_cuts) cut += (cut.empty() ? "" : " and the ") + name_of(half);
+        if (mould.made.lost_blocks > 0)
+            pack.findings.push_back(
+                {Severity::warning,
+                 "narrow_foam",
+                 counted(static_cast<unsigned long long>(mould.made.lost_blocks), "block", "blocks") +
+                     " of the " + name_of(half) +
+                     " are not cast: the foam is too narrow there to leave room between faces that lean by " +
+                     degrees + "; take a smaller draft",
+                 {}});
+    }
+    if (draft_deg > 0)
+        pack.findings.push_back(
+            {Severity::note,
+             "draft",
+             "faces lean by " + degrees +
+                 " to let the foam go, so it is smaller than its blocks towards the cavity: " + lean +
+                 "; a smaller draft keeps more",
+             {}});
+    if (draft_deg > 0 && !cut.empty())
+        pack.findings.push_back(
+            {Severity::note,
+             "upright",
+             "the mould of the " + cut +
+                 " is cut apart along faces of its core, which stand upright there: rub them smooth, "
+                 "and take the mould apart there to let the foam out",
+             {}});
+}
+
+void tell_missing(const FoamDesign& design, Half half, WorkshopPack& pack) {
+    const long long missing = missing_below(design.foams, half, design.space.blocks.x);
+    if (missing == 0) return;
+    pack.findings.push_back(
+        {Severity::warning,
+         "trim",
+         "the case leaves no room for " +
+             counted(static_cast<unsigned long long>(missing), "block", "blocks") +
+             " at the outer side of the " + name_of(half) + ", " +
+             number(static_cast<double>(missing) * design.space.block_volume() * 1e-6, 3) +
+             " litres, which the mould casts: trim them off by hand until the foam lies in the case",
+         {}});
+}
+
+void tell_figures(const std::vector<Mould>& moulds, std::size_t bores, std::size_t beds,
+                  const PrintOptions& print, WorkshopPack& pack) {
+    double plastic = 0, pour = 0;
+    long long parts = 0;
+    for (const Mould& mould : moulds) {
+        pack.figures.push_back(
+            {"Parts, " + word_of(mould.form.half), std::to_string(mould.made.parts.size())});
+        plastic += mould.made.plastic_mm3;
+        pour += mould.made.pour_mm3;
+        parts += static_cast<long long>(mould.made.parts.size());
+    }
+    if (bores > 0) pack.figures.push_back({"Dowels", dowels_text(bores, print)});
+    pack.figures.push_back({"Beds to print", std::to_string(beds)});
+    pack.figures.push_back({"Plastic, printed solid", number(plastic * 1e-6, 2) + " litres"});
+    for (const Mould& mould : moulds)
+        pack.figures.push_back(
+            {"To pour, " + word_of(mould.form.half), number(mould.made.pour_mm3 * 1e-6, 2) + " litres"});
+    pack.material.pieces = parts + static_cast<long long>(bores);
+    pack.material.litres = pour * 1e-6;
+}
+
+}  // namespace
+
+Result<WorkshopPack> mould_pack(const FoamDesign& design, const WorkshopOptions& options) {
+    if (const auto problem = problem_of(options.mould)) return fail(ErrorKind::usage, *problem);
+    if (const auto problem = problem_of(options.print)) return fail(ErrorKind::usage, *problem);
+    const auto moulds = all_moulds(design, options);
+    if (!moulds) return tl::unexpected(moulds.error());
+
+    WorkshopPack pack;
+    std::vector<PrintThing> things;
+    std::size_t bores = 0;
+    int without_joint = 0;
+    for (const Mould& mould : *moulds) {
+        for (std::size_t i = 0; i < mould.names.size(); ++i)
+            things.push_back({mould.names[i], half_color(mould.form.half), mould.made.parts[i].solid});
+        bores += static_cast<std::size_t>(mould.made.bores);
+        without_joint += mould.made.without_joint;
+    }
+    add_dowels(bores, options.print, things);
+    const std::size_t beds =
+        add_beds(things, options.print.bed_mm, design.object_name + ": moulds", "mould", "bed", pack);
+    add_stls(things, "mould", pack);
+    pack.files.push_back(parts_list(*moulds));
+    pack.documents.push_back(mould_guide(design, *moulds, options, beds));
+    tell_figures(*moulds, bores, beds, options.print, pack);
+    for (const Mould& mould : *moulds) tell_missing(design, mould.form.half, pack);
+    tell_draft(design, *moulds, options.mould.draft_deg, pack);
+    if (without_joint > 0) pack.findings.push_back(no_dowel_finding(without_joint, options.print, "plastic"));
+    return pack;
+}
+
+}  // namespace snug

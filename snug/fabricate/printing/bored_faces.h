@@ -1,0 +1,48 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <map>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "snug/polygon/holed_polygon.h"
+#include "snug/solid/step_solid.h"
+
+namespace snug {
+
+/// A side of a solid's box: across an axis, the least one or the greatest. Of axis 0 the base and the top.
+struct FaceSide {
+    int axis = 0;
+    bool low = false;
+    friend auto operator<=>(const FaceSide&, const FaceSide&) = default;
+};
+
+/// A blind bore into a face that lies on a side of the box, its mouth within that face.
+struct SlabBore {
+    FaceSide side;
+    int depth = 0;           ///< steps, into the solid
+    std::vector<Vec3i> rim;  ///< the mouth's corners, in either direction round
+};
+
+/// Collects the outlines of the faces that have bores, and triangulates them around the bores.
+class BoredFaces {
+  public:
+    explicit BoredFaces(std::span<const SlabBore> bores) : bores_(bores) {}
+
+    [[nodiscard]] bool has(FaceSide side) const;
+    /// A piece of a face's outline, counter-clockwise from outside. What runs both ways lies between pieces
+    /// of one face.
+    void add_edges(FaceSide side, const std::vector<std::uint32_t>& chain);
+    /// The faces, and the walls and ends of their bores.
+    void add_to(StepSolid& solid) const;
+
+  private:
+    using Edge = std::pair<std::uint32_t, std::uint32_t>;
+
+    std::span<const SlabBore> bores_;
+    std::map<FaceSide, std::vector<Edge>> edges_;
+};
+
+}  // namespace snug

@@ -1,0 +1,203 @@
+#include "snug/fabricate/printing/print_solid.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "snug/base/box.h"
+#include "snug/base/rotation.h"
+#include "snug/polygon/corners.h"
+#include "snug/solid/run_solid.h"
+#include "snug/solid/solid_faces.h"
+
+namespace snug {
+namespace {
+
+constexpr double kStep = 1.0 / kBlockSteps;
+
+/// A bore in one part, in that part's own coordinates: levels, y and z in mm from its first corner.
+struct PartBore {
+    FaceOpening opening;
+    Vec3d centre_mm;
+    bool after = false;  ///< the part begins at the cut
+};
+
+struct PlaneAxes {
+    int row, position;
+};
+
+PlaneAxes plane_axes(int axis) {
+    if (axis == 0) return {1, 2};
+    return axis == 1 ? PlaneAxes{2, 0} : PlaneAxes{1, 0};
+}
+
+/// The face that the bore opens turns from its rows towards its positions.
+bool turns_forward(const PartBore& bore) {
+    return bore.opening.axis == 2 ? bore.after : !bore.after;
+}
+
+Vec3d first_corner(const PrintPart& part, Vec3d block) {
+    return {part.first.x * block.x, part.first.y * block.y, part.first.z * block.z};
+}
+
+PartBore part_bore(const Bore& bore, const PrintPart& part, bool after, Vec3d block, double radius) {
+    PartBore result;
+    result.after = after;
+    result.centre_mm = bore.centre_mm - first_corner(part, block);
+    result.opening.axis = bore.axis;
+    result.opening.plane = bore.plane - part.first[bore.axis];
+    const PlaneAxes axes = plane_axes(bore.axis);
+    const auto begin = [&](int a) {
+        return static_cast<int>(std::floor((result.centre_mm[a] - radius) / block[a] * kBlockSteps)) - 1;
+    };
+    const auto end = [&](int a) {
+        return static_cast<int>(std::ceil((result.centre_mm[a] + radius) / block[a] * kBlockSteps)) + 1;
+    };
+    result.opening.row_begin = begin(axes.row);
+    result.opening.row_end = end(axes.row);
+    result.opening.position_begin = begin(axes.position);
+    result.opening.position_end = end(axes.position);
+    return result;
+}
+
+/// In the part's own coordinates; made one after another: corners of the solid, then of openings, then bores.
+class PartBuilder {
+  public:
+    PartBuilder(const PrintPart& part, Vec3d block_mm) : part_(part), block_(block_mm) {}
+
+    void add_foam(std::vector<PartBore>& bores) {
+        if (part_.missing.size() > 0) return add_runs();
+        const SolidCorners corners(part_.heights);
+        for (int J = 0; J <= part_.heights.ny(); ++J)
+            for (int K = 0; K <= part_.heights.nz(); ++K)
+                for (const SolidCorner& corner : corners.on_line(J, K))
+                    points.insert(points.end(), corner.doubled ? 2 : 1,
+                                  in_mm({corner.level * 1.0, J * 1.0, K * 1.0}));
+        std::vector<FaceOpening> openings;
+        for (PartBore& bore : bores) {
+            bore.opening.first_vertex = static_cast<std::uint32_t>(points.size());
+            add_corners(bore.opening);
+            openings.push_back(bore.opening);
+        }
+        add_faces(part_.heights, corners, openings, triangles);
+    }
+
+    void add_bore(const PartBore& bore, double radius, double depth) {
+        const auto mouth = static_cast<std::uint32_t>(points.size());
+        const auto bottom = mouth + kBoreSides;
+        add_ring(bore, radius, 0);
+        add_ring(bore, radius, bore.after ? depth : -depth);
+        const bool forward = turns_forward(bore);
+        const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+            triangles.push_back(forward ? Triangle{a, b, c} : Triangle{a, c, b});
+        };
+        const auto next = [](std::uint32_t i) { return (i + 1) % kBoreSides; };
+        // The corner of the opening in each quadrant, from rows towards positions.
+        constexpr std::array<std::uint32_t, 4> kCorner{3, 1, 0, 2};
+        const std::uint32_t first = bore.opening.first_vertex;
+        for (std::uint32_t i = 0; i < kBoreSides; ++i) {
+            const std::uint32_t quadrant = i / (kBoreSides / 4);
+            add(mouth + next(i), mouth + i, first + kCorner[quadrant]);
+            if (next(i) % (kBoreSides / 4) == 0)
+                add(first + kCorner[quadrant], first + kCorner[(quadrant + 1) % 4], mouth + next(i));
+            add(mouth + i, mouth + next(i), bottom + next(i));
+            add(mouth + i, bottom + next(i), bottom + i);
+            if (i >= 2) add(bottom, bottom + i - 1, bottom + i);
+        }
+    }
+
+    std::vector<Vec3d> points;
+    std::vector<Triangle> triangles;
+
+  private:
+    [[nodiscard]] Vec3d in_mm(Vec3d blocks) const {
+        return {blocks.x * block_.x, blocks.y * block_.y, blocks.z * block_.z};
+    }
+
+    /// A part whose floor is no plane; it has no bores.
+    void add_runs() {
+        const RunSurface surface = run_surface(part_.runs());
+        for (const Vec3d& point : surface.points) points.push_back(in_mm(point));
+        triangles = surface.triangles;
+    }
+
+    void add_corners(const FaceOpening& opening) {
+        const PlaneAxes axes = plane_axes(opening.axis);
+        for (const int row : {opening.row_begin, opening.row_end})
+            for (const int position : {opening.position_begin, opening.position_end}) {
+                Vec3d at;
+                at[opening.axis] = opening.plane;
+                at[axes.row] = row * kStep;
+                at[axes.position] = position * kStep;
+                points.push_back(in_mm(at));
+            }
+    }
+
+    void add_ring(const PartBore& bore, double radius, double along) {
+        const PlaneAxes axes = plane_axes(bore.opening.axis);
+        for (int i = 0; i < kBoreSides; ++i) {
+            const SineCosine turn = sine_cosine_degrees(360.0 / kBoreSides * i);
+            Vec3d at = bore.centre_mm;
+            at[bore.opening.axis] = bore.opening.plane * block_[bore.opening.axis] + along;
+            at[axes.row] += radius * turn.cosine;
+            at[axes.position] += radius * turn.sine;
+            points.push_back(at);
+        }
+    }
+
+    const PrintPart& part_;
+    Vec3d block_;
+};
+
+Solid moved_to_corner(const std::vector<Vec3d>& points, std::vector<Triangle> triangles) {
+    Box3d box;
+    for (const Vec3d& p : points) box.include(p);
+    Solid solid{{}, std::move(triangles)};
+    solid.vertices.reserve(points.size());
+    for (const Vec3d& p : points) solid.vertices.push_back(vec_cast<float>(p - box.min));
+    return solid;
+}
+
+}  // namespace
+
+Solid part_solid(const PrintLayout& layout, int index, std::span<const Bore> bores, Vec3d block_mm,
+                 const PrintOptions& options, PrintPose pose) {
+    const PrintPart& part = layout.parts[static_cast<std::size_t>(index)];
+    const double radius = bore_corner_radius_mm(options), depth = bore_depth_mm(options);
+    std::vector<PartBore> own;
+    for (const Bore& bore : bores) {
+        if (bore.before == index) own.push_back(part_bore(bore, part, false, block_mm, radius));
+        if (bore.after == index) own.push_back(part_bore(bore, part, true, block_mm, radius));
+    }
+    PartBuilder builder(part, block_mm);
+    builder.add_foam(own);
+    for (const PartBore& bore : own) builder.add_bore(bore, radius, depth);
+    for (Vec3d& p : builder.points) p = on_bed(p, pose);
+    if (pose.lid)
+        for (Triangle& t : builder.triangles) std::swap(t[1], t[2]);
+    return moved_to_corner(builder.points, std::move(builder.triangles));
+}
+
+Solid dowel_solid(const PrintOptions& options) {
+    const double radius = options.dowel_diameter_mm / 2;
+    std::vector<Vec3d> points;
+    for (const double x : {0.0, options.dowel_length_mm})
+        for (int i = 0; i < kBoreSides; ++i) {
+            const SineCosine turn = sine_cosine_degrees(360.0 / kBoreSides * (i + 0.5));  // a side is below
+            points.push_back({x, radius * turn.cosine, radius * turn.sine});
+        }
+    std::vector<Triangle> triangles;
+    for (std::uint32_t i = 0; i < kBoreSides; ++i) {
+        const std::uint32_t next = (i + 1) % kBoreSides, end = kBoreSides;
+        triangles.push_back({i, next, end + next});
+        triangles.push_back({i, end + next, end + i});
+        if (i < 2) continue;
+        triangles.push_back({0, i, i - 1});
+        triangles.push_back({end, end + i - 1, end + i});
+    }
+    return moved_to_corner(points, std::move(triangles));
+}
+
+}  // namespace snug

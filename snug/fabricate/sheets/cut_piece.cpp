@@ -1,0 +1,53 @@
+#include "snug/fabricate/sheets/cut_piece.h"
+
+#include <cstddef>
+#include <utility>
+
+#include "snug/fabricate/sheets/sheet_engraving.h"
+#include "snug/fabricate/sheets/sheet_outlines.h"
+
+namespace snug {
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+/// Middle of a dowel hole from the piece's own corner; the cell there tells whether it is in this piece.
+bool in_piece(const SheetPiece& piece, Vec2d at, Vec2d cell) {
+    return at.x >= 0 && at.y >= 0 &&
+           piece.mask.inside(static_cast<int>(at.x / cell.x), static_cast<int>(at.y / cell.y));
+}
+
+}  // namespace
+
+CutPiece cut_piece(const SheetStack& stack, const SheetPiece& piece, const DowelHoles& dowels,
+                   const SheetOptions& options) {
+    CutPiece made;
+    for (std::size_t i = 0; i < piece.loops.size(); ++i) {
+        auto line = cut_line(piece.loops[i], stack.cell_mm, options.kerf_mm);
+        if (i == 0)
+            made.outer = std::move(line);
+        else
+            made.inner.push_back(std::move(line));
+    }
+    std::vector<Vec2d> holes;
+    const Vec2d corner{piece.column * stack.cell_mm.x, piece.row * stack.cell_mm.y};
+    if (piece.sheet < dowels.sheets)
+        for (const Vec2d centre : dowels.centres)
+            if (in_piece(piece, centre - corner, stack.cell_mm)) holes.push_back(centre - corner);
+    for (const Vec2d hole : holes)
+        made.circles.push_back({hole, 0.5 * (options.dowel_mm - options.kerf_mm), {}, {}});
+    Engraving words = engraving(stack, piece, holes, 0.5 * options.dowel_mm);
+    made.engraved = std::move(words.lines);
+    made.numbered = words.numbered;
+    made.marked = outline_above(stack, piece);
+    return made;
+}
+
+double cut_length(const CutPiece& piece) {
+    double sum = loop_length(piece.outer);
+    for (const auto& loop : piece.inner) sum += loop_length(loop);
+    for (const CircleItem& circle : piece.circles) sum += 2 * kPi * circle.radius_mm;
+    return sum;
+}
+
+}  // namespace snug

@@ -1,0 +1,225 @@
+#include "snug/fabricate/sheets/nesting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include "snug/base/text.h"
+#include "snug/fabricate/sheets/offcuts.h"
+
+namespace snug {
+namespace {
+
+constexpr long long kMostOffcutWork = 30'000'000;  // words; bounds the search among thousands of islands
+constexpr double kStepsPerMm = 1000;               // boxes are packed in whole steps, so sums are exact
+
+using Steps = long long;
+
+Steps rounded_up(double mm) {
+    return static_cast<Steps>(std::ceil(mm * kStepsPerMm - 1e-6));
+}
+Steps rounded_down(double mm) {
+    return static_cast<Steps>(std::floor(mm * kStepsPerMm + 1e-6));
+}
+
+struct Box {
+    Steps width = 0, height = 0;
+};
+
+/// The upper border of what is packed on one stock sheet, from the left to the right; y grows away from the
+/// edge where packing began.
+class Skyline {
+  public:
+    explicit Skyline(Box stock) : stock_(stock), parts_{{0, 0, stock.width}} {}
+
+    struct Spot {
+        Steps x, y;
+    };
+
+    /// The place whose far edge lies nearest, the leftmost among equals.
+    [[nodiscard]] std::optional<Spot> room_for(Box box) const {
+        std::optional<Spot> found;
+        if (box.width * box.height > stock_.width * stock_.height - taken_) return found;
+        for (std::size_t i = 0; i < parts_.size(); ++i) {
+            const std::optional<Steps> y = floor_at(i, box);
+            if (y && (!found || *y < found->y)) found = Spot{parts_[i].x, *y};
+        }
+        return found;
+    }
+
+    void take(Spot spot, Box box) {
+        taken_ += box.width * box.height;
+        highest_ = std::max(highest_, spot.y + box.height);
+        std::vector<Part> next;
+        const Steps end = spot.x + box.width;
+        for (const Part& part : parts_) {
+            if (part.x < spot.x) next.push_back({part.x, part.y, std::min(part.width, spot.x - part.x)});
+            if (part.x == spot.x) next.push_back({spot.x, spot.y + box.height, box.width});
+            const Steps from = std::max(part.x, end);
+            if (part.x + part.width > from) next.push_back({from, part.y, part.x + part.width - from});
+        }
+        parts_.clear();
+        for (const Part& part : next) {
+            if (!parts_.empty() && parts_.back().y == part.y)
+                parts_.back().width += part.width;
+            else
+                parts_.push_back(part);
+        }
+    }
+
+    [[nodiscard]] Steps highest() const { return highest_; }
+
+  private:
+    struct Part {
+        Steps x, y, width;
+    };
+
+    [[nodiscard]] std::optional<Steps> floor_at(std::size_t first, Box box) const {
+        const Steps end = parts_[first].x + box.width;
+        if (end > stock_.width) return {};
+        Steps y = 0;
+        for (std::size_t i = first; i < parts_.size() && parts_[i].x < end; ++i) y = std::max(y, parts_[i].y);
+        if (y + box.height > stock_.height) return {};
+        return y;
+    }
+
+    Box stock_;
+    std::vector<Part> parts_;
+    Steps taken_ = 0, highest_ = 0;
+};
+
+class Nester {
+  public:
+    Nester(std::span<const PieceToNest> pieces, Vec2d cell, const SheetOptions& options)
+        : pieces_(pieces),
+          cell_(cell),
+          options_(options),
+          gap_(options.spacing_mm + options.kerf_mm),
+          border_(options.margin_mm + options.kerf_mm) {}
+
+    Result<Nesting> nest(bool in_offcuts) {
+        find_hosts(in_offcuts);
+        std::optional<Nesting> upright = packed(options_.stock_mm);
+        std::optional<Nesting> turned = packed({options_.stock_mm.y, options_.stock_mm.x});
+        if (!upright && !turned) return fail(ErrorKind::usage, too_large());
+        if (!upright || (turned && less_stock(*turned, *upright))) upright = std::move(turned);
+        follow_hosts(*upright);
+        return std::move(*upright);
+    }
+
+  private:
+    static bool less_stock(const Nesting& a, const Nesting& b) {
+        return a.stocks != b.stocks ? a.stocks < b.stocks : a.used_mm2 < b.used_mm2 - 1e-6;
+    }
+
+    [[nodiscard]] Vec2d size(std::size_t piece) const {
+        return {pieces_[piece].mask->width * cell_.x, pieces_[piece].mask->height * cell_.y};
+    }
+
+    void find_hosts(bool in_offcuts) {
+        order_.resize(pieces_.size());
+        for (std::size_t i = 0; i < order_.size(); ++i) order_[i] = i;
+        std::stable_sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
+            const Vec2d sa = size(a), sb = size(b);
+            return sa.x * sa.y > sb.x * sb.y;
+        });
+        const int gap_columns = static_cast<int>(std::ceil(gap_ / cell_.x - 1e-9));
+        const int gap_rows = static_cast<int>(std::ceil(gap_ / cell_.y - 1e-9));
+        places_.assign(pieces_.size(), {});
+        in_host_.assign(pieces_.size(), {});
+        std::vector<std::pair<std::size_t, Offcuts>> hosts;
+        long long work = 0;
+        for (const std::size_t piece : order_) {
+            if (in_offcuts && find_host(piece, hosts, work)) continue;
+            boxes_.push_back(piece);
+            if (in_offcuts && work < kMostOffcutWork)
+                hosts.emplace_back(piece, Offcuts(*pieces_[piece].mask, gap_columns, gap_rows));
+        }
+    }
+
+    bool find_host(std::size_t piece, std::vector<std::pair<std::size_t, Offcuts>>& hosts, long long& work) {
+        for (auto& host : hosts) {
+            if (work >= kMostOffcutWork) return false;
+            const auto room = host.second.room_for(*pieces_[piece].mask, pieces_[piece].cells, work);
+            if (!room) continue;
+            host.second.take(*pieces_[piece].mask, *room);
+            in_host_[piece] = *room;
+            places_[piece].host = static_cast<int>(host.first);
+            return true;
+        }
+        return false;
+    }
+
+    /// None where a piece is larger than the stock lying this way.
+    [[nodiscard]] std::optional<Nesting> packed(Vec2d stock) const {
+        const Vec2d room{stock.x - 2 * border_ + gap_, stock.y - 2 * border_ + gap_};
+        const Box area{rounded_down(room.x), rounded_down(room.y)};
+        std::vector<Skyline> stocks;
+        Nesting nesting{stock, 0, places_, 0};
+        for (const std::size_t piece : boxes_) {
+            const Vec2d mm = size(piece);
+            const Box box{rounded_up(mm.x + gap_), rounded_up(mm.y + gap_)};
+            if (box.width > area.width || box.height > area.height) return {};
+            std::optional<Skyline::Spot> spot;
+            std::size_t on = 0;
+            for (; on < stocks.size() && !spot; ++on) spot = stocks[on].room_for(box);
+            if (spot) {
+                --on;
+            } else {
+                stocks.emplace_back(area);
+                spot = Skyline::Spot{0, 0};
+            }
+            stocks[on].take(*spot, box);
+            nesting.places[piece].stock = static_cast<int>(on);
+            nesting.places[piece].corner = {border_ + static_cast<double>(spot->x) / kStepsPerMm,
+                                            border_ + static_cast<double>(spot->y) / kStepsPerMm};
+        }
+        nesting.stocks = static_cast<int>(stocks.size());
+        for (const Skyline& sheet : stocks)
+            nesting.used_mm2 +=
+                stock.x * (static_cast<double>(sheet.highest()) / kStepsPerMm - gap_ + 2 * border_);
+        return nesting;
+    }
+
+    void follow_hosts(Nesting& nesting) const {
+        for (const std::size_t piece : order_) {
+            PiecePlace& place = nesting.places[piece];
+            if (place.host < 0) continue;
+            const PiecePlace& host = nesting.places[static_cast<std::size_t>(place.host)];
+            place.stock = host.stock;
+            place.corner = host.corner + Vec2d{in_host_[piece].x * cell_.x, in_host_[piece].y * cell_.y};
+        }
+    }
+
+    [[nodiscard]] std::string too_large() const {
+        Vec2d most;
+        std::string name;
+        for (const std::size_t piece : boxes_) {
+            const Vec2d mm = size(piece);
+            if (most.x < mm.x || most.y < mm.y) name = pieces_[piece].name;
+            most = {std::max(most.x, mm.x), std::max(most.y, mm.y)};
+        }
+        return "Sheet " + name + " does not fit on a stock sheet of " + number(options_.stock_mm.x) + " x " +
+               number(options_.stock_mm.y) + " mm; with margins the stock must be at least " +
+               number(most.x + 2 * border_) + " x " + number(most.y + 2 * border_) + " mm.";
+    }
+
+    std::span<const PieceToNest> pieces_;
+    Vec2d cell_;
+    const SheetOptions& options_;
+    double gap_, border_;
+    std::vector<std::size_t> order_, boxes_;
+    std::vector<PiecePlace> places_;
+    std::vector<CellPoint> in_host_;
+};
+
+}  // namespace
+
+Result<Nesting> nest(std::span<const PieceToNest> pieces, Vec2d cell_mm, const SheetOptions& options,
+                     bool in_offcuts) {
+    return Nester(pieces, cell_mm, options).nest(in_offcuts);
+}
+
+}  // namespace snug

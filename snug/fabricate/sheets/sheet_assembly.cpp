@@ -1,0 +1,279 @@
+#include "snug/fabricate/sheets/sheet_assembly.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "snug/base/text.h"
+#include "snug/drawing/svg.h"
+#include "snug/fabricate/sheets/sheet_engraving.h"
+#include "snug/fabricate/sheets/sheet_findings.h"
+
+namespace snug {
+namespace {
+
+constexpr double kMargin = 15;
+constexpr int kPicturesAcross = 4;
+constexpr double kBetween = 6;
+constexpr double kCaption = 9;  // mm below a picture
+constexpr Color kInk{28, 36, 46}, kSoft{96, 106, 120}, kIsland{196, 60, 60};
+
+Color foam_color(Half half) {
+    return half == Half::lower ? kLowerBlue : kUpperOrange;
+}
+
+std::string half_name(const SheetStack& stack) {
+    return stack.half == Half::lower ? "LOWER" : "LID";
+}
+
+Drawing new_page(const std::string& title, Vec2d size_mm) {
+    Drawing page;
+    page.title = title;
+    page.size_mm = size_mm;
+    page.layers = {{"assembly", kInk}};
+    return page;
+}
+
+void write(Drawing& page, Vec2d at, std::string text, double height, Color color = kInk, bool bold = false,
+           TextAnchor anchor = TextAnchor::start) {
+    page.items.push_back({0, TextItem{at, std::move(text), height, anchor, 0, bold, color}});
+}
+
+void draw(Drawing& page, std::vector<std::vector<Vec2d>> lines, bool closed, std::optional<Color> fill,
+          std::optional<Pen> pen) {
+    page.items.push_back({0, PathItem{std::move(lines), closed, fill, std::move(pen)}});
+}
+
+double width_of(const Drawing& page) {
+    return page.size_mm.x - 2 * kMargin;
+}
+
+/// Lines of body text; gives where the next may begin.
+double paragraph(Drawing& page, double y, const std::string& mark, const std::string& text) {
+    constexpr double height = 3.6, indent = 8;
+    if (!mark.empty()) write(page, {kMargin, y}, mark, height, kInk, true);
+    const auto letters = static_cast<std::size_t>((width_of(page) - indent) / (0.53 * height));
+    for (const std::string& line : wrapped(text, letters, 40)) {
+        write(page, {kMargin + indent, y}, line, height);
+        y += 1.45 * height;
+    }
+    return y + 1.6;
+}
+
+double heading(Drawing& page, const SheetAssembly& half, const std::string& words,
+               const std::string& object_name) {
+    write(page, {kMargin, kMargin + 7}, half_name(half.stack) + ": " + words, 8, kInk, true);
+    write(page, {kMargin, kMargin + 14}, object_name + " - sheets of " + number(half.thickness_mm, 3) + " mm",
+          4.2, kSoft);
+    return kMargin + 24;
+}
+
+/// The order of work, a step in each.
+std::vector<std::string> steps(const SheetAssembly& half, const SheetOptions& options) {
+    const SheetStack& stack = half.stack;
+    const std::string first = stack.sheet_name(0), last = stack.sheet_name(stack.count - 1);
+    const std::string away = stack.half == Half::lower ? "away from you" : "towards you";
+    std::vector<std::string> text;
+    text.push_back("Lay " + first + " on the table, the engraved side up and the arrow to BACK pointing " +
+                   away + ". " + first + " touches the case" +
+                   (stack.half == Half::lower ? "; the cavity grows upward, facing you."
+                                              : " at the top: the lid is built upside down, its cavity "
+                                                "facing you."));
+    if (half.dowels.sheets > 1)
+        text.push_back("Put " + std::to_string(half.dowels.centres.size()) + " dowels of " +
+                       number(options.dowel_mm) + " mm into its holes. They go through " + first + " to " +
+                       stack.sheet_name(half.dowels.sheets - 1) +
+                       " and fit one way only: where they do not meet the holes, the sheet is turned or "
+                       "lies upside down.");
+    if (stack.count > 1)
+        text.push_back("Glue " + stack.sheet_name(1) + (stack.count > 2 ? " to " + last : "") +
+                       " on it one after the other, numbers upward, arrows to BACK, odd corners above each "
+                       "other. The line on each sheet shows where the next one ends.");
+    const auto loose = island_names(stack, true), glued = island_names(stack, false);
+    if (!glued.empty())
+        text.push_back("Glue the islands (" + listed(glued, 60) +
+                       ") where the sheet before shows their outlines.");
+    if (!loose.empty())
+        text.push_back("Held by no sheet: " + listed(loose, 60) + ". Glue all pieces of " + first +
+                       " onto a backing sheet, as on its picture.");
+    text.push_back(
+        stack.half == Half::lower
+            ? "The lower foam is done: it goes into the case with " + first + " below."
+            : "The lid is done: turn it over about its BACK edge onto the lower foam, BACK on BACK.");
+    return text;
+}
+
+/// A length to measure in the cutter's program, and one on this page.
+double scale_check(Drawing& page, double y, const ScaleCheck& check) {
+    y = paragraph(page, y, "mm",
+                  "All lengths in the cutter's files are millimetres; in a DXF file one unit is one "
+                  "millimetre. Measure before you cut: in " +
+                      check.file + " piece " + check.piece + " is " + number(check.width_mm, 2) +
+                      " mm wide from its leftmost to its rightmost edge. If the cutter's program says "
+                      "otherwise, open the file there again as millimetres.");
+    constexpr double bar = 100;
+    const double x = kMargin + 8;
+    std::vector<std::vector<Vec2d>> lines{{{x, y}, {x + bar, y}}};
+    for (int tick = 0; tick <= 10; ++tick)
+        lines.push_back({{x + 10 * tick, y}, {x + 10 * tick, y - (tick % 5 == 0 ? 2.4 : 1.4)}});
+    draw(page, std::move(lines), false, {}, Pen{kInk, 0.15, {}});
+    write(page, {x + bar + 2, y}, "100 mm on paper printed at 100 %", 2.7, kSoft);
+    return y + 3;
+}
+
+/// The stack from the side, the first sheet at the bottom.
+void side_view(Drawing& page, double top, const SheetAssembly& half) {
+    const SheetStack& stack = half.stack;
+    const double room = page.size_mm.y - kMargin - top - 8, width = 90;
+    const double bar = std::min(9.0, room / std::max(stack.count, 1));
+    const double bottom = top + bar * stack.count;
+    const int every = std::max(1, static_cast<int>(std::ceil(3.2 / bar)));
+    for (int sheet = 0; sheet < stack.count; ++sheet) {
+        const double y = bottom - (sheet + 1) * bar;
+        draw(page,
+             {{{kMargin + 20, y},
+               {kMargin + 20 + width, y},
+               {kMargin + 20 + width, y + bar},
+               {kMargin + 20, y + bar}}},
+             true, mixed(foam_color(stack.half), {255, 255, 255}, 0.55),
+             Pen{kInk, std::min(0.2, bar / 4), {}});
+        if (sheet % every != 0 && sheet + 1 != stack.count) continue;
+        write(page, {kMargin + 17, y + bar / 2 + 1.1}, stack.sheet_name(sheet), 3.2, kInk, true,
+              TextAnchor::end);
+        std::size_t pieces = 0;
+        for (const SheetPiece& piece : stack.pieces) pieces += piece.sheet == sheet;
+        write(page, {kMargin + 24 + width, y + bar / 2 + 1.1}, counted(pieces, "piece", "pieces"), 3.2,
+              kSoft);
+    }
+    write(page, {kMargin + 20, bottom + 5},
+          stack.half == Half::lower ? "case, below" : "case, above when closed (seen upside down)", 3.2,
+          kSoft);
+}
+
+/// One sheet small: its pieces, islands by their letters, BACK, the odd corner, dowels.
+class Picture {
+  public:
+    Picture(Drawing& page, const SheetAssembly& half, Vec2d corner, double scale)
+        : page_(page), half_(half), stack_(half.stack), corner_(corner), scale_(scale) {}
+
+    void draw_sheet(int sheet, std::span<const SheetPiece> pieces) {
+        frame();
+        std::size_t islands = 0;
+        for (const SheetPiece& piece : pieces) {
+            outline(piece);
+            islands += piece.island;
+        }
+        odd_corner();
+        for (const SheetPiece& piece : pieces)
+            if (piece.island) name_island(piece);
+        if (sheet < half_.dowels.sheets)
+            for (const Vec2d hole : half_.dowels.centres)
+                page_.items.push_back({0, CircleItem{at(hole), std::max(0.4, 2 * scale_),
+                                                     Color{255, 255, 255}, Pen{kInk, 0.15, {}}}});
+        const double y = corner_.y + stack_.size_mm().y * scale_ + 4.6;
+        write(page_, {corner_.x, y}, stack_.sheet_name(sheet), 4.2, kInk, true);
+        if (islands > 0) write(page_, {corner_.x + 13, y}, counted(islands, "island", "islands"), 3, kIsland);
+    }
+
+  private:
+    [[nodiscard]] Vec2d at(Vec2d mm) const { return corner_ + mm * scale_; }
+
+    /// The half's rectangle, BACK thick.
+    void frame() {
+        const Vec2d size = stack_.size_mm();
+        draw(page_, {{at({0, 0}), at({size.x, 0}), at(size), at({0, size.y})}}, true, Color{244, 245, 247},
+             Pen{kSoft, 0.15, {0.8, 0.6}});
+        const bool lower = stack_.half == Half::lower;
+        const double y = lower ? 0 : size.y;
+        draw(page_, {{at({0, y}), at({size.x, y})}}, false, {}, Pen{kInk, 0.6, {}});
+        write(page_, at({size.x, y}) + Vec2d{0, lower ? -1.0 : 3.2}, "BACK", 2.4, kInk, true,
+              TextAnchor::end);
+    }
+
+    void odd_corner() {
+        const double side = 2.5, down = stack_.half == Half::lower ? side : -side;
+        const Vec2d corner = at({0, stack_.half == Half::lower ? 0 : stack_.size_mm().y});
+        draw(page_, {{corner, corner + Vec2d{side, 0}, corner + Vec2d{0, down}}}, true, kInk, {});
+    }
+
+    void outline(const SheetPiece& piece) {
+        std::vector<std::vector<Vec2d>> loops;
+        for (const CellLoop& loop : piece.loops) {
+            loops.emplace_back();
+            for (const CellPoint p : loop)
+                loops.back().push_back(
+                    at({(piece.column + p.x) * stack_.cell_mm.x, (piece.row + p.y) * stack_.cell_mm.y}));
+        }
+        const Color color = foam_color(stack_.half);
+        draw(page_, std::move(loops), true, mixed(color, {255, 255, 255}, piece.island ? 0.1 : 0.5),
+             Pen{kInk, 0.12, {}});
+    }
+
+    void name_island(const SheetPiece& piece) {
+        const Vec2d middle = at({(piece.column + 0.5 * piece.mask.width) * stack_.cell_mm.x,
+                                 (piece.row + 0.5 * piece.mask.height) * stack_.cell_mm.y});
+        const std::string letters = piece.name.substr(stack_.sheet_name(piece.sheet).size());
+        write(page_, middle + Vec2d{0, 0.7}, letters, 2, kInk, true, TextAnchor::middle);
+    }
+
+    Drawing& page_;
+    const SheetAssembly& half_;
+    const SheetStack& stack_;
+    Vec2d corner_;
+    double scale_;
+};
+
+void add_pictures(std::vector<Drawing>& pages, const SheetAssembly& half, const std::string& object_name,
+                  Vec2d page_mm) {
+    const SheetStack& stack = half.stack;
+    const double width = (page_mm.x - 2 * kMargin - (kPicturesAcross - 1) * kBetween) / kPicturesAcross;
+    const Vec2d size = stack.size_mm();
+    const double scale = std::min(width / size.x, 100 / size.y);
+    const double step = size.y * scale + kCaption + kBetween;
+    const int down = std::max(1, static_cast<int>((page_mm.y - 2 * kMargin - 30) / step));
+    std::size_t next = 0;
+    for (int sheet = 0; sheet < stack.count; ++sheet) {
+        const int on_page = sheet % (down * kPicturesAcross);
+        if (on_page == 0) {
+            pages.push_back(new_page(half_name(stack) + ", sheets in their order", page_mm));
+            heading(pages.back(), half, "sheets in their order, cavity facing you", object_name);
+        }
+        std::size_t end = next;
+        while (end < stack.pieces.size() && stack.pieces[end].sheet == sheet) ++end;
+        const Vec2d corner{kMargin + (on_page % kPicturesAcross) * (width + kBetween),
+                           kMargin + 30 + on_page / kPicturesAcross * step};
+        Picture(pages.back(), half, corner, scale)
+            .draw_sheet(sheet, std::span(stack.pieces).subspan(next, end - next));
+        next = end;
+    }
+}
+
+}  // namespace
+
+DrawingDocument sheet_assembly(std::span<const SheetAssembly> halves, const std::string& object_name,
+                               const SheetOptions& options, const ScaleCheck& check, Vec2d page_mm) {
+    DrawingDocument document{"sheets-assembly", object_name + ": how to glue the sheets", {}, false};
+    for (const SheetAssembly& half : halves) {
+        if (half.stack.count == 0) continue;
+        Drawing page = new_page(half_name(half.stack) + ", order of work", page_mm);
+        double y = heading(page, half,
+                           counted(static_cast<unsigned long long>(half.stack.count), "sheet", "sheets") +
+                               ", cavity facing you",
+                           object_name);
+        int step = 0;
+        for (const std::string& text : steps(half, options))
+            y = paragraph(page, y, std::to_string(++step), text);
+        y = paragraph(page, y, "!",
+                      "Ask the maker of the foam whether it may be cut by laser: never PVC (chlorine); "
+                      "polystyrene, polypropylene, polyethylene and polyurethane foams burn or give off "
+                      "poisonous gases, and many workshops forbid them. A knife or water jet cuts all.");
+        y = scale_check(page, y, check);
+        side_view(page, y + 4, half);
+        document.pages.push_back(std::move(page));
+        add_pictures(document.pages, half, object_name, page_mm);
+    }
+    return document;
+}
+
+}  // namespace snug

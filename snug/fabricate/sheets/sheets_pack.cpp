@@ -1,0 +1,182 @@
+#include "snug/fabricate/sheets/sheets_pack.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "snug/base/text.h"
+#include "snug/drawing/drawing_dxf.h"
+#include "snug/drawing/drawing_svg.h"
+#include "snug/fabricate/sheets/cut_piece.h"
+#include "snug/fabricate/sheets/dowel_holes.h"
+#include "snug/fabricate/sheets/nesting.h"
+#include "snug/fabricate/sheets/sheet_assembly.h"
+#include "snug/fabricate/sheets/sheet_drawing.h"
+#include "snug/fabricate/sheets/sheet_findings.h"
+#include "snug/fabricate/sheets/sheet_fit_test.h"
+#include "snug/fabricate/sheets/sheet_stack.h"
+
+namespace snug {
+namespace {
+
+void add_drawing(WorkshopPack& pack, const std::string& name, const Drawing& drawing,
+                 const SheetOptions& options) {
+    if (options.svg) pack.files.push_back(text_file(name + ".svg", drawing_svg(drawing)));
+    if (options.dxf) pack.files.push_back(text_file(name + ".dxf", drawing_dxf(drawing)));
+}
+
+/// Both halves, and where their dowels go.
+struct Stacks {
+    SheetMeasure measure;
+    std::vector<SheetStack> halves;
+    std::vector<DowelHoles> dowels;
+};
+
+Result<Stacks> stacks_of(const FoamDesign& design, const SheetOptions& options) {
+    if (auto problem = problem_of(options)) return fail(ErrorKind::usage, std::move(*problem));
+    const double narrowest = std::min(design.space.block_mm.y, design.space.block_mm.z);
+    if (options.kerf_mm >= narrowest)
+        return fail(ErrorKind::usage, "A kerf of " + number(options.kerf_mm) +
+                                          " mm cannot cut openings as narrow as one block, " +
+                                          number(narrowest) + " mm; choose a smaller kerf or larger blocks.");
+    const auto measure = sheet_measure(design, options.thickness_mm.value_or(design.space.block_mm.x));
+    if (!measure) return tl::unexpected(measure.error());
+    Stacks stacks{*measure, {}, {}};
+    for (const Half half : {Half::lower, Half::lid}) {
+        auto stack = sheet_stack(design, half, *measure);
+        if (!stack) return tl::unexpected(stack.error());
+        stacks.dowels.push_back(dowel_holes(*stack, options));
+        stacks.halves.push_back(std::move(*stack));
+    }
+    return stacks;
+}
+
+/// Every piece of both halves in one list.
+struct AllPieces {
+    std::vector<const SheetStack*> stacks;
+    std::vector<const SheetPiece*> pieces;
+    std::vector<CutPiece> cuts;
+    std::vector<std::string> unnumbered;
+};
+
+AllPieces all_pieces(const Stacks& stacks, const SheetOptions& options) {
+    AllPieces all;
+    for (std::size_t half = 0; half < stacks.halves.size(); ++half) {
+        for (const SheetPiece& piece : stacks.halves[half].pieces) {
+            all.stacks.push_back(&stacks.halves[half]);
+            all.pieces.push_back(&piece);
+            all.cuts.push_back(cut_piece(stacks.halves[half], piece, stacks.dowels[half], options));
+            if (!all.cuts.back().numbered) all.unnumbered.push_back(piece.name);
+        }
+    }
+    return all;
+}
+
+std::string stock_name(int stock) {
+    const std::string digits = std::to_string(stock + 1);
+    return "sheets/" + (digits.size() < 2 ? "0" + digits : digits);
+}
+
+/// Where each piece lies; x and y of its cells' upper left corner, and of a point in its foam.
+std::string index_csv(const AllPieces& all, const Nesting& nesting) {
+    std::string text =
+        "piece,half,sheet,stock,x_mm,y_mm,first_column,first_row,columns,rows,cells,point_x_mm,point_y_mm,"
+        "in_offcut_of\n";
+    for (std::size_t i = 0; i < all.pieces.size(); ++i) {
+        const SheetPiece& piece = *all.pieces[i];
+        const PiecePlace& place = nesting.places[i];
+        const Vec2d cell = all.stacks[i]->cell_mm;
+        int column = 0;
+        while (!piece.mask.inside(column, 0)) ++column;
+        text += piece.name;
+        text += all.stacks[i]->half == Half::lower ? ",lower" : ",lid";
+        for (const int value : {piece.sheet + 1, place.stock + 1}) text += "," + std::to_string(value);
+        for (const double value : {place.corner.x, place.corner.y}) text += "," + number(value, 4);
+        for (const int value : {piece.column, piece.row, piece.mask.width, piece.mask.height, piece.cells})
+            text += "," + std::to_string(value);
+        text += "," + number(place.corner.x + (column + 0.5) * cell.x, 4);
+        text += "," + number(place.corner.y + 0.5 * cell.y, 4) + ",";
+        if (place.host >= 0) text += all.pieces[static_cast<std::size_t>(place.host)]->name;
+        text += "\n";
+    }
+    return text;
+}
+
+/// The widest piece of the first stock sheet: the longer, the surer.
+ScaleCheck scale_check(const AllPieces& all, const Nesting& nesting, const SheetOptions& options) {
+    ScaleCheck check{stock_name(0) + (options.dxf ? ".dxf" : ".svg"), {}, 0};
+    for (std::size_t i = 0; i < all.pieces.size(); ++i) {
+        if (nesting.places[i].stock != 0) continue;
+        const std::vector<Vec2d>& outer = all.cuts[i].outer;
+        const auto [left, right] = std::minmax_element(
+            outer.begin(), outer.end(), [](const Vec2d a, const Vec2d b) { return a.x < b.x; });
+        if (right->x - left->x <= check.width_mm) continue;
+        check.width_mm = right->x - left->x;
+        check.piece = all.pieces[i]->name;
+    }
+    return check;
+}
+
+void add_figures(WorkshopPack& pack, const Stacks& stacks, const AllPieces& all, const Nesting& nesting) {
+    int sheets = 0;
+    for (const SheetStack& stack : stacks.halves) sheets += stack.count;
+    double cut = 0, foam = 0;
+    for (const CutPiece& piece : all.cuts) cut += cut_length(piece);
+    for (std::size_t i = 0; i < all.pieces.size(); ++i)
+        foam += all.pieces[i]->cells * all.stacks[i]->cell_mm.x * all.stacks[i]->cell_mm.y;
+    const double thick = stacks.measure.thickness_mm;
+    const double stock = nesting.stock_mm.x * nesting.stock_mm.y * nesting.stocks;
+    pack.figures = {
+        {"Sheets", grouped(static_cast<unsigned long long>(sheets)) + " of " + number(thick, 3) + " mm"},
+        {"Pieces", grouped(all.pieces.size())},
+        {"Stock", counted(static_cast<unsigned long long>(nesting.stocks), "sheet", "sheets") + " of " +
+                      number(nesting.stock_mm.x) + " x " + number(nesting.stock_mm.y) + " x " +
+                      number(thick, 3) + " mm"},
+        {"Foam in the pieces", number(foam * thick / 1e6, 2) + " litres, " +
+                                   number(100 * foam / std::max(stock, 1e-9), 0) + " % of the stock"},
+        {"Cutting", number(cut / 1000, 2) + " m"},
+    };
+    pack.material.pieces = static_cast<long long>(all.pieces.size());
+    pack.material.litres = stock * thick / 1e6;
+}
+
+void add_stock_files(WorkshopPack& pack, const AllPieces& all, const Nesting& nesting,
+                     const FoamDesign& design, const SheetMeasure& measure, const SheetOptions& options) {
+    for (int stock = 0; stock < nesting.stocks; ++stock) {
+        const std::string title = design.object_name + ": stock sheet " + std::to_string(stock + 1) + " of " +
+                                  std::to_string(nesting.stocks) + ", " + number(measure.thickness_mm, 3) +
+                                  " mm thick, lengths in mm";
+        add_drawing(pack, stock_name(stock), stock_drawing(all.cuts, nesting, stock, title), options);
+    }
+    pack.files.push_back(text_file("sheets/index.csv", index_csv(all, nesting)));
+}
+
+}  // namespace
+
+Result<WorkshopPack> sheets_pack(const FoamDesign& design, const SheetOptions& options, Vec2d page_mm) {
+    const auto stacks = stacks_of(design, options);
+    if (!stacks) return tl::unexpected(stacks.error());
+    const AllPieces all = all_pieces(*stacks, options);
+    std::vector<PieceToNest> to_nest;
+    for (const SheetPiece* piece : all.pieces) to_nest.push_back({piece->name, &piece->mask, piece->cells});
+    const auto nesting = nest(to_nest, stacks->halves.front().cell_mm, options);
+    if (!nesting) return tl::unexpected(nesting.error());
+
+    WorkshopPack pack;
+    add_stock_files(pack, all, *nesting, design, stacks->measure, options);
+    if (const auto ring = sheet_fit_test(design, options)) add_drawing(pack, "fit-test", *ring, options);
+    std::vector<SheetAssembly> halves;
+    for (std::size_t half = 0; half < stacks->halves.size(); ++half)
+        halves.push_back({stacks->halves[half], stacks->dowels[half], stacks->measure.thickness_mm});
+    pack.documents.push_back(
+        sheet_assembly(halves, design.object_name, options, scale_check(all, *nesting, options), page_mm));
+    add_figures(pack, *stacks, all, *nesting);
+    for (const SheetAssembly& half : halves) add_sheet_findings(pack.findings, design, half, options);
+    add_unnumbered_finding(pack.findings, all.unnumbered);
+    sort_by_severity(pack.findings);
+    return pack;
+}
+
+}  // namespace snug

@@ -1,0 +1,134 @@
+#include "snug/fabricate/sponge/sponge.h"
+
+#include <iterator>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "snug/base/text.h"
+#include "snug/drawing/drawing_svg.h"
+#include "snug/drawing/tiling.h"
+#include "snug/fabricate/sponge/pluck_map.h"
+#include "snug/fabricate/sponge/sponge_plan.h"
+
+namespace snug {
+namespace {
+
+constexpr std::size_t kMostMapPages = 600;  // more are printed by nobody
+
+std::string padded(int value, int greatest) {
+    std::string text = std::to_string(value);
+    const std::size_t width = std::max<std::size_t>(2, std::to_string(greatest).size());
+    return std::string(width - std::min(width, text.size()), '0') + text;
+}
+
+/// "sponge/lower-03.svg", "sponge/lid-04-06.svg"
+std::string map_name(const PluckPlan& plan, const LayerRun& run) {
+    const std::string half = plan.half == Half::lower ? "lower" : "lid";
+    return "sponge/" + half + "-" + padded(run.first, plan.layers) +
+           (run.layers() > 1 ? "-" + padded(run.last, plan.layers) : "") + ".svg";
+}
+
+PackFile svg_file(std::string name, const Drawing& drawing) {
+    return text_file(std::move(name), drawing_svg(drawing));
+}
+
+/// The maps in the order of work: the fit test, then each half from its cavity's side.
+struct Maps {
+    std::vector<PackFile> files;
+    DrawingDocument document;
+    bool too_many = false;
+};
+
+/// Adds a map as a file and, while there is room for its pages, to the document.
+Result<void> add_map(const Drawing& map, std::string name, Vec2d paper, Maps& maps) {
+    maps.files.push_back(svg_file(std::move(name), map));
+    if (maps.too_many) return {};
+    auto pages = tiled(map, paper);
+    if (!pages) return tl::unexpected(pages.error());
+    auto& all = maps.document.pages;
+    maps.too_many = all.size() + pages->size() > kMostMapPages;
+    if (!maps.too_many)
+        all.insert(all.end(), std::make_move_iterator(pages->begin()), std::make_move_iterator(pages->end()));
+    return {};
+}
+
+Result<Maps> true_size_maps(const FoamDesign& design, const SpongeWork& work, Vec2d paper) {
+    Maps maps;
+    const std::string title = design.object_name + ": maps at true size";
+    maps.document = {"sponge-maps", title, {print_check_page(paper, title)}, true};
+    std::size_t test_pages = 1;
+    if (work.test) {
+        const Drawing map = fit_test_map(*work.test, design.space, design.object_name);
+        if (auto done = add_map(map, "sponge/fit-test.svg", paper, maps); !done)
+            return tl::unexpected(done.error());
+        test_pages = maps.document.pages.size();
+    }
+    for (const PluckPlan* plan : {&work.lower, &work.lid})
+        for (const LayerRun& run : plan->runs) {
+            if (run.plucked + run.cut_off == 0) continue;
+            const Drawing map = pluck_map(*plan, run, design.object_name);
+            if (auto done = add_map(map, map_name(*plan, run), paper, maps); !done)
+                return tl::unexpected(done.error());
+        }
+    // Some layers on paper and others not would mislead.
+    if (maps.too_many) maps.document.pages.resize(test_pages);
+    return maps;
+}
+
+std::string layers_of(const PluckPlan& plan) {
+    return counted(static_cast<unsigned long long>(plan.layers), "layer", "layers");
+}
+
+std::string blocks_text(const PluckPlan& plan) {
+    if (plan.plucked == 0) return "none (" + layers_of(plan) + ")";
+    return grouped(static_cast<unsigned long long>(plan.plucked)) + " of " + layers_of(plan);
+}
+
+void tell_figures(const FoamDesign& design, const SpongeWork& work, const Maps& maps,
+                  const std::string& paper, WorkshopPack& pack) {
+    const long long plucked = work.lower.plucked + work.lid.plucked;
+    const double columns = static_cast<double>(work.lower.removed.size());
+    pack.material.pieces = plucked;
+    pack.material.litres =
+        (work.lower.layers + work.lid.layers) * columns * design.space.block_volume() * 1e-6;
+    pack.figures.push_back({"Blocks to pluck, lower", blocks_text(work.lower)});
+    pack.figures.push_back({"Blocks to pluck, lid", blocks_text(work.lid)});
+    const std::size_t pages = maps.files.empty() ? 0 : maps.document.pages.size();
+    pack.figures.push_back({"Maps at true size", std::to_string(maps.files.size()) + " on " +
+                                                     std::to_string(pages) + " pages of " + paper});
+}
+
+}  // namespace
+
+Result<WorkshopPack> sponge_pack(const FoamDesign& design, const WorkshopOptions& options) {
+    const SpongeWork work{pluck_plan(design, Half::lower), pluck_plan(design, Half::lid), fit_test(design)};
+    auto maps = true_size_maps(design, work, paper_mm(options.paper));
+    if (!maps) return tl::unexpected(maps.error());
+
+    WorkshopPack pack;
+    pack.documents.push_back({"sponge-plan", design.object_name + ": plan",
+                              sponge_plan(design, work, paper_mm(options.paper)), false});
+    tell_figures(design, work, *maps, options.paper, pack);
+    if (maps->too_many)
+        pack.findings.push_back({Severity::note,
+                                 "many_maps",
+                                 "the maps at true size would fill more than " +
+                                     std::to_string(kMostMapPages) +
+                                     " pages, so sponge-maps.pdf leaves the layers out: print the files in "
+                                     "sponge/ on a plotter, work by the overview, or take larger blocks",
+                                 {}});
+    if (const long long off = work.lower.cut_off + work.lid.cut_off; off > 0)
+        pack.findings.push_back(
+            {Severity::note,
+             "cut_off",
+             "the case has no room for " + counted(static_cast<unsigned long long>(off), "block", "blocks") +
+                 " at the sides of the layers: cut them off first; each map shows its own "
+                 "in grey",
+             {}});
+    if (!maps->files.empty()) pack.documents.push_back(std::move(maps->document));
+    pack.files = std::move(maps->files);
+    return pack;
+}
+
+}  // namespace snug

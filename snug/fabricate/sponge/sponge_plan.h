@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "snug/drawing/drawing.h"
+#include "snug/fabricate/kit/fit_test.h"
+#include "snug/fabricate/sponge/pluck_plan.h"
+
+namespace snug {
+
+/// What the plan tells of: both halves and, where there is one, the fit test.
+struct SpongeWork {
+    PluckPlan lower, lid;
+    std::optional<FitTest> test;
+};
+
+/// The pages of the plan: stock, counts and order of work in words; the overview of each half; for grids too
+/// fine for numbers, tables of the depths in runs.
+[[nodiscard]] std::vector<Drawing> sponge_plan(const FoamDesign& design, const SpongeWork& work,
+                                               Vec2d page_mm);
+
+}  // namespace snug

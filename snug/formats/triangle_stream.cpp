@@ -1,0 +1,81 @@
+#include "snug/formats/triangle_stream.h"
+
+#include <algorithm>
+#include <cstring>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "snug/base/parallel.h"
+#include "snug/formats/ply_stream.h"
+#include "snug/formats/read.h"
+#include "snug/formats/stl_layout.h"
+
+namespace snug {
+namespace {
+
+/// Whether the count's place holds text, as in an ASCII STL or any other file of text.
+bool is_text(std::span<const std::byte> bytes) {
+    return std::all_of(bytes.begin(), bytes.end(),
+                       [](std::byte b) { return b >= std::byte{9} && b < std::byte{127}; });
+}
+
+Error not_in_pieces(std::span<const std::byte> beginning) {
+    if (const auto foreign = foreign_format(beginning)) return *foreign;
+    return {ErrorKind::input,
+            "only a binary STL or a binary PLY is read in pieces, and this is none: export it as one, or "
+            "read it whole with --no-stream where there is memory for it"};
+}
+
+Result<TriangleStream> open_stl(ByteSource source) {
+    std::array<std::byte, kStlHeader> room;
+    const std::span header =
+        std::span(room).first(static_cast<std::size_t>(std::min<std::uint64_t>(source.size, room.size())));
+    if (auto done = source.read(0, header); !done) return tl::unexpected(done.error());
+    if (header.size() < room.size()) return tl::unexpected(not_in_pieces(header));
+    const std::uint64_t count = read_u32(header.data() + 80);
+    const std::uint64_t held = (source.size - kStlHeader) / kStlFacet;
+    if (held < count) {
+        if (is_text(header.last(4))) return tl::unexpected(not_in_pieces(header));
+        return tl::unexpected(stl_cut_off(count, held));
+    }
+    if (const auto foreign = count == 0 ? foreign_format(header) : std::nullopt)
+        return tl::unexpected(*foreign);
+    if (count == 0) return fail(ErrorKind::input, "there are no triangles in this file");
+    const auto decode = [](const RecordPiece& piece,
+                           std::span<TriangleStream::Corners> corners) -> Result<std::size_t> {
+        for (std::size_t t = 0; t < piece.count; ++t)
+            copy_stl_corners(piece.bytes.data() + t * kStlFacet, corners[t]);
+        return usable_first(corners);
+    };
+    return TriangleStream(std::move(source), {kStlHeader, count, kStlFacet}, decode);
+}
+
+}  // namespace
+
+Result<TriangleStream> TriangleStream::open(ByteSource source, const Progress& progress) {
+    std::array<std::byte, 4> magic{};
+    if (source.size >= magic.size())
+        if (auto done = source.read(0, magic); !done) return tl::unexpected(done.error());
+    const std::string_view word(reinterpret_cast<const char*>(magic.data()), magic.size());
+    if (word == "ply\n" || word == "ply\r") return open_ply_stream(std::move(source), progress);
+    return open_stl(std::move(source));
+}
+
+Result<void> TriangleStream::pass(const std::function<void(std::span<const Corners>, std::size_t)>& visit,
+                                  const Progress& progress) const {
+    std::vector<std::vector<Corners>> rooms(worker_count());
+    return pass_records(
+        source_, records_,
+        [&](const RecordPiece& piece) -> Result<void> {
+            std::vector<Corners>& corners = rooms[piece.worker];
+            corners.resize(piece.count);
+            const auto usable = decode_(piece, corners);
+            if (!usable) return tl::unexpected(usable.error());
+            if (*usable > 0) visit(std::span(corners).first(*usable), piece.worker);
+            return {};
+        },
+        progress);
+}
+
+}  // namespace snug

@@ -1,0 +1,184 @@
+#include "snug/picture/gap_maps.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string_view>
+#include <vector>
+
+#include "snug/base/text.h"
+#include "snug/drawing/svg.h"
+#include "snug/picture/preview_marks.h"
+#include "snug/picture/preview_style.h"
+
+namespace snug {
+namespace {
+
+constexpr double kSide = 60;             // px left of the first map and right of the second
+constexpr double kBetween = 60;          // px
+constexpr double kGreatestHeight = 300;  // px of a map
+constexpr double kHeading = 74;          // px above the maps
+constexpr double kLegend = 74;           // px below them
+constexpr int kMostCells = 120;          // along an axis
+constexpr int kShades = 24;              // of a colour
+constexpr Color kFoam{232, 235, 239};
+constexpr Color kPale{255, 250, 240};
+constexpr Color kSteps{214, 140, 20};
+constexpr Color kUndercuts{150, 40, 130};
+
+/// Mean depths of one half over a cell of the map, mm.
+struct Cell {
+    double step = 0;
+    double undercut = 0;
+    [[nodiscard]] double sum() const { return step + undercut; }
+};
+
+Cell cell_of(const ColumnGap& column, bool lower) {
+    if (lower) return {column.lower_step, column.lower_undercut};
+    return {column.upper_step, column.upper_undercut};
+}
+
+/// The map with as many columns in a cell as keep it small.
+Grid<Cell> cells(const Grid<ColumnGap>& columns, bool lower, int per_y, int per_z) {
+    Grid<Cell> map((columns.ny() + per_y - 1) / per_y, (columns.nz() + per_z - 1) / per_z);
+    for (int j = 0; j < map.ny(); ++j)
+        for (int k = 0; k < map.nz(); ++k) {
+            const int j_end = std::min((j + 1) * per_y, columns.ny());
+            const int k_end = std::min((k + 1) * per_z, columns.nz());
+            Cell& cell = map(j, k);
+            for (int jj = j * per_y; jj < j_end; ++jj)
+                for (int kk = k * per_z; kk < k_end; ++kk) {
+                    const Cell one = cell_of(columns(jj, kk), lower);
+                    cell.step += one.step;
+                    cell.undercut += one.undercut;
+                }
+            const double count = (j_end - j * per_y) * (k_end - k * per_z);
+            cell.step /= count;
+            cell.undercut /= count;
+        }
+    return map;
+}
+
+Color color_of(const Cell& cell, double deepest) {
+    if (cell.sum() < 1e-3 || deepest <= 0) return kFoam;
+    const double share = std::ceil(cell.sum() / deepest * kShades) / kShades;
+    const double undercut = std::floor(cell.undercut / cell.sum() * 6 + 0.5) / 6;
+    return mixed(kPale, mixed(kSteps, kUndercuts, undercut), 0.12 + 0.88 * std::min(share, 1.0));
+}
+
+std::string text_at(double x, double y, double size, std::string_view style, const std::string& words) {
+    return "<text x=\"" + number(x, 1) + "\" y=\"" + number(y, 1) + "\" font-size=\"" + number(size) + "\" " +
+           std::string(style) + ">" + xml_text(words) + "</text>\n";
+}
+
+/// One half's map.
+class HalfMap {
+  public:
+    HalfMap(const GapReport& gap, const DesignSpace& space, bool lower, Vec2d at, double scale)
+        : half_(lower ? gap.lower : gap.upper), space_(space), lower_(lower), at_(at), scale_(scale) {
+        const int per_y = (space.blocks.y + kMostCells - 1) / kMostCells;
+        const int per_z = (space.blocks.z + kMostCells - 1) / kMostCells;
+        cell_mm_ = {space.block_mm.z * per_z, space.block_mm.y * per_y};
+        map_ = cells(gap.columns, lower, per_y, per_z);
+    }
+
+    [[nodiscard]] double deepest() const {
+        double deepest = 0;
+        for (const Cell& cell : map_) deepest = std::max(deepest, cell.sum());
+        return deepest;
+    }
+
+    [[nodiscard]] std::string svg(double deepest) const {
+        PathWriter writer;
+        for (int j = 0; j < map_.ny(); ++j)
+            for (int k = 0; k < map_.nz();) {
+                const Color color = color_of(map_(j, k), deepest);
+                int end = k + 1;
+                while (end < map_.nz() && color_of(map_(j, end), deepest) == color) ++end;
+                const Vec2d a = corner(j, k), b = corner(j + 1, end);
+                writer.polygon(color, {a, {b.x, a.y}, b, {a.x, b.y}});
+                k = end;
+            }
+        return "<g transform=\"scale(.1)\" stroke-width=\"4\">\n" + writer.finish() + "</g>\n" + frame() +
+               ring() + words();
+    }
+
+  private:
+    /// j runs downward in the lower foam and upward in the lid.
+    [[nodiscard]] Vec2d page(double y_mm, double z_mm) const {
+        const double down = lower_ ? y_mm : space_.size().y - y_mm;
+        return at_ + Vec2d{z_mm, down} * scale_;
+    }
+    [[nodiscard]] Vec2d corner(int j, int k) const {
+        return page(std::min(j * cell_mm_.y, space_.size().y), std::min(k * cell_mm_.x, space_.size().z));
+    }
+
+    [[nodiscard]] std::string frame() const {
+        return "<rect x=\"" + number(at_.x, 1) + "\" y=\"" + number(at_.y, 1) + "\" width=\"" +
+               number(space_.size().z * scale_, 1) + "\" height=\"" + number(space_.size().y * scale_, 1) +
+               "\" fill=\"none\" " + std::string(kDimensionStroke) + "/>\n";
+    }
+
+    /// Where the largest ball of the half is.
+    [[nodiscard]] std::string ring() const {
+        if (half_.widest_mm <= 0) return "";
+        const Vec3d half_size = space_.size() * 0.5;
+        const Vec2d centre = page(half_.widest_at.y + half_size.y, half_.widest_at.z + half_size.z);
+        const double radius = std::max(half_.widest_mm / 2 * scale_, 2.0);
+        return "<circle cx=\"" + number(centre.x, 1) + "\" cy=\"" + number(centre.y, 1) + "\" r=\"" +
+               number(radius, 1) + "\" fill=\"#ffffff\" fill-opacity=\".35\" stroke=\"#1c2530\" " +
+               "stroke-width=\"1.6\"/>\n";
+    }
+
+    [[nodiscard]] std::string words() const {
+        const double back = lower_ ? at_.y - 8 : at_.y + space_.size().y * scale_ + 18;
+        const std::string widest =
+            half_.widest_mm > 0 ? " · the ring: a ball of " + number(half_.widest_mm, 1) + " mm fits in" : "";
+        return text_at(at_.x, at_.y - 28, 17, kLegendText,
+                       std::string("Gap of the ") + (lower_ ? "LOWER foam" : "LID") + widest) +
+               text_at(at_.x + space_.size().z * scale_ / 2, back, 12,
+                       std::string(kBackText) + " text-anchor=\"middle\"", "BACK");
+    }
+
+    const HalfGap& half_;
+    const DesignSpace& space_;
+    bool lower_;
+    Vec2d at_;
+    double scale_;
+    Vec2d cell_mm_;  ///< to the right, downward
+    Grid<Cell> map_;
+};
+
+/// A ramp from nothing to the deepest.
+std::string ramp(double x, double y, Color color, double deepest, const std::string& words) {
+    constexpr double kStep = 7;
+    std::string text;
+    for (int i = 1; i <= kShades; i += 2)
+        text += "<rect x=\"" + number(x + kStep * (i - 1) / 2, 1) + "\" y=\"" + number(y, 1) + "\" width=\"" +
+                number(kStep + 0.3, 1) + "\" height=\"12\" fill=\"" +
+                hex(mixed(kPale, color, 0.12 + 0.88 * i / kShades)) + "\"/>\n";
+    return text + text_at(x + kStep * kShades / 2 + 8, y + 11, 14, kLegendText,
+                          "0 to " + number(deepest, 1) + " mm " + words);
+}
+
+}  // namespace
+
+GapMaps gap_maps(const GapReport& gap, const DesignSpace& space, double top) {
+    const double width = (kPageWidth - 2 * kSide - kBetween) / 2;
+    const Vec3d size = space.size();
+    const double scale = std::min(width / size.z, kGreatestHeight / size.y);
+    const double left = kSide + (width - size.z * scale) / 2;
+    const HalfMap lower(gap, space, true, {left, top + kHeading}, scale);
+    const HalfMap lid(gap, space, false, {left + width + kBetween, top + kHeading}, scale);
+    const double deepest = std::max(lower.deepest(), lid.deepest());
+    const double legend_y = top + kHeading + size.y * scale + 36;
+    std::string svg = "<g id=\"gap\">\n" + lower.svg(deepest) + lid.svg(deepest) +
+                      ramp(kSide, legend_y, kSteps, deepest, "deep where blocks are larger than the object");
+    svg += gap.undercut_mm3 ? ramp(kPageWidth / 2 + kBetween / 2, legend_y, kUndercuts, deepest,
+                                   "deep where it is undercut")
+                            : text_at(kPageWidth / 2 + kBetween / 2, legend_y + 11, 14, kLegendText,
+                                      "Undercuts are unknown: the object is open");
+    return {svg + "</g>\n", kHeading + size.y * scale + kLegend};
+}
+
+}  // namespace snug

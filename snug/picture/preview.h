@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "snug/check/gap.h"
+#include "snug/foam/foam_pair.h"
+#include "snug/mesh/mesh.h"
+#include "snug/space/design_space.h"
+#include "snug/space/placement.h"
+
+namespace snug {
+
+/// An isometric drawing (SVG) of the two halves opened like a book: the lower foam in front, seen into its
+/// cavity, the lid turned over its BACK edge (-y) and lying behind it, cavity up as well; the object's
+/// outline where it lies in the lower foam. Labelled LOWER, LID and BACK. The file's size follows what can be
+/// seen, not nx ny nz. With a gap report, maps of the gap of each half stand below.
+[[nodiscard]] std::string preview_svg(const FoamPair& foams, const DesignSpace& space, const Mesh& mesh,
+                                      const Placement& placement, const std::string& caption,
+                                      const GapReport* gap = nullptr);
+
+}  // namespace snug
