@@ -156,6 +156,20 @@ std::vector<std::string> FolderInside::leftovers(const std::string& folder,
     return names;
 }
 
+std::optional<std::string> FolderInside::link_as_old(const std::string& name) const {
+    constexpr int kMost = 1000;
+    std::string_view leaf = name;
+    const Descriptor folder = folder_of(leaf);
+    if (!folder.ok()) return {};
+    const std::string from(leaf), within = name.substr(0, name.size() - leaf.size());
+    for (int i = 1; i <= kMost; ++i) {
+        const std::string to = from + ".old" + (i > 1 ? std::to_string(i) : "");
+        if (::linkat(folder.get(), from.c_str(), folder.get(), to.c_str(), 0) == 0) return within + to;
+        if (errno != EEXIST) return {};
+    }
+    return {};
+}
+
 int FolderInside::remove_file(const std::string& name) const {
     std::string_view leaf = name;
     const Descriptor folder = folder_of(leaf);

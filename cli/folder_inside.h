@@ -43,6 +43,9 @@ class FolderInside {
     [[nodiscard]] std::vector<std::string> leftovers(const std::string& folder,
                                                      const std::vector<std::string>& own) const;
 
+    /// Gives a file a second name in its folder, NAME.old or, where that is taken, NAME.old2 and so on: the
+    /// name, or none where that cannot be done.
+    [[nodiscard]] std::optional<std::string> link_as_old(const std::string& name) const;
     /// 0 or the error number; a file that is gone already is none.
     [[nodiscard]] int remove_file(const std::string& name) const;
     /// Takes a folder away if it is empty.

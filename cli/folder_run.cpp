@@ -21,7 +21,8 @@ namespace fs = std::filesystem;
 
 const std::string kList = ".snug-files";
 const std::string kUnfinished = "UNFINISHED.txt";
-constexpr std::uint64_t kLongestList = 16 << 20;  // bytes; a file takes about 100
+const std::string kProject = "project.snug.json";  // is read and made anew in one folder
+constexpr std::uint64_t kLongestList = 16 << 20;   // bytes; a file takes about 100
 constexpr std::size_t kNamed = 5;
 constexpr double kPatience = 60;  // seconds
 
@@ -99,6 +100,7 @@ Result<std::vector<Finding>> FolderRun::look_back(std::span<const std::string> t
     std::vector<std::string> names(to_come.begin(), to_come.end());
     for (const MadeFile& file : made_) names.push_back(file.name);
     sort_out(names);
+    if (auto done = find_foreign(names); !done) return tl::unexpected(done.error());
     if (InterruptGuard::interrupted()) return fail(ErrorKind::cancelled, "cancelled; nothing was written");
     return findings();
 }
@@ -122,6 +124,39 @@ void FolderRun::sort_out(const std::vector<std::string>& names) {
         (!same ? changed_ : is_input(found) ? read_ : fixed_).push_back(first->name);
         staying_.insert(staying_.end(), first, next);
     }
+}
+
+/// Files under names that this run makes, which no run wrote or which somebody changed since.
+Result<void> FolderRun::find_foreign(const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
+        const FolderInside::Found found = inside_->find(name);
+        if (found.state != FolderInside::State::file) continue;
+        if (is_input(found) && name != kProject)
+            return fail(ErrorKind::output,
+                        fmt::format("{}: this run reads the file and would write over it: choose another "
+                                    "folder with --output",
+                                    (folder_ / name).string()));
+        std::vector<MadeFile> written;
+        for (const auto* files : {&earlier_, &made_})  // what is the same as the new one need not be kept
+            for (const MadeFile& file : *files)
+                if (file.name == name) written.push_back(file);
+        if (!is_input(found) && !is_as_written(name, found, written)) foreign_.push_back(name);
+    }
+    return {};
+}
+
+Result<void> FolderRun::keep_foreign() {
+    for (const std::string& name : foreign_) {
+        const auto kept = inside_->link_as_old(name);
+        if (!kept)
+            return fail(
+                ErrorKind::output,
+                fmt::format("{}: no run of snug wrote this file as it is, and it cannot be kept under "
+                            "a second name: take it away, or choose another folder",
+                            (folder_ / name).string()));
+        kept_.push_back(*kept);
+    }
+    return {};
 }
 
 /// Whether a file is what one of several runs wrote under its name.
@@ -157,6 +192,11 @@ std::vector<Finding> FolderRun::findings() const {
     if (!changed_.empty())
         add(Severity::warning, "earlier_files_stay",
             "left in the folder, because they are not as they were written: " + of_earlier(changed_) + apart);
+    if (!foreign_.empty())
+        add(Severity::warning, "earlier_files_kept",
+            "kept under the same name with .old behind it, because this run makes files of that name and no "
+            "run wrote them as they were: " +
+                named(foreign_));
     if (!fixed_.empty())
         add(Severity::warning, "earlier_files_stay",
             "left where they are, because their folder may not be written to: " + of_earlier(fixed_) + apart);
@@ -183,16 +223,19 @@ Result<void> FolderRun::commit() {
     if (auto done = write_text(list, kList, manifest_text(in_the_end, kListNote)); !done) return done;
 
     if (auto done = marker.commit(); !done) return done;
-    if (auto done = set_.commit(); !done) {
+    auto done = keep_foreign();
+    if (done) done = set_.commit();
+    if (!done) {
         if (set_.begun())
             return fail(done.error().kind, done.error().message +
                                                "; the folder holds a mix of two runs now, as " + kUnfinished +
                                                " says");
+        for (const std::string& name : kept_) (void)inside_->remove_file(name);
         if (!was_unfinished_) (void)inside_->remove_file(kUnfinished);
         return done;
     }
-    if (auto done = take_away(); !done) return done;
-    if (auto done = list.commit(); !done) return done;
+    if (auto taken = take_away(); !taken) return taken;
+    if (auto listed = list.commit(); !listed) return listed;
     (void)inside_->remove_file(kUnfinished);
     return {};
 }

@@ -24,7 +24,8 @@
 //   2. the folder is locked, and what earlier runs left is looked at        the same
 //   3. UNFINISHED.txt takes its name: a sentence for people, and all that
 //      this run makes (and what is still known of runs killed here before)  the same, under a warning
-//   4. the new files take their names                                      a mix, under a warning
+//   4. the new files take their names; what stands there and is not as a
+//      run wrote it gets a second name first, NAME.old                     a mix, under a warning
 //   5. what is left of earlier runs is taken away                          a mix, under a warning
 //   6. `.snug-files` takes its name                                        the new run, under a warning
 //   7. UNFINISHED.txt is taken away                                        the new run
@@ -45,16 +46,19 @@ class FolderRun {
     // Errors of all of them are of kind `output`, or `cancelled` after Ctrl-C, before which nothing changed.
     [[nodiscard]] Result<void> open();
     [[nodiscard]] Result<void> write(const std::string& name, std::span<const std::byte> bytes);
-    /// Steps 2; `to_come` are the names that are still to be written. What a person must know: files of
-    /// earlier runs that go (`earlier_files`, note) or stay (`earlier_files_stay`, warning), an unfinished
-    /// run
-    /// (`earlier_unfinished`, note), a list that cannot be trusted (`earlier_unknown`, warning).
+    /// Step 2; `to_come` are the names that are still to be written. What a person must know: files of
+    /// earlier runs that go (`earlier_files`, note) or stay (`earlier_files_stay`, warning), files of others
+    /// that make room (`earlier_files_kept`, warning), an unfinished run (`earlier_unfinished`, note), a list
+    /// that cannot be trusted (`earlier_unknown`, warning). Fails where a file that was read, other than a
+    /// project, would be written over.
     [[nodiscard]] Result<std::vector<Finding>> look_back(std::span<const std::string> to_come);
     /// Steps 3 to 7, after look_back().
     [[nodiscard]] Result<void> commit();
 
   private:
     void sort_out(const std::vector<std::string>& names);
+    [[nodiscard]] Result<void> find_foreign(const std::vector<std::string>& names);
+    [[nodiscard]] Result<void> keep_foreign();
     [[nodiscard]] bool is_as_written(const std::string& name, const FolderInside::Found& found,
                                      std::span<const MadeFile> written) const;
     [[nodiscard]] bool is_input(const FolderInside::Found& found) const;
@@ -71,6 +75,8 @@ class FolderRun {
     std::vector<MadeFile> unfinished_;  ///< of them, what a run that was killed had begun to make
     bool was_unfinished_ = false, untrusted_ = false;
     std::vector<std::string> gone_;                    ///< to be taken away
+    std::vector<std::string> foreign_;                 ///< would be written over, and nobody wrote them
+    std::vector<std::string> kept_;                    ///< the second names of those
     std::vector<std::string> changed_, read_, fixed_;  ///< stay: changed since, inputs, not removable
     std::vector<MadeFile> staying_;                    ///< the entries of those
 };

@@ -102,6 +102,29 @@ class FolderTest(unittest.TestCase):
         report = json.loads(self.make("--json").stdout)
         self.assertEqual([f["code"] for f in report["findings"] if f["code"].startswith("earlier")], ["earlier_files"])
 
+    def test_what_others_wrote_under_a_name_that_is_made_stays_beside_it(self):
+        self.out.mkdir()
+        (self.out / "depths.csv").write_text("my notes")
+        report = json.loads(self.make("--json").stdout)
+        self.assertIn("earlier_files_kept", [f["code"] for f in report["findings"]])
+        self.assertHolds(self.out, self.fresh(), "depths.csv.old")
+        with open(self.out / "depths.csv", "a") as file:
+            file.write("a line of mine")
+        self.make()
+        self.assertHolds(self.out, self.fresh(), "depths.csv.old", "depths.csv.old2")
+        self.assertEqual((self.out / "depths.csv.old").read_text(), "my notes")
+        self.assertTrue((self.out / "depths.csv.old2").read_text().endswith("a line of mine"))
+        self.assertNotIn("earlier", self.make().stdout)
+
+    def test_the_object_is_never_written_over(self):
+        self.out.mkdir()
+        stl = self.out / "upper.stl"
+        subprocess.run([SNUG, "sample", "torus", "-o", stl], check=True, capture_output=True)
+        before = contents(self.out)
+        done = subprocess.run([SNUG, "make", stl, "-o", self.out], capture_output=True, text=True)
+        self.assertEqual((done.returncode, contents(self.out)), (4, before), done.stderr)
+        self.assertIn("would write over it", done.stderr)
+
     def test_leftovers_of_killed_runs_go_and_those_of_living_ones_stay(self):
         ended = subprocess.Popen(["true"])
         ended.wait()
@@ -141,7 +164,8 @@ class FolderTest(unittest.TestCase):
         (self.out / LIST).unlink()
         before = set(contents(self.out))
         self.make()
-        self.assertEqual(set(contents(self.out)), before)
+        # Who wrote them cannot be known: nothing goes, and what is made anew keeps its predecessor.
+        self.assertEqual(set(contents(self.out)), before | {f"{name}.old" for name in PLAIN})
 
     def test_what_the_run_reads_stays(self):
         self.make("--for", "mill")
@@ -183,6 +207,9 @@ class FolderTest(unittest.TestCase):
             process.send_signal(signal.SIGINT)
             if process.wait(timeout=60) != 0:
                 self.assertSame(contents(self.out), before, f"SEED={SEED}")
+            else:  # it was done before it was asked to stop
+                self.make("--for", "print")
+                before = contents(self.out)
 
     def test_a_folder_that_may_not_be_written_to(self):
         self.make("--for", "print")
