@@ -225,6 +225,40 @@ TEST(Measure, AClosedSoupIsWatertightOnceWelded) {
     EXPECT_NEAR(whole.volume.value(), 4.18879, 0.08);  // a ball, less what its flat sides cut off
 }
 
+/// A cube whose triangles share no vertices and whose corners at 0 are off by so much, each time otherwise.
+Mesh loose_cube(float off) {
+    const Mesh whole = cube();
+    Mesh loose;
+    for (const Triangle& t : whole.triangles) {
+        const auto first = static_cast<std::uint32_t>(loose.vertices.size());
+        for (const std::uint32_t v : t) {
+            Vec3f p = whole.vertices[v];
+            for (int axis = 0; axis < 3; ++axis)
+                if (p[axis] == 0) p[axis] = off * static_cast<float>(loose.vertices.size() % 3);
+            loose.vertices.push_back(p);
+        }
+        loose.triangles.push_back({first, first + 1, first + 2});
+    }
+    return loose;
+}
+
+TEST(Measure, ASeamThatIsOffByRoundingIsClosed) {
+    for (const float off : {-2e-14f, 5e-7f}) {
+        const MeshMeasure measured = measure(loose_cube(off));
+        EXPECT_TRUE(measured.watertight);
+        EXPECT_TRUE(measured.holes.empty());
+        EXPECT_EQ(measured.parts.size(), 1u);
+        ASSERT_TRUE(measured.volume);
+        EXPECT_NEAR(*measured.volume, 8, 1e-5);
+    }
+}
+
+TEST(Measure, ASlitIsNoSeam) {
+    const MeshMeasure measured = measure(loose_cube(1e-4f));
+    EXPECT_FALSE(measured.watertight);
+    EXPECT_FALSE(measured.holes.empty());
+}
+
 TEST(Measure, LoopsCoverExactlyTheBoundaryOfAPuncturedSphere) {
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
         SCOPED_TRACE(seed);

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "snug/mesh/edges.h"
+#include "snug/mesh/seams.h"
 
 namespace snug {
 namespace {
@@ -91,10 +92,12 @@ double enclosed_volume(const Mesh& mesh, Vec3d middle) {
 MeshMeasure measure(const Mesh& mesh) {
     MeshMeasure result;
     result.bounds = bounds(mesh);
-    const std::vector<std::uint32_t> weld = welded(mesh);
+    std::vector<std::uint32_t> weld = welded(mesh);
+    EdgeCensus edges = census_of_edges(mesh, weld);
+    if (!edges.boundary.empty() && weld_seams(mesh, edges.boundary, weld))
+        edges = census_of_edges(mesh, weld);
     find_parts_of(mesh, weld, result);
     sort_parts_by_size(result);
-    const EdgeCensus edges = census_of_edges(mesh, weld);
     result.watertight = edges.watertight;
     if (edges.watertight) result.volume = enclosed_volume(mesh, result.bounds.centre());
     result.holes = boundary_loops(edges.boundary);

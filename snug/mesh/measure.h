@@ -20,8 +20,8 @@ struct MeshPart {
     std::uint32_t first_triangle = 0;
 };
 
-/// What can be said of an object without placing it. Edges are those of welded vertices; triangles with two
-/// equal welded corners have none.
+/// What can be said of an object without placing it. Edges are those of welded vertices, seams included
+/// (seams.h); triangles with two equal welded corners have none.
 struct MeshMeasure {
     Box3d bounds;                  ///< relative to mesh.origin
     bool watertight = false;       ///< there are edges, each used equally often each way
