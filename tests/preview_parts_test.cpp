@@ -13,6 +13,7 @@
 #include "snug/picture/relief.h"
 
 #include "tests/support/random.h"
+#include "tests/support/random_available.h"
 
 // The pieces that the preview is drawn with: projection, relief, images, outlines, text.
 
@@ -135,8 +136,15 @@ struct RandomRelief {
             foams.lower[i] = static_cast<std::uint16_t>(random.integer(0, space.blocks.x));
             foams.upper[i] = static_cast<std::uint16_t>(random.integer(0, space.blocks.x - foams.lower[i]));
         }
+        if (random.chance(0.5))
+            test::shorten(foams, test::random_available(random, space.blocks), space.blocks.x);
     }
 };
+
+/// Levels of one run that the other does not have.
+int without(Run run, Run other) {
+    return run.blocks() - std::max(0, run.common(other).blocks());
+}
 
 double cross_length(Vec3d a, Vec3d b) {
     const Vec3d c = cross(a, b);
@@ -149,16 +157,14 @@ TEST(Relief, FacesHaveTheAreaThatTheColumnsExpose) {
         Random random(seed);
         const RandomRelief given(random);
         const Vec3d mm = given.space.block_mm;
-        const Grid<std::uint16_t>& kept = given.foams.lower;
-        const auto layers = [&](int j, int k) {
-            return kept.contains(j, k) ? static_cast<int>(kept(j, k)) : 0;
-        };
+        const Grid<snug::Run> kept = kept_runs(given.foams, Half::lower, given.space.blocks.x);
+        const auto run = [&](int j, int k) { return kept.contains(j, k) ? kept(j, k) : snug::Run{}; };
         double expected[3] = {0, 0, 0}, found[3] = {0, 0, 0};
         for (int j = 0; j < kept.ny(); ++j)
             for (int k = 0; k < kept.nz(); ++k) {
-                expected[0] += layers(j, k) > 0 ? mm.y * mm.z : 0;
-                expected[1] += std::max(0, layers(j, k) - layers(j + 1, k)) * mm.x * mm.z;
-                expected[2] += std::max(0, layers(j, k) - layers(j, k + 1)) * mm.x * mm.y;
+                expected[0] += run(j, k).none() ? 0 : mm.y * mm.z;
+                expected[1] += without(run(j, k), run(j + 1, k)) * mm.x * mm.z;
+                expected[2] += without(run(j, k), run(j, k + 1)) * mm.x * mm.y;
             }
         const OpenedPair pair = opened(given.space, given.foams.parting_level);
         for (const Face& face : visible_faces(relief(given.foams, given.space, pair, Half::lower)))

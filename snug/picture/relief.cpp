@@ -66,16 +66,24 @@ class FaceCollector {
         int end = begin + 1;
         while (end < relief_.layers.nz() && relief_.layers(row, end) == layers) ++end;
         if (layers == 0) return end;
+        // A leaning case may shorten columns of the run from below, each more than the one before; the walls
+        // there stand under the run and behind its front.
+        for (int column = begin; column + 1 < end; ++column)
+            if (foam(row, column) != foam(row, column + 1)) collect_right_wall(row, column);
         const double left = relief_.right_faces[begin], right = relief_.right_faces[end];
         const double back = relief_.front_faces[row], front = relief_.front_faces[row + 1];
         const double top = relief_.height(row, begin);
         faces_.push_back(
             {FaceSide::top, {left, back, top}, {right - left, 0, 0}, {0, front - back, 0}, end - begin, 1});
         collect_front_walls(row, begin, end);
-        if (end < relief_.layers.nz())
-            collect_wall(FaceSide::right, {right, back, 0}, {0, front - back, 0}, 1, foam(row, end - 1),
-                         foam(row, end));
+        if (end < relief_.layers.nz()) collect_right_wall(row, end - 1);
         return end;
+    }
+
+    void collect_right_wall(int row, int column) {
+        const double back = relief_.front_faces[row], front = relief_.front_faces[row + 1];
+        collect_wall(FaceSide::right, {relief_.right_faces[column + 1], back, 0}, {0, front - back, 0}, 1,
+                     foam(row, column), foam(row, column + 1));
     }
 
     /// Nothing stands before the outermost wall, so that its rows of equal height can be one face.
