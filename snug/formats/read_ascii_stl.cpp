@@ -12,7 +12,6 @@ namespace snug {
 namespace {
 
 constexpr const char* kCutOff = "the file is cut off within its last facet; copy or export it again";
-constexpr std::size_t kStart = 1 << 16;  // bytes that are looked at to tell the format
 
 bool begins_comment(std::string_view word) {
     return word[0] == '#' || word[0] == ';' || word.substr(0, 2) == "//";
@@ -167,7 +166,7 @@ class AsciiStlReader {
 }  // namespace
 
 bool is_ascii_stl(Bytes file) {
-    TextScan text(file.first(std::min(file.size(), kStart)));
+    TextScan text(file.first(std::min(file.size(), kStlKindBytes)));
     bool first = true;
     while (!text.at_end()) {
         const std::string_view word = text.word('\0');

@@ -9,6 +9,7 @@
 #include "snug/base/parallel.h"
 #include "snug/formats/ply_stream.h"
 #include "snug/formats/read.h"
+#include "snug/formats/stl_kind.h"
 #include "snug/formats/stl_layout.h"
 
 namespace snug {
@@ -27,6 +28,15 @@ Error not_in_pieces(std::span<const std::byte> beginning) {
             "read it whole with --no-stream where there is memory for it"};
 }
 
+/// Whether the file is the text that read_stl() would take it for: only where it has not the very size of a
+/// binary STL.
+Result<bool> is_read_as_text(ByteSource& source, std::uint64_t count) {
+    if (source.size == kStlHeader + count * kStlFacet) return false;
+    std::vector<std::byte> start(std::min<std::uint64_t>(source.size, kStlKindBytes));
+    if (auto done = source.read(0, start); !done) return tl::unexpected(done.error());
+    return is_ascii_stl(start);
+}
+
 Result<TriangleStream> open_stl(ByteSource source) {
     std::array<std::byte, kStlHeader> room;
     const std::span header =
@@ -39,6 +49,9 @@ Result<TriangleStream> open_stl(ByteSource source) {
         if (is_text(header.last(4))) return tl::unexpected(not_in_pieces(header));
         return tl::unexpected(stl_cut_off(count, held));
     }
+    const auto text = is_read_as_text(source, count);
+    if (!text) return tl::unexpected(text.error());
+    if (*text) return tl::unexpected(not_in_pieces(header));
     if (const auto foreign = count == 0 ? foreign_format(header) : std::nullopt)
         return tl::unexpected(*foreign);
     if (count == 0) return fail(ErrorKind::input, "there are no triangles in this file");
