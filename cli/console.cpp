@@ -6,6 +6,8 @@
 
 #include <fmt/core.h>
 
+#include "snug/base/one_line.h"
+
 #include "cli/commands.h"
 
 namespace snug::cli {
@@ -27,7 +29,7 @@ int exit_status(ErrorKind kind) {
 }
 
 int report(const Error& error) {
-    std::fputs(fmt::format("snug: {}\n", error.message).c_str(), stderr);
+    std::fputs(fmt::format("snug: {}\n", one_line(error.message)).c_str(), stderr);
     return exit_status(error.kind);
 }
 
@@ -57,7 +59,7 @@ StatusLine::~StatusLine() {
 
 void StatusLine::show(const std::string& text) {
     if (!visible_ || text == shown_) return;
-    std::fputs(fmt::format("\r\033[K{}", text).c_str(), stderr);
+    std::fputs(fmt::format("\r\033[K{}", one_line(text)).c_str(), stderr);
     std::fflush(stderr);
     shown_ = text;
 }

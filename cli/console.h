@@ -12,7 +12,8 @@ namespace snug::cli {
 /// The exit status for a kind of error.
 [[nodiscard]] int exit_status(ErrorKind kind);
 
-/// Prints "snug: sentence" to standard error and gives the exit status.
+/// Prints "snug: sentence" on one line of standard error, without what would steer a terminal (names of files
+/// may hold anything), and gives the exit status.
 int report(const Error& error);
 
 /// Runs a command; where memory does not suffice for an object, that is a sentence of kind `input`, too.

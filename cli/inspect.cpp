@@ -8,6 +8,7 @@
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
+#include "snug/base/one_line.h"
 #include "snug/base/text.h"
 #include "snug/design/design.h"
 #include "snug/mesh/clean.h"
@@ -74,7 +75,7 @@ std::vector<Finding> findings_of(const Mesh& mesh) {
 std::string finding_lines(const Mesh& mesh) {
     std::string text;
     for (const Finding& finding : findings_of(mesh))
-        text += fmt::format("{:<12}{}\n", severity_name(finding.severity), finding.message);
+        text += fmt::format("{:<12}{}\n", severity_name(finding.severity), one_line(finding.message));
     return text;
 }
 
@@ -91,7 +92,7 @@ std::string smaller_parts(const std::vector<PartShare>& shares) {
 
 std::string described(const std::string& name, const Mesh& mesh, const MeshMeasure& measure) {
     const Vec3d size = measure.bounds.size();
-    std::string text = fmt::format("{}\n", name);
+    std::string text = fmt::format("{}\n", one_line(name));
     if (mesh.is_cloud())
         return text + fmt::format("A cloud of {}\n", counted(mesh.vertices.size(), "point", "points")) +
                size_lines(size, mesh.read.in_mm) + finding_lines(mesh);

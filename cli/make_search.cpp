@@ -8,6 +8,7 @@
 #include <fast_float/fast_float.h>
 #include <fmt/core.h>
 
+#include "snug/base/text.h"
 #include "snug/search/placement_search.h"
 
 #include "cli/interrupt.h"
@@ -59,7 +60,15 @@ void add_search_options(CLI::App& make, SearchArguments& a) {
     make.add_option("--search-seconds", a.seconds,
                     "Search this long instead of a fixed amount of work; results then depend on the machine")
         ->type_name("S")
-        ->check(CLI::Range(0.01, 86400.0));
+        ->check(CLI::Validator(
+            [](std::string& text) {
+                // Written so that what is no number at all fails as well.
+                double seconds = 0;
+                return CLI::detail::lexical_cast(text, seconds) && seconds >= 0.01 && seconds <= 86400
+                           ? std::string()
+                           : "takes 0.01 to 86400 seconds, not " + snug::quoted(text);
+            },
+            "0.01 to 86400"));
 }
 
 Result<void> apply(const SearchArguments& a, SearchOptions& search) {

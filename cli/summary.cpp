@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include "snug/base/one_line.h"
 #include "snug/base/text.h"
 
 #include "cli/make_case.h"
@@ -48,7 +49,7 @@ std::string findings_lines(const std::vector<Finding>& findings) {
         const std::string_view label = finding.severity == Severity::danger    ? "DANGER"
                                        : finding.severity == Severity::warning ? "Warning"
                                                                                : "Note";
-        text += fmt::format("{:<10}{}\n", label, wrapped(finding.message, 10));
+        text += fmt::format("{:<10}{}\n", label, wrapped(one_line(finding.message), 10));
     }
     return text;
 }
@@ -88,7 +89,7 @@ std::string summary(const Object& object, const Project& project, const Packing&
     const auto line = [](std::string_view label, const std::string& text) {
         return fmt::format("{:<10}{}\n", label, text);
     };
-    std::string text = line("Object", project.object.name + ": " + object_line(object));
+    std::string text = line("Object", one_line(project.object.name) + ": " + object_line(object));
     text += line("Space", blocks_of(packing.space));
     if (packing.fitted_case) text += case_lines(*packing.fitted_case, packing.foams->parting_level);
     text += line("Foam", fmt::format("lower {}, lid {}, together {}; F {}",
@@ -108,7 +109,7 @@ std::string summary(const Object& object, const Project& project, const Packing&
     if (measured.bearing) text += line("Bears", wrapped(bearing_text(*measured.bearing, project.design), 10));
     text += findings_lines(packing.findings);
     text += line("Files", folder.empty() ? "none are written: a dry run"
-                                         : fmt::format("in {}: look at preview.svg first", folder));
+                                         : fmt::format("in {}: look at preview.svg first", one_line(folder)));
     return text;
 }
 

@@ -4,6 +4,8 @@
 
 #include <fmt/core.h>
 
+#include "snug/base/one_line.h"
+
 #include "cli/files.h"
 #include "cli/user_presets.h"
 
@@ -24,7 +26,7 @@ Result<std::vector<KnownCase>> known_cases() {
     if (!bytes) return tl::unexpected(bytes.error());
     const CaseList own = parse_cases({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
     for (const std::string& problem : own.problems)
-        fmt::print(stderr, "snug: {}, {}; the other lines are used\n", path.string(), problem);
+        fmt::print(stderr, "snug: {}, {}; the other lines are used\n", path.string(), one_line(problem));
     cases.insert(cases.end(), own.cases.begin(), own.cases.end());
     return cases;
 }

@@ -44,7 +44,7 @@ void shape(CaseOptions& options, Random& random) {
         return CrossSection{inside.y * random.between(0.8, 1), inside.z * random.between(0.8, 1)};
     };
     if (random.chance(0.6)) options.base_mm = narrower();
-    if (random.chance(0.4)) options.top_mm = narrower();
+    if (options.lid_mm.value_or(0) > 0 && random.chance(0.6)) options.top_mm = narrower();
     if (random.chance(0.7))
         options.corner_radius_mm = random.between(0, 0.4 * std::min(inside.y, inside.z) - 2);
 }

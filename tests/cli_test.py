@@ -224,6 +224,19 @@ class CliTest(unittest.TestCase):
             self.assertIn(word, done.stderr, arguments)
             self.assertFalse(self.out.exists())
 
+    def test_no_name_of_a_file_steers_the_terminal(self):
+        path = self.work / "\x1b[31mred\x07\u202e.off"
+        path.write_bytes((self.work / "missing").name.encode())
+        done = snug("inspect", path)
+        self.assertEqual(done.returncode, 2)
+        for character in "\x1b\x07\u202e":
+            self.assertNotIn(character, done.stdout + done.stderr)
+
+    def test_a_search_takes_a_number_of_seconds(self):
+        for seconds in ["nan", "inf", "-1", "0"]:
+            done = snug("make", self.work / "nothing.stl", "--optimize", "--search-seconds", seconds, "-o", self.out)
+            self.assertEqual(done.returncode, 1, seconds)
+
     def test_findings_name_a_thin_wall(self):
         done = self.make(self.object, "--blocks", "6x6x6", "--block-size", "20x20x20", "--json")
         codes = {finding["code"] for finding in json.loads(done.stdout)["findings"]}

@@ -302,6 +302,7 @@ std::optional<MilledCase> random_milled_case(Random& random) {
     const int shape = random.integer(0, 2);
     if (shape == 1) design.case_options.corner_radius_mm = 30;
     if (shape == 2) design.case_options.base_mm = CrossSection{100, 90};
+    if (shape == 2) design.case_options.lid_mm = 40;
     if (shape == 2) design.case_options.top_mm = CrossSection{104, 92};
     if (random.chance(0.4))
         for (const int axis : {0, 1, 2}) {

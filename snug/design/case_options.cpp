@@ -62,6 +62,9 @@ std::optional<std::string> problem_of(const CaseOptions& options) {
     if (options.lid_mm && !(*options.lid_mm >= 0 && *options.lid_mm < inside.x))
         return "the lid must be 0 mm or more and less than the case's height of " + mm(inside.x) + ", not " +
                mm(*options.lid_mm);
+    if (options.top_mm && options.lid_mm.value_or(0) <= 0)
+        return "what the case measures at the roof of its lid needs the lid's height: give both (--case "
+               "LxWxH:LID with --case-top), or leave it out";
     double narrowest = std::min(inside.y, inside.z);
     for (const auto& section : {options.base_mm, options.top_mm})
         if (section) narrowest = std::min({narrowest, section->width, section->length});

@@ -62,6 +62,7 @@ Problem problem(const CutOptions& cut, Vec3d block) {
     if (whole.least() >= least && within(whole.lower, least, kGreatestLength) &&
         within(whole.upper, least, kGreatestLength))
         return {};
+    if (whole.least() >= least) return "the clearance must be at most " + number(kGreatestLength) + " mm";
     return "the clearance must be " + number(least, 4) +
            " mm or more for these blocks (-0.4 of the smallest side), not " + number(whole.least(), 4);
 }

@@ -23,8 +23,7 @@ std::optional<std::string> problem_of(const SheetOptions& options) {
         return "The stock's margin and the spacing between pieces must be 0 mm or more.";
     if (2 * options.margin_mm >= options.stock_mm.x || 2 * options.margin_mm >= options.stock_mm.y)
         return "A margin of " + number(options.margin_mm) + " mm leaves nothing of a stock sheet of " +
-               number(options.stock_mm.x) + " x " + number(options.stock_mm.y) +
-               " mm; choose a smaller margin.";
+               number(options.stock_mm.x) + " x " + number(options.stock_mm.y) + " mm; take larger sheets.";
     if (!within(options.kerf_mm, 0, kGreatest))
         return "The kerf must be 0 mm (the cutter makes up for it) or more; lasers take 0.1 to 0.3 mm.";
     if (options.dowels != 0 && (options.dowels < 2 || options.dowels > 8))

@@ -95,7 +95,7 @@ Result<BundleObject> find_bundle_object(const std::vector<std::string>& names) {
         return fail(
             ErrorKind::input,
             "there is no object in it: Snug looks for STL, OBJ, PLY, OFF, glTF, 3MF and points as PLY, "
-            "XYZ or PTS");
+            "XYZ or PTS, and neither in zips within it nor under names that lead out of it");
     for (std::size_t i = 0; i < names.size(); ++i)
         if (i != found.file && is_object(names[i])) found.left_out.push_back(names[i]);
     return found;

@@ -81,7 +81,11 @@ std::optional<Error> foreign_format(Bytes beginning) {
             if (starts_with(view, start)) return is(what, advice);
     const std::string_view element = first_element(text);
     if (starts_with(text, "<?xml") || starts_with(element, "<!doctype")) return is("an XML file", kExport);
-    if (!element.empty() && element[0] == '{') return is("a JSON file", kExport);
+    if (!element.empty() && element[0] == '{') {
+        if (text.find("\"snug\"") != text.npos)
+            return is("a project of Snug's", "make its foams with snug make, or inspect the object itself");
+        return is("a JSON file", kExport);
+    }
     return {};
 }
 

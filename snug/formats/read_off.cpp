@@ -47,7 +47,11 @@ class OffReader {
 
     bool read_count(std::string_view word, const char* what, std::size_t& count) {
         std::int64_t value = 0;
-        if (!to_number(word, value) || value < 0 || value > 0xfffffffe)
+        const bool is_number = to_number(word, value);
+        if (is_number && value > 0xfffffffe)
+            return refuse(text_.place() + grouped(static_cast<unsigned long long>(value)) + " " + what +
+                          " are more than can be read");
+        if (!is_number || value < 0)
             return refuse(text_.place() + "the number of " + what +
                           " is missing or no number: " + quoted(word));
         // Each vertex and face needs at least a digit and a blank.

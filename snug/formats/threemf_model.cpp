@@ -28,7 +28,7 @@ Result<double> mm_per_unit(XmlReader& xml) {
     const std::string_view unit = xml.attribute("unit").value_or("millimeter");
     for (const auto& [name, mm] : kUnits)
         if (same_word(unit, name)) return mm;
-    return wrong(xml, "its unit \"" + quoted(unit) + "\" is none that 3MF knows");
+    return wrong(xml, "its unit " + quoted(unit) + " is none that 3MF knows");
 }
 
 /// Row by row, a matrix that rows of points are multiplied with; the last row is the shift.

@@ -96,8 +96,9 @@ Error cannot_fill(const BrickShape& shape, const BrickCourse& course, int unfill
     if (course.unsupported > 0)
         return {ErrorKind::usage,
                 "the bricks cannot span what the case leaves without foam below: " + where +
-                    " would hang in the air. Add longer sizes to --brick-sizes, or take a case with upright "
-                    "walls and square corners"};
+                    " would hang in the air. Longer bricks may span it where --brick-sizes leaves some out; "
+                    "otherwise take a case with upright walls and square corners, or let the bricks fill the "
+                    "largest box that lies in this one (--case with the sizes at its floor)"};
     if (box.limited())
         return {ErrorKind::usage, "the bricks in stock do not suffice: " + where +
                                       " stay empty when they are used up. Add to the stock (1x1 fits "

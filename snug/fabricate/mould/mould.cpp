@@ -87,8 +87,8 @@ void tell_draft(const FoamDesign& design, const std::vector<Mould>& moulds, doub
                 {Severity::warning,
                  "narrow_foam",
                  counted(static_cast<unsigned long long>(mould.made.lost_blocks), "block", "blocks") +
-                     " of the " + name_of(half) +
-                     " are not cast: the foam is too narrow there to leave room between faces that lean by " +
+                     " of the " + name_of(half) + (mould.made.lost_blocks == 1 ? " is" : " are") +
+                     " not cast: the foam is too narrow there to leave room between faces that lean by " +
                      degrees + "; take a smaller draft",
                  {}});
     }

@@ -88,8 +88,9 @@ void add_dowels(std::vector<Finding>& findings, const SheetAssembly& half, const
                 ": lay them by the marked outlines, or choose thinner dowels.");
     else if (half.dowels.sheets < half.stack.count)
         add(findings, Severity::note, "sheets-dowels",
-            "Sheets " + from + (from == last ? "" : " to " + last) + " of the " + half_name(half.stack) +
-                " have no room for dowels: lay them by the outline that is marked on the sheet before.");
+            (from == last ? "Sheet " + from : "Sheets " + from + " to " + last) + " of the " +
+                half_name(half.stack) + (from == last ? " has" : " have") +
+                " no room for dowels: lay them by the outline that is marked on the sheet before.");
     else if (static_cast<int>(half.dowels.centres.size()) < options.dowels)
         add(findings, Severity::note, "sheets-dowels",
             "The sheets of the " + half_name(half.stack) + " have room for " +
