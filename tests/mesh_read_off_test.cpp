@@ -59,7 +59,8 @@ TEST(ReadOff, EveryRelativeWithFurtherNumbersBehindTheVertex) {
 TEST(ReadOff, NumbersBeyond32BitsAreNotCutToSmallOnes) {
     expect_holds(refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4294967299 0 1 2\n"), "is no number of corners");
     expect_holds(refused("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 4294967297 2\n"), "is no vertex");
-    expect_holds(refused("OFF\n4294967299 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), "4,294,967,299 vertices are more than can be read");
+    expect_holds(refused("OFF\n4294967299 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"),
+                 "4,294,967,299 vertices are more than can be read");
 }
 
 }  // namespace
