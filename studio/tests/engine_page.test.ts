@@ -1,37 +1,13 @@
 import {afterEach, beforeEach, expect, test, vi} from 'vitest';
 import type {SearchStep, Design, Engine, Failure} from '../src/engine/api';
 import type {EngineCore} from '../src/engine/core';
-import {createEngine, type CoreHandle} from '../src/engine/engine';
+import {createEngine} from '../src/engine/engine';
 import {failure} from '../src/engine/failure';
 import {latest} from '../src/engine/latest';
 import {makeLine} from '../src/engine/make_line';
-import {good, refused, startCore} from './support/snug';
+import {Cores} from './support/cores';
+import {good, refused} from './support/snug';
 import {box, torus} from './support/shapes';
-
-/** Cores in this thread instead of workers, which notice what was started and ended. */
-class Cores {
-  started: {core: EngineCore; ended: boolean}[] = [];
-
-  start = (): CoreHandle => {
-    const number = this.started.length;
-    const ready = startCore().then((core) => (this.started[number]!.core = core));
-    this.started.push({core: null as unknown as EngineCore, ended: false});
-    let stop: (answer: Failure) => void = () => {};
-    const stopped = new Promise<Failure>((resolve) => (stop = resolve));
-    const core = new Proxy({} as EngineCore, {
-      get: (_, name: keyof EngineCore) =>
-        async (...args: unknown[]) => {
-          const target = await ready;
-          return (target[name] as (...args: unknown[]) => unknown).apply(target, args);
-        },
-    });
-    const end = (answer: Failure) => {
-      this.started[number]!.ended = true;
-      stop(answer);
-    };
-    return {core, stopped, end};
-  };
-}
 
 let cores: Cores;
 let engine: Engine;

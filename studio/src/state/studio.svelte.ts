@@ -185,6 +185,7 @@ export class Studio {
     this.packing = null;
     this.gap = null;
     this.unitLater = false;
+    this.#preparedFor = JSON.stringify(design.object);
     await this.#objectIs(info);
   }
 
@@ -197,7 +198,8 @@ export class Studio {
 
   /** The moment that was there before a reading which ended in nothing. */
   async #backTo(moment: Moment): Promise<void> {
-    if (this.#shown !== moment.object) await this.#arrive(moment);
+    const prepared = JSON.stringify(moment.design.object) === this.#preparedFor;
+    if (this.#shown !== moment.object || (this.object && !(prepared && this.packing))) await this.#arrive(moment);
     else this.#changes(moment.design);
   }
 
@@ -312,7 +314,10 @@ export class Studio {
     if (failed) {
       // What is being typed stays as it is: it may be on its way to a number that can be.
       this.design = present(this.#history).design;
-      return this.#refuse(control, failed);
+      const refused = this.#refuse(control, failed);
+      // Prepared for a unit that has no foams, the object would stay as large as that.
+      if (present(this.#history).object === this.#shown) await this.#prepare(this.design);
+      return refused;
     }
     this.#answered();
     this.#history = record(this.#history, {design, object: this.#shown}, control, performance.now());
@@ -324,11 +329,8 @@ export class Studio {
   async #pack(design: Design): Promise<Failure | null> {
     const input = performance.now();
     if (!this.object) return this.#checked(design);
-    if (JSON.stringify(design.object) !== this.#preparedFor) {
-      const info = await this.engine.reprepare(design);
-      if (isFailure(info)) return info;
-      await this.#objectIs(info);
-    }
+    const failed = await this.#prepare(design);
+    if (failed) return failed;
     if (this.object.sizeProblem) {
       this.packing = null;
       this.gap = null;
@@ -345,9 +347,20 @@ export class Studio {
 
   #preparedFor = '';
 
+  /** The object as the design has it: its unit, its parts. */
+  async #prepare(design: Design): Promise<Failure | null> {
+    const wanted = JSON.stringify(design.object);
+    if (!this.object || wanted === this.#preparedFor) return null;
+    // From now on: who asks meanwhile asks after this.
+    this.#preparedFor = wanted;
+    const info = await this.engine.reprepare(design);
+    if (!isFailure(info)) await this.#objectIs(info);
+    else if (this.#preparedFor === wanted) this.#preparedFor = '';
+    return isFailure(info) ? info : null;
+  }
+
   async #objectIs(info: ObjectInfo): Promise<void> {
     this.object = info;
-    this.#preparedFor = JSON.stringify(this.design.object);
     const turn = ++this.#meshesOf;
     const moving = await this.engine.displayMesh(MOVING_TRIANGLES);
     if (turn !== this.#meshesOf) return;
