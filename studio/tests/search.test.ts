@@ -2,6 +2,7 @@ import {describe, expect, it} from 'vitest';
 import type {Triple} from '../src/engine/api';
 import {colourOf} from '../src/search/scale';
 import {fromDisc, near, nearest, onDisc} from '../src/search/sphere';
+import {nearestSpots, painted} from '../src/search/spots';
 import {thumbnail} from '../src/search/thumbnail';
 
 describe('the map of directions', () => {
@@ -39,6 +40,43 @@ describe('the map of directions', () => {
     expect(near(directions, [-0.99, 0.1, 0])).toBe(0);
     expect(near(directions, [0, 0, 1])).toBeNull();
     expect(near(new Float32Array(), [0, 0, 1])).toBeNull();
+  });
+
+  /** As the library spreads them, but for `left_out`, which do not fit. */
+  const spread = (count: number, left_out: (i: number) => boolean) =>
+    new Float32Array(
+      Array.from({length: count}, (_, i) => i)
+        .filter((i) => !left_out(i))
+        .flatMap((i) => {
+          const x = (i + 0.5) / count;
+          const [r, around] = [Math.sqrt(1 - x * x), 2 * Math.PI * ((0.618034 * i) % 1)];
+          return [x, r * Math.cos(around), r * Math.sin(around)];
+        }),
+    );
+
+  it('gives each pixel its nearest direction, and none where none is near', () => {
+    const size = 90;
+    for (const directions of [spread(500, () => false), spread(500, (i) => i % 7 < 5 || i > 400), spread(3, () => false), new Float32Array()]) {
+      const spots = nearestSpots(directions, size);
+      spots.forEach((spot, at) => {
+        const direction = fromDisc((2 * (at % size) + 1) / size - 1, 1 - (2 * Math.floor(at / size) + 1) / size);
+        const wanted = direction && near(directions, direction);
+        const along = (i: number) => Math.abs(direction!.reduce((sum, value, axis) => sum + value * directions[3 * i + axis]!, 0));
+        if (wanted === null) expect(spot).toBe(-1);
+        // Two may be as near but for rounding.
+        else expect(along(spot)).toBeCloseTo(along(wanted), 6);
+      });
+    }
+  });
+
+  it('is painted in a moment, as often as it grows', () => {
+    const directions = spread(500, () => false);
+    const times = Array.from({length: 5}, () => {
+      const began = performance.now();
+      painted(nearestSpots(directions, 360), new Float32Array(500));
+      return performance.now() - began;
+    });
+    expect(Math.min(...times)).toBeLessThan(50);
   });
 
   it('gets lighter all the way', () => {

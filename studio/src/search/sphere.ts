@@ -33,7 +33,7 @@ export function nearest(directions: Float32Array, [x, y, z]: Triple): number {
 }
 
 /** Beyond this a direction says nothing of another one: twice as far as neighbours of a map lie apart. */
-const NEAR = Math.cos(0.22);
+export const NEAR = Math.cos(0.22);
 
 /** As nearest(); null where none is near. */
 export function near(directions: Float32Array, direction: Triple): number | null {

@@ -61,15 +61,25 @@ export class LongWork {
   async #map(): Promise<void> {
     const design = this.#studio.design;
     this.#parts.stopResting();
-    this.#studio.busy = {work: 'map', fraction: 0, cancel: () => void this.#studio.engine.cancel()};
+    let running = true;
+    let stop = () => {};
+    const cancelled = new Promise<null>((resolve) => (stop = () => resolve(null)));
+    const cancel = () => {
+      void this.#studio.engine.cancel();
+      stop();
+    };
+    this.#studio.busy = {work: 'map', fraction: 0, cancel};
     const grown = (map: DirectionMap) => {
+      if (!running) return;
       if (this.#studio.busy?.work === 'map') this.#studio.busy = {...this.#studio.busy, fraction: map.fraction};
       this.#studio.placements.foundMap(design, map);
     };
-    const map = await this.#studio.engine.directions(design, grown);
+    // What was found so far is on the page: nobody waits for the step that is under way.
+    const map = await Promise.race([this.#studio.engine.directions(design, grown), cancelled]);
     this.#studio.busy = null;
     if (isFailure(map)) this.#parts.refuse('optimize', map);
-    else grown(map);
+    else if (map) grown(map);
+    running = false;
   }
 
   async #search(): Promise<void> {
