@@ -118,3 +118,20 @@ test('the work that an earlier version kept is offered, too', async ({page}) => 
   await expect(page.getByTitle('ring.stl')).toBeVisible();
   await expect(status(page)).toContainText('F ');
 });
+
+test('a change just before the page goes is there when it comes back', async ({studio: page}) => {
+  await open(page, sample('torus'));
+  await set(page, 'slider', 'Rotation ψ', 20);
+  await kept(page, '"rotation_deg":[20,0,0]');
+  await set(page, 'slider', 'Wall', 73);
+  await page.reload();
+  await expect(page.getByTitle('torus.stl')).toBeVisible();
+  await expect(slider(page, 'Wall')).toHaveValue('73');
+  await expect(slider(page, 'Rotation ψ')).toHaveValue('20');
+  await kept(page, '"wall_mm":73');
+  await page.keyboard.press('Control+z');
+  await page.reload();
+  await expect(page.getByTitle('torus.stl')).toBeVisible();
+  await expect(slider(page, 'Wall')).toHaveValue('50');
+  await expect(page.getByRole('button', {name: 'Redo', exact: true})).toBeEnabled();
+});

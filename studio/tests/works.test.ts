@@ -2,6 +2,7 @@ import {beforeEach, describe, expect, test, vi} from 'vitest';
 import type {Autosave, StoredWork, WorkSummary} from '../src/state/autosave';
 import {beatClaims, type Claims} from '../src/state/claims';
 import {startHistory} from '../src/state/history';
+import {stepped} from '../src/state/last_change';
 import {Works} from '../src/state/works.svelte';
 
 /** The database and the storage of one browser, and a tab of it at a time. */
@@ -53,6 +54,7 @@ beforeEach(() => {
   vi.useFakeTimers();
   browser = new Browser();
   vi.stubGlobal('sessionStorage', browser.storage(browser.session));
+  vi.stubGlobal('localStorage', browser.storage(browser.stored));
   return () => {
     vi.useRealTimers();
     vi.unstubAllGlobals();
@@ -122,6 +124,42 @@ describe('the works of a browser', () => {
     const reloaded = new Works(browser.autosave, browser.claims());
     expect(await reloaded.begin()).toBe(id);
     expect(browser.session.get('snug-work')).toBe(id);
+  });
+});
+
+describe('the last change', () => {
+  const design = (wall_mm: number) => ({space: {wall_mm}}) as never;
+  const moments = [50, 60, 70].map((wall) => ({design: design(wall), object: 'a'}));
+  const history = (at: number) => ({...startHistory(moments[0]!), moments, at});
+  const save = (works: Works, at: number) => works.save({history: history(at)}, [], null);
+
+  test('is noted before it is saved, and forgotten when it is', async () => {
+    const {works, id} = await browser.tab();
+    works.note({at: 2, moment: moments[2]!});
+    await save(works, 1);
+    expect((await works.load(id))?.last).toEqual({at: 2, moment: moments[2]});
+    await save(works, 2);
+    expect((await works.load(id))?.last).toBeNull();
+  });
+
+  test('of a work that was never saved is not noted, and goes with its work', async () => {
+    const {works, id} = await browser.tab();
+    await works.renew();
+    works.note({at: 2, moment: moments[2]!});
+    expect([...browser.stored.keys()].filter((key) => key.startsWith('snug-last-'))).toEqual([]);
+    await works.take(id);
+    await works.load(id);
+    works.note({at: 2, moment: moments[2]!});
+    await works.discardOwn();
+    expect([...browser.stored.keys()].filter((key) => key.startsWith('snug-last-'))).toEqual([]);
+  });
+
+  test('is a step in the history where it has it', () => {
+    expect(stepped(history(2), {at: 1, moment: moments[1]!}).at).toBe(1);
+    expect(stepped(history(2), {at: 1, moment: {design: design(99), object: 'a'}}).at).toBe(2);
+    expect(stepped(history(2), {at: 1, moment: {...moments[1]!, object: 'b'}}).at).toBe(2);
+    expect(stepped(history(2), {at: 7, moment: moments[1]!}).at).toBe(2);
+    expect(stepped(history(2), null).at).toBe(2);
   });
 });
 

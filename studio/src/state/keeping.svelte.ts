@@ -4,6 +4,7 @@ import {thumbnail, type Picture} from '../search/thumbnail';
 import type {Moment, StoredObject} from './autosave';
 import {completed} from './edit';
 import {present, type History} from './history';
+import {stepped} from './last_change';
 import type {Studio} from './studio.svelte';
 import type {Works} from './works.svelte';
 
@@ -73,14 +74,26 @@ export class Keeping {
     if (!saved) return true;
     for (const object of saved.objects) this.#objects.set(object.id, object);
     // Designs of another version may say less, or other things, than this one's.
-    const moments = saved.work.history.moments.map((at) => ({...at, design: completed(at.design, this.#studio.defaults)}));
-    const history = {...saved.work.history, moments, control: '', time: -Infinity};
+    const whole = (at: Moment) => ({...at, design: completed(at.design, this.#studio.defaults)});
+    const last = saved.last && {...saved.last, moment: whole(saved.last.moment)};
+    const moments = saved.work.history.moments.map(whole);
+    const history = stepped({...saved.work.history, moments, control: '', time: -Infinity}, last);
     const checked = await this.#parts.checked(present(history).design);
     if (checked) {
       this.#studio.refuse('object', language.text.works.broken(checked.error));
       return false;
     }
-    return this.#parts.becomes(history);
+    if (!(await this.#parts.becomes(history))) return false;
+    // Made again like any change, which may be refused.
+    if (last && last.moment.object === present(history).object) this.#studio.change(() => last.moment.design, '');
+    return true;
+  }
+
+  /** What is on the page, saved or not; of a search, what it began with. */
+  note(): void {
+    if (!this.#on || this.#studio.busy?.work === 'search') return;
+    const {design, shown, works} = this.#studio;
+    works?.note({at: this.#parts.history().at, moment: {design, object: shown}});
   }
 
   /** Forgets everything of this tab, on the screen and in the browser. */
@@ -111,6 +124,7 @@ export class Keeping {
   }
 
   saveSoon() {
+    this.note();
     clearTimeout(this.#saving);
     this.#saving = setTimeout(() => void this.saveNow(), SAVE_MS);
   }

@@ -20,7 +20,7 @@ import {Placements} from './placements.svelte';
 import {Keeping} from './keeping.svelte';
 import {LongWork} from './long_work';
 import type {Busy, Content, DisplayMeshes, FileFacts, Problem, Reading, Timing, Work} from './on_the_page';
-import {CANCELLED, Readings} from './readings';
+import {CANCELLED, named, Readings} from './readings';
 import type {Works} from './works.svelte';
 
 /** Drawn while something moves, and when it stands still. */
@@ -298,6 +298,7 @@ export class Studio {
   #changes(design: Design) {
     this.design = design;
     typing.designChanged();
+    this.#keeping.note();
   }
 
   /** A refusal that the next good change answers. */
@@ -314,6 +315,7 @@ export class Studio {
     if (failed) {
       // What is being typed stays as it is: it may be on its way to a number that can be.
       this.design = present(this.#history).design;
+      this.#keeping.note();
       const refused = this.#refuse(control, failed);
       // Prepared for a unit that has no foams, the object would stay as large as that.
       if (present(this.#history).object === this.#shown) await this.#prepare(this.design);
@@ -391,9 +393,4 @@ export class Studio {
     if (!this.object || this.object.triangles > GAPS_BY_THEMSELVES) return;
     this.#resting = setTimeout(() => void this.measureGaps(), REST_MS);
   }
-}
-
-/** The library speaks of a file's content; a person may have several. */
-function named(name: string, sentence: string): string {
-  return sentence.includes(name) ? sentence : `${name}: ${sentence}`;
 }

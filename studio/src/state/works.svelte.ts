@@ -1,5 +1,6 @@
 import {openAutosave, summaryOf, type Autosave, type AutosaveNews, type StoredObject, type StoredWork, type WorkSummary} from './autosave';
 import {newId, openClaims, type Claims} from './claims';
+import {forgetChange, isKept, noteChange, notedChange, type LastChange} from './last_change';
 import type {Picture} from '../search/thumbnail';
 
 /** Works that are kept beside those that a tab has open. */
@@ -15,6 +16,8 @@ export class Works {
   readonly #autosave: Autosave;
   readonly #claims: Claims;
   #own = '';
+  /** The one that the database has of this tab. */
+  #saved = '';
   /** What no tab has open, with and without an object. */
   #free: WorkSummary[] = [];
 
@@ -49,8 +52,16 @@ export class Works {
     return mine;
   }
 
-  load(id: string) {
-    return this.#autosave.load(id);
+  /** `last`: the change that came too late to be saved. */
+  async load(id: string): Promise<{work: StoredWork; objects: StoredObject[]; last: LastChange | null} | null> {
+    const found = await this.#autosave.load(id);
+    if (found) this.#saved = id;
+    return found && {...found, last: notedChange(id)};
+  }
+
+  /** Notes at once what will be saved. Of a work that was never saved there is nothing to come back to. */
+  note(change: LastChange): void {
+    if (this.#saved === this.#own) noteChange(this.#own, change);
   }
 
   /** Saves this tab's work; where the browser has no room left, works that wait go first, the oldest ones. */
@@ -59,6 +70,7 @@ export class Works {
     for (;;) {
       try {
         await this.#autosave.save(summary, work, objects);
+        this.#isSaved(summary.id, work);
         break;
       } catch (reason) {
         const full = reason instanceof DOMException && reason.name === 'QuotaExceededError';
@@ -68,14 +80,26 @@ export class Works {
     await this.#dropBeyond(MOST_WORKS);
   }
 
+  #isSaved(id: string, {history}: StoredWork) {
+    this.#saved = id;
+    // What came after it is saved next.
+    const last = notedChange(id);
+    if (last && isKept(last, history)) forgetChange(id);
+  }
+
   /** Forgets a work that no tab has open; one that another tab has stays. */
   async discard(id: string): Promise<void> {
-    await this.#claims.whileFree(id, () => this.#autosave.remove(id));
+    await this.#claims.whileFree(id, () => this.#forget(id));
     await this.look();
   }
 
   async discardOwn(): Promise<void> {
-    await this.#autosave.remove(this.#own);
+    await this.#forget(this.#own);
+  }
+
+  async #forget(id: string): Promise<void> {
+    forgetChange(id);
+    await this.#autosave.remove(id);
   }
 
   /** Looks again at what is waiting. */
