@@ -7,7 +7,7 @@ import {en} from '../src/i18n/en';
 import {ja} from '../src/i18n/ja';
 import {counted, findingTitle, titles, worst} from '../src/steps/findings';
 
-const LIBRARY = fileURLToPath(new URL('../../snug/check/', import.meta.url));
+const ROOT = fileURLToPath(new URL('../../', import.meta.url));
 const finding = (severity: Finding['severity'], code: string): Finding => ({severity, code, message: '', where: null});
 
 test('people are never shown a code', () => {
@@ -17,14 +17,28 @@ test('people are never shown a code', () => {
   }
 });
 
-test('what may be wrong with the foams has a name in each language', () => {
-  const texts = readdirSync(LIBRARY)
-    .filter((name) => /problems\.cpp$/.test(name))
-    .map((name) => readFileSync(join(LIBRARY, name), 'utf8'));
-  const codes = new Set(texts.flatMap((text) => [...text.matchAll(/"([a-z]+_[a-z_]+)"/g)].map(([, code]) => code!)));
-  expect(codes.size).toBeGreaterThan(8);
-  for (const code of codes) for (const {check} of [en, ja]) expect(check.codes[code], code).toBeTruthy();
+/** Every code in the library's sources: what follows a severity, and in files about nothing else any such word. */
+function codesOf(path: string, text: string): string[] {
+  const after = [...text.matchAll(/(?:Severity::\w+|[sS]everity\([^;{}]*?\)),\s*"([a-z]+(?:[_-][a-z]+)*)"/g)];
+  const warned = [...text.matchAll(/\bwarn\("([a-z_-]+)"/g)];
+  const about = /(problems|findings)\.cpp$/.test(path) ? [...text.matchAll(/"([a-z]+(?:[_-][a-z]+)+)"/g)] : [];
+  return [...after, ...warned, ...about].map(([, code]) => code!);
+}
+
+test('what the library may find has a name in each language, wherever in it that is', () => {
+  const codes = new Set(
+    ['snug', 'cli'].flatMap((folder) =>
+      readdirSync(join(ROOT, folder), {recursive: true, encoding: 'utf8'})
+        .filter((name) => name.endsWith('.cpp'))
+        .flatMap((name) => codesOf(name, readFileSync(join(ROOT, folder, name), 'utf8'))),
+    ),
+  );
+  expect(codes.size).toBeGreaterThan(50);
+  for (const known of ['no_lower', 'creep', 'left_out', 'no_end', 'sheets-lost', 'trim', 'rigid']) expect(codes).toContain(known);
+  for (const {check} of [en, ja]) expect([...codes].filter((code) => !check.codes[code])).toEqual([]);
   expect(Object.keys(ja.check.codes).sort()).toEqual(Object.keys(en.check.codes).sort());
+  // And no name is of something that is no longer found.
+  expect(Object.keys(en.check.codes).filter((code) => !codes.has(code))).toEqual([]);
 });
 
 test('dangers and warnings are counted, the gravest is named, notes are neither', () => {
