@@ -56,13 +56,16 @@ test('a space that is too small draws the object and says what would do', async 
   await expect(status(page)).toContainText('F ');
 });
 
-test('a project without its object asks for it, and tells when it is another', async ({studio: page}) => {
+test('a project without its object asks for it, and is used for no other', async ({studio: page}) => {
   const vase = sample('vase');
   const project = made(vase, '--rotate', '0,45,0').get('project.snug.json') ?? Buffer.alloc(0);
   const input = page.getByLabel('Open object', {exact: true});
   await input.setInputFiles(file('work.snug.json', project));
   await expect(page.getByRole('alert')).toContainText('Now open its object: vase.stl');
   await input.setInputFiles(sample('torus'));
-  await expect(page.getByRole('alert')).toContainText('another content');
-  await expect(page.getByRole('slider', {name: 'Rotation θ'})).toHaveValue('45');
+  await expect(page.getByRole('alert')).toContainText('The project was for vase.stl and is not used');
+  await expect(page.getByRole('slider', {name: 'Rotation θ'})).toHaveValue('0');
+  await input.setInputFiles(vase);
+  await expect(page.getByTitle('vase.stl')).toBeVisible();
+  await expect(page.getByRole('slider', {name: 'Rotation θ'})).toHaveValue('0');
 });

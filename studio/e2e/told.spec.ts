@@ -2,6 +2,7 @@ import {sample} from './support/command_line';
 import {hold, holdReads, letGo} from './support/hold_reads';
 import {kept} from './support/kept';
 import {expect, open, set, status, test} from './support/studio';
+import {torusStl} from './support/torus';
 
 const PHONE = {width: 390, height: 800};
 const file = (name: string, content: string) => ({name, mimeType: '', buffer: Buffer.from(content)});
@@ -101,5 +102,47 @@ test('the question for the unit can be left, found again, moved, and answered by
   await expect(question).toBeHidden();
   await expect(page.getByText('There are no foams yet')).toHaveCount(0);
   await expect(page.getByText('300 × 225 × 150 mm')).toBeVisible();
+  await expect(page.getByLabel('Unit of the file').locator('option:checked')).toHaveText('by a known length');
+  // The length is of this object alone.
+  await page.getByLabel('Open object', {exact: true}).setInputFiles(file('other.off', METRES.replace('0.15', '0.16')));
+  await expect(page.getByTitle('other.off')).toBeVisible();
+  await expect(question.getByRole('spinbutton', {name: 'Or: its longest side is'})).toHaveValue('0');
+  await question.getByRole('button', {name: /^Metres/}).click();
   await expect(status(page)).toContainText('F ');
+});
+
+test('a part that must stay keeps its tick', async ({studio: page}) => {
+  const corners = (at: number) => `0 0 ${at}\n60 0 ${at}\n0 50 ${at}\n0 0 ${at + 40}\n`;
+  const faces = (i: number) => [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]].map((face) => `3 ${face.map((corner) => corner + i).join(' ')}\n`).join('');
+  await open(page, {name: 'two.off', buffer: Buffer.from(`OFF\n8 8 0\n${corners(0)}${corners(80)}${faces(0)}${faces(4)}`)});
+  await page.getByText('Parts: 2').click();
+  const part = (number: number) => page.getByRole('checkbox', {name: `Part ${number}:`});
+  await part(1).click();
+  await expect(page.locator('#step-object dl')).toContainText('60 × 50 × 40 mm');
+  await part(2).click();
+  await expect(page.getByRole('alert')).toBeVisible();
+  await expect(part(2)).toBeChecked();
+  await expect(part(1)).not.toBeChecked();
+  await part(1).click();
+  await expect(part(1)).toBeChecked();
+  await expect(page.locator('#step-object dl')).toContainText('60 × 50 × 120 mm');
+});
+
+test('gaps whose measuring is cancelled are said to be not measured', async ({studio: page}) => {
+  await open(page, {name: 'ring.stl', buffer: torusStl(300, 150)});
+  await expect(page.getByRole('progressbar', {name: 'Measuring the gaps'})).toBeVisible();
+  await expect(status(page)).toContainText('Widest gap …');
+  await page.keyboard.press('Escape');
+  await expect(status(page)).toContainText('Widest gap not measured');
+  await page.getByRole('button', {name: 'Measure the gaps'}).click();
+  await expect(status(page)).toContainText(/Widest gap [\d.]+ mm/, {timeout: 60_000});
+});
+
+test('nothing makes a narrow page scroll sideways', async ({studio: page}) => {
+  await page.setViewportSize(PHONE);
+  await open(page, sample('torus'));
+  for (const work of ['Toy bricks', 'Mill', 'The foams’ own files']) {
+    await page.getByRole('radio', {name: new RegExp(work)}).check();
+    expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(PHONE.width);
+  }
 });

@@ -134,3 +134,14 @@ test('a case that is known is filled, with walls, notches and a looser lid', asy
   const command = await page.locator('code').innerText();
   for (const option of ['--case=', '--clearance=0,0,0,0,5,0', '--notches=40x40x25']) expect(command).toContain(option);
 });
+
+test('what a way of working finds stands in Check, too', async ({studio: page}) => {
+  await open(page, sample('torus'));
+  const check = page.locator('#step-check');
+  await page.getByRole('radio', {name: /Toy bricks/}).check();
+  await expect(page.getByTestId('figures')).toContainText('Bricks, lid', {timeout: 30_000});
+  await expect(check).toContainText('Note: The lid stands off');
+  await expect(check.getByText('Nothing to worry about.')).toHaveCount(0);
+  await page.getByRole('radio', {name: /The foams’ own files/}).check();
+  await expect(check).not.toContainText('The lid stands off');
+});

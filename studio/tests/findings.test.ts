@@ -5,7 +5,7 @@ import {expect, test} from 'vitest';
 import type {Finding} from '../src/engine/api';
 import {en} from '../src/i18n/en';
 import {ja} from '../src/i18n/ja';
-import {counted, findingTitle, titles, worst} from '../src/steps/findings';
+import {counted, findingTitle, gravestFirst, titles, worst} from '../src/steps/findings';
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url));
 const finding = (severity: Finding['severity'], code: string): Finding => ({severity, code, message: '', where: null});
@@ -48,6 +48,11 @@ test('dangers and warnings are counted, the gravest is named, notes are neither'
   expect(worst(some.slice(1))).toBe('warning');
   expect(worst(some.slice(3))).toBeNull();
   expect(counted(some.slice(3), en.check)).toBe('');
+});
+
+test('what comes from several places has the gravest first, and is in its order otherwise', () => {
+  const some = [finding('warning', 'a'), finding('note', 'b'), finding('danger', 'c'), finding('warning', 'd')];
+  expect(gravestFirst(some).map(({code}) => code)).toEqual(['c', 'a', 'd', 'b']);
 });
 
 test('what is found on several sides is named once', () => {

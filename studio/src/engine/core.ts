@@ -19,6 +19,7 @@ import type {
 import {simplified} from './display_mesh';
 import {brokenModule, isFailure} from './failure';
 import {SceneToolbox, type BesideFile} from './scene_tools';
+import {sha256} from './sha256';
 
 // Often enough for a progress bar.
 const PROGRESS_EVERY_MS = 50;
@@ -212,14 +213,6 @@ function throttled(onProgress?: OnProgress): ((fraction: number) => boolean) | n
     }
     return true;
   };
-}
-
-/** In lower-case hexadecimal digits; empty where the page is not served securely, which a project may say. */
-async function sha256(bytes: Uint8Array<ArrayBuffer>): Promise<string> {
-  const subtle = globalThis.crypto?.subtle as SubtleCrypto | undefined;
-  if (!subtle) return '';
-  const digest = new Uint8Array(await subtle.digest('SHA-256', bytes));
-  return Array.from(digest, (byte) => byte.toString(16).padStart(2, '0')).join('');
 }
 
 function withoutFolders(name: string): string {

@@ -2,6 +2,7 @@ import type {
   Design,
   Engine,
   Failure,
+  Finding,
   Gap,
   ObjectInfo,
   Packing,
@@ -11,6 +12,7 @@ import {isFailure} from '../engine/failure';
 import {makeLine} from '../engine/make_line';
 import type {BesideFile} from '../engine/scene_tools';
 import {language} from '../i18n/language.svelte';
+import {gravestFirst} from '../steps/findings';
 import {typing} from '../ui/typing.svelte';
 import type {Moment, StoredObject} from './autosave';
 import {forNewObject} from './edit';
@@ -21,14 +23,12 @@ import {Keeping} from './keeping.svelte';
 import {LongWork} from './long_work';
 import type {Busy, Content, DisplayMeshes, FileFacts, Problem, Reading, Timing, Work} from './on_the_page';
 import {CANCELLED, named, Readings} from './readings';
+import {Rest} from './rest.svelte';
+import {ShownObject} from './shown_object.svelte';
 import type {Works} from './works.svelte';
 
-/** Drawn while something moves, and when it stands still. */
-const MOVING_TRIANGLES = 10_000;
-const STILL_TRIANGLES = 100_000;
 /** Above this a gap report takes long enough that it is made only when asked for. */
 const GAPS_BY_THEMSELVES = 200_000;
-const REST_MS = 900;
 
 /** Refusals that no later change of a control answers: they stay until they are read. */
 const LASTING: readonly string[] = ['object', 'project', 'make'];
@@ -43,8 +43,7 @@ export class Studio {
 
   /** What the controls show. */
   design: Design = $state.raw({} as Design);
-  object: ObjectInfo | null = $state.raw(null);
-  meshes: DisplayMeshes | null = $state.raw(null);
+  readonly #object: ShownObject;
   /** The last good one. */
   packing: Packing | null = $state.raw(null);
   timing: Timing | null = $state.raw(null);
@@ -62,8 +61,10 @@ export class Studio {
   asksForUnit = $derived(this.object?.sizeProblem != null);
   /** The person closed that question for now. */
   unitLater = $state(false);
+  /** What the way of working adds; null while it is being looked at. */
+  workshopFindings: readonly Finding[] | null = $state.raw([]);
   /** All that is known to say about the foams, the worst first. */
-  findings = $derived(this.gap?.findings ?? this.packing?.findings ?? []);
+  findings = $derived(gravestFirst([...(this.gap ?? this.packing)?.findings ?? [], ...(this.workshopFindings ?? [])]));
   canUndo = $derived(canUndo(this.#history));
   canRedo = $derived(canRedo(this.#history));
 
@@ -71,9 +72,8 @@ export class Studio {
   works: Works | null = $state.raw(null);
   #objects = new Map<string, StoredObject>();
   #shown: string | null = $state.raw(null);
-  #resting: ReturnType<typeof setTimeout> | undefined;
-  #meshesOf = 0;
-  #arrival: Promise<unknown> = Promise.resolve();
+  readonly #resting = new Rest();
+  #arrival: Promise<boolean> = Promise.resolve(true);
   readonly #readings = new Readings(this);
   readonly #keeping = new Keeping(this, this.#objects, {
     history: () => this.#history,
@@ -93,6 +93,7 @@ export class Studio {
     facts: {defaults: Design; presets: Preset[]; samples: string[]; version: string},
   ) {
     this.engine = engine;
+    this.#object = new ShownObject(engine);
     this.defaults = facts.defaults;
     this.presets = facts.presets;
     this.samples = facts.samples;
@@ -116,8 +117,21 @@ export class Studio {
     return this.#shown;
   }
 
+  get object(): ObjectInfo | null {
+    return this.#object.info;
+  }
+
+  get meshes(): DisplayMeshes | null {
+    return this.#object.meshes;
+  }
+
   get file(): StoredObject | null {
     return (this.#shown && this.#objects.get(this.#shown)) || null;
+  }
+
+  /** The gaps of these foams will be known. */
+  get gapComes(): boolean {
+    return this.#resting.comes || this.busy?.work === 'gaps';
   }
 
   get makeLine(): string {
@@ -185,8 +199,7 @@ export class Studio {
     this.packing = null;
     this.gap = null;
     this.unitLater = false;
-    this.#preparedFor = JSON.stringify(design.object);
-    await this.#objectIs(info);
+    await this.#object.loaded(info, design);
   }
 
   /** Says from the first moment on what is read, with a way out that ends it at once. Other long work, and the reading
@@ -198,8 +211,8 @@ export class Studio {
 
   /** The moment that was there before a reading which ended in nothing. */
   async #backTo(moment: Moment): Promise<void> {
-    const prepared = JSON.stringify(moment.design.object) === this.#preparedFor;
-    if (this.#shown !== moment.object || (this.object && !(prepared && this.packing))) await this.#arrive(moment);
+    const same = this.#shown === moment.object && (!this.object || (this.packing && this.#object.isPreparedFor(moment.design)));
+    if (!same) await this.#arrive(moment);
     else this.#changes(moment.design);
   }
 
@@ -249,8 +262,7 @@ export class Studio {
     this.#answered();
     this.#changes(present(history).design);
     // One after the other: each may have to load its object.
-    const arrival = this.#arrival.then(() => this.#arrive(present(this.#history)));
-    this.#arrival = arrival;
+    const arrival = (this.#arrival = this.#arrival.then(() => this.#arrive(present(this.#history))));
     if (!(await arrival) && this.#history === history) {
       this.#history = before;
       await this.#backTo(present(before));
@@ -288,8 +300,7 @@ export class Studio {
   #showNothing(design: Design) {
     this.#changes(design);
     this.#shown = null;
-    this.object = null;
-    this.meshes = null;
+    this.#object.clear();
     this.packing = null;
     this.gap = null;
   }
@@ -318,7 +329,7 @@ export class Studio {
       this.#keeping.note();
       const refused = this.#refuse(control, failed);
       // Prepared for a unit that has no foams, the object would stay as large as that.
-      if (present(this.#history).object === this.#shown) await this.#prepare(this.design);
+      if (present(this.#history).object === this.#shown) await this.#object.prepare(this.design, this.design);
       return refused;
     }
     this.#answered();
@@ -331,7 +342,7 @@ export class Studio {
   async #pack(design: Design): Promise<Failure | null> {
     const input = performance.now();
     if (!this.object) return this.#checked(design);
-    const failed = await this.#prepare(design);
+    const failed = await this.#object.prepare(design, present(this.#history).design);
     if (failed) return failed;
     if (this.object.sizeProblem) {
       this.packing = null;
@@ -342,34 +353,8 @@ export class Studio {
     if (isFailure(packing)) return packing;
     this.packing = packing;
     this.gap = null;
-    const answer_ms = performance.now() - input;
-    this.timing = {input, answer_ms, library_ms: packing.library_ms};
+    this.timing = {input, answer_ms: performance.now() - input, library_ms: packing.library_ms};
     return null;
-  }
-
-  #preparedFor = '';
-
-  /** The object as the design has it: its unit, its parts. */
-  async #prepare(design: Design): Promise<Failure | null> {
-    const wanted = JSON.stringify(design.object);
-    if (!this.object || wanted === this.#preparedFor) return null;
-    // From now on: who asks meanwhile asks after this.
-    this.#preparedFor = wanted;
-    const info = await this.engine.reprepare(design);
-    if (!isFailure(info)) await this.#objectIs(info);
-    else if (this.#preparedFor === wanted) this.#preparedFor = '';
-    return isFailure(info) ? info : null;
-  }
-
-  async #objectIs(info: ObjectInfo): Promise<void> {
-    this.object = info;
-    const turn = ++this.#meshesOf;
-    const moving = await this.engine.displayMesh(MOVING_TRIANGLES);
-    if (turn !== this.#meshesOf) return;
-    this.meshes = {moving, still: moving};
-    void this.engine.displayMesh(STILL_TRIANGLES).then((still) => {
-      if (turn === this.#meshesOf) this.meshes = {moving, still};
-    });
   }
 
   async #checked(design: Design): Promise<Failure | null> {
@@ -383,14 +368,14 @@ export class Studio {
   }
 
   #stopResting() {
-    clearTimeout(this.#resting);
+    this.#resting.stop();
     if (this.busy?.work === 'gaps') void this.engine.cancel();
   }
 
   /** What may take its time happens when nobody changes anything. */
   #rest() {
-    clearTimeout(this.#resting);
+    this.#resting.stop();
     if (!this.object || this.object.triangles > GAPS_BY_THEMSELVES) return;
-    this.#resting = setTimeout(() => void this.measureGaps(), REST_MS);
+    this.#resting.begin(this.measureGaps);
   }
 }

@@ -10,6 +10,13 @@ export function findingTitle({severity, code}: Finding, t: Texts['check']): stri
   return name ? `${t.severities[severity]}: ${name}` : t.severities[severity];
 }
 
+const GRAVITY: readonly Severity[] = ['danger', 'warning', 'note'];
+
+/** Those that are equally grave stay in their order. */
+export function gravestFirst(findings: readonly Finding[]): Finding[] {
+  return [...findings].sort((a, b) => GRAVITY.indexOf(a.severity) - GRAVITY.indexOf(b.severity));
+}
+
 export function countOf(findings: readonly Finding[], severity: Severity): number {
   return findings.filter((finding) => finding.severity === severity).length;
 }

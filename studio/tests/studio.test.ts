@@ -1,6 +1,7 @@
 import {beforeEach, expect, test, vi} from 'vitest';
-import {withUnits, withWall} from '../src/state/edit';
+import {withPart, withUnits, withWall} from '../src/state/edit';
 import type {Studio} from '../src/state/studio.svelte';
+import {worst} from '../src/steps/findings';
 import {box} from './support/shapes';
 import {startStudio} from './support/studio';
 
@@ -35,4 +36,31 @@ test('a change that overtakes a refused unit is of the old unit', async () => {
   studio.change((design) => withUnits(design, 'mm'), 'units');
   await vi.waitFor(() => expect(studio.canUndo && studio.design.object.units).toBe('mm'));
   await vi.waitFor(() => expect(studio.object?.size_mm).toEqual([120, 80, 60]));
+});
+
+test('a part that is the last one stays, and no unit is asked for', async () => {
+  const corners = (at: number) => `0 0 ${at}\n60 0 ${at}\n0 50 ${at}\n0 0 ${at + 40}\n`;
+  const tetrahedron = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
+  const faces = (first: number) => tetrahedron.map((face) => `3 ${face.map((i) => i + first).join(' ')}\n`).join('');
+  await studio.openObject('two.off', new Blob([`OFF\n8 8 0\n${corners(0)}${corners(80)}${faces(0)}${faces(4)}`]));
+  const dropped = () => studio.object?.parts.map((part) => part.dropped);
+  studio.change((design) => withPart(design, 1, false), 'object');
+  await vi.waitFor(() => expect(dropped()).toEqual([true, false]));
+  studio.change((design) => withPart(design, 2, false), 'object');
+  await refusal();
+  expect(studio.asksForUnit).toBe(false);
+  expect(studio.design.object.clean.drop_parts).toEqual([1]);
+  expect(dropped()).toEqual([true, false]);
+  expect(studio.packing?.fit).toBeTruthy();
+});
+
+test('what a way of working warns of counts among all that is known, the gravest first', () => {
+  const thin = studio.findings.length;
+  const warning = {severity: 'warning', code: 'sheets-lost', message: '', where: null} as const;
+  studio.workshopFindings = [warning, {...warning, severity: 'danger'}];
+  expect(studio.findings.length).toBe(thin + 2);
+  expect(studio.findings[0]?.severity).toBe('danger');
+  expect(worst(studio.findings)).toBe('danger');
+  studio.workshopFindings = null;
+  expect(studio.findings.length).toBe(thin);
 });
