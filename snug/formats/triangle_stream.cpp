@@ -32,7 +32,8 @@ Error not_in_pieces(std::span<const std::byte> beginning) {
 /// binary STL.
 Result<bool> is_read_as_text(ByteSource& source, std::uint64_t count) {
     if (source.size == kStlHeader + count * kStlFacet) return false;
-    std::vector<std::byte> start(std::min<std::uint64_t>(source.size, kStlKindBytes));
+    std::vector<std::byte> start(
+        static_cast<std::size_t>(std::min<std::uint64_t>(source.size, kStlKindBytes)));
     if (auto done = source.read(0, start); !done) return tl::unexpected(done.error());
     return is_ascii_stl(start);
 }
