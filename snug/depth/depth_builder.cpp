@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <optional>
 
 namespace snug {
 namespace {
@@ -35,7 +34,7 @@ DepthMapBuilder::DepthMapBuilder(const DesignSpace& space, Reach reach)
 DepthMapBuilder::DepthMapBuilder(const DesignSpace& space, Reach reach, DepthMap known)
     : rows_(space, 1, reach), columns_(space, 2, reach), depths_(std::move(known)) {}
 
-// Inlined, the next two share what they look up: they are the heart of every plain depth map.
+// Inlined, these share what they look up: they are the heart of every plain depth map.
 
 [[gnu::always_inline]] inline ColumnBlock DepthMapBuilder::block_of(
     const std::array<Vec3d, 3>& corners) const {
@@ -47,6 +46,49 @@ DepthMapBuilder::DepthMapBuilder(const DesignSpace& space, Reach reach, DepthMap
             {std::max(k.first - 1, 0), std::min(k.last + 1, columns_.count() - 1)}};
 }
 
+[[gnu::always_inline]] inline bool DepthMapBuilder::changes(int row, int column, double x_min,
+                                                            double x_max) const {
+    const DepthRange& depth = depths_(row, column);
+    return x_max > depth.highest || x_min < depth.lowest;
+}
+
+[[gnu::always_inline]] inline CellRange DepthMapBuilder::changed_in_row(int row, CellRange columns,
+                                                                        double x_min, double x_max) const {
+    while (columns.first <= columns.last && !changes(row, columns.first, x_min, x_max)) ++columns.first;
+    while (columns.first <= columns.last && !changes(row, columns.last, x_min, x_max)) --columns.last;
+    return columns;
+}
+
+/// The triangle cut by the plane y = c is a segment; a cell's side at y = c sees the part of it between the
+/// cell's two corners. Its ends are edge crossings or the points above those corners.
+bool DepthMapBuilder::section_along_z(const std::array<Vec3d, 3>& corners, double c, Segment& segment) {
+    const CrossedEdges crossed = crossed_edges({corners[0].y, corners[1].y, corners[2].y}, c);
+    if (crossed.count < 2) return false;
+    std::array<LinePoint, 3> points;
+    for (std::size_t i = 0; i < crossed.count; ++i) {
+        const Vec3d& a = corners[crossed.edge[i]];
+        const Vec3d& b = corners[next_corner(crossed.edge[i])];
+        const double t = (c - a.y) / (b.y - a.y);
+        points[i] = {a.z + t * (b.z - a.z), a.x + t * (b.x - a.x)};
+    }
+    const auto before = [](LinePoint a, LinePoint b) {
+        return a.along < b.along || (a.along == b.along && a.x < b.x);
+    };
+    segment = {points[0], points[0]};
+    for (std::size_t i = 1; i < crossed.count; ++i) {
+        if (before(points[i], segment.first)) segment.first = points[i];
+        if (before(segment.last, points[i])) segment.last = points[i];
+    }
+    return true;
+}
+
+[[gnu::always_inline]] inline void DepthMapBuilder::add_crossing(double x, double y, int column,
+                                                                 CellRange rows) {
+    for (int row = rows.first; row <= rows.last; ++row)
+        if (rows_.high(row) >= y - kCrossingError && rows_.low(row) <= y + kCrossingError)
+            depths_(row, column).include(x);
+}
+
 [[gnu::always_inline]] inline void DepthMapBuilder::add_in_block(const std::array<Vec3d, 3>& corners,
                                                                  const ColumnBlock& block, double x_min,
                                                                  double x_max) {
@@ -56,8 +98,8 @@ DepthMapBuilder::DepthMapBuilder(const DesignSpace& space, Reach reach, DepthMap
         const CellRange k = changed_in_row(row, block.k, x_min, x_max);
         if (k.first > k.last) continue;
         for (const double c : {rows_.low(row), rows_.high(row)})
-            if (y_min <= c && c <= y_max)
-                if (const auto section = section_along_z(corners, c)) add_segment(row, *section, k);
+            if (Segment section; y_min <= c && c <= y_max && section_along_z(corners, c, section))
+                add_segment(row, section, k);
     }
     for (int column = block.k.first; column <= block.k.last; ++column) {
         CellRange j = block.j;
@@ -73,11 +115,11 @@ DepthMapBuilder::DepthMapBuilder(const DesignSpace& space, Reach reach, DepthMap
 void DepthMapBuilder::add_in_square(const std::array<Vec3d, 3>& corners, const ColumnBlock& block) {
     for (int row = block.j.first; row <= block.j.last; ++row) {
         for (const double c : {rows_.low(row), rows_.high(row)}) {
-            const auto section = section_along_z(corners, c);
-            if (!section) continue;
-            const auto [x_min, x_max] = std::minmax(section->first.x, section->last.x);
-            const CellRange met = columns_.meeting(section->first.along - kMet, section->last.along + kMet);
-            add_segment(row, *section, changed_in_row(row, common(block.k, met), x_min, x_max));
+            Segment section;
+            if (!section_along_z(corners, c, section)) continue;
+            const auto [x_min, x_max] = std::minmax(section.first.x, section.last.x);
+            const CellRange met = columns_.meeting(section.first.along - kMet, section.last.along + kMet);
+            add_segment(row, section, changed_in_row(row, common(block.k, met), x_min, x_max));
         }
     }
     for (int column = block.k.first; column <= block.k.last; ++column)
@@ -86,17 +128,6 @@ void DepthMapBuilder::add_in_square(const std::array<Vec3d, 3>& corners, const C
                 const CellRange met = rows_.meeting(y - kMet, y + kMet);
                 add_crossing(x, y, column, common(block.j, met));
             });
-}
-
-bool DepthMapBuilder::changes(int row, int column, double x_min, double x_max) const {
-    const DepthRange& depth = depths_(row, column);
-    return x_max > depth.highest || x_min < depth.lowest;
-}
-
-CellRange DepthMapBuilder::changed_in_row(int row, CellRange columns, double x_min, double x_max) const {
-    while (columns.first <= columns.last && !changes(row, columns.first, x_min, x_max)) ++columns.first;
-    while (columns.first <= columns.last && !changes(row, columns.last, x_min, x_max)) --columns.last;
-    return columns;
 }
 
 VertexCell DepthMapBuilder::add_vertex_of_several(Vec3d p) {
@@ -190,30 +221,6 @@ ColumnBlock DepthMapBuilder::narrowed(const std::array<Vec3d, 3>& corners, const
             common(block.k, columns_.meeting(z_min - kMet, z_max + kMet))};
 }
 
-/// The triangle cut by the plane y = c is a segment; a cell's side at y = c sees the part of it between the
-/// cell's two corners. Its ends are edge crossings or the points above those corners.
-[[gnu::always_inline]] inline std::optional<DepthMapBuilder::Segment> DepthMapBuilder::section_along_z(
-    const std::array<Vec3d, 3>& corners, double c) {
-    const CrossedEdges crossed = crossed_edges({corners[0].y, corners[1].y, corners[2].y}, c);
-    if (crossed.count < 2) return {};
-    std::array<LinePoint, 3> points;
-    for (std::size_t i = 0; i < crossed.count; ++i) {
-        const Vec3d& a = corners[crossed.edge[i]];
-        const Vec3d& b = corners[next_corner(crossed.edge[i])];
-        const double t = (c - a.y) / (b.y - a.y);
-        points[i] = {a.z + t * (b.z - a.z), a.x + t * (b.x - a.x)};
-    }
-    const auto before = [](LinePoint a, LinePoint b) {
-        return a.along < b.along || (a.along == b.along && a.x < b.x);
-    };
-    Segment segment{points[0], points[0]};
-    for (std::size_t i = 1; i < crossed.count; ++i) {
-        if (before(points[i], segment.first)) segment.first = points[i];
-        if (before(segment.last, points[i])) segment.last = points[i];
-    }
-    return segment;
-}
-
 void DepthMapBuilder::add_segment(int row, const Segment& segment, CellRange columns) {
     const auto [p, q] = segment;
     const auto [x_min, x_max] = std::minmax(p.x, q.x);
@@ -236,12 +243,6 @@ void DepthMapBuilder::add_segment(int row, const Segment& segment, CellRange col
 void DepthMapBuilder::add_crossings_of_z(const std::array<Vec3d, 3>& corners, int column, double c,
                                          CellRange rows) {
     for_each_crossing_of_z(corners, c, [&](double x, double y) { add_crossing(x, y, column, rows); });
-}
-
-void DepthMapBuilder::add_crossing(double x, double y, int column, CellRange rows) {
-    for (int row = rows.first; row <= rows.last; ++row)
-        if (rows_.high(row) >= y - kCrossingError && rows_.low(row) <= y + kCrossingError)
-            depths_(row, column).include(x);
 }
 
 }  // namespace snug

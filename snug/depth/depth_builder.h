@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 #include <utility>
 
 #include "snug/base/vec.h"
@@ -136,8 +135,8 @@ class DepthMapBuilder {
     [[nodiscard]] bool changes(int row, int column, double x_min, double x_max) const;
     /// The columns without those at both ends that x from `x_min` to `x_max` would not change.
     [[nodiscard]] CellRange changed_in_row(int row, CellRange columns, double x_min, double x_max) const;
-    [[nodiscard]] static std::optional<Segment> section_along_z(const std::array<Vec3d, 3>& corners,
-                                                                double c);
+    [[nodiscard]] static bool section_along_z(const std::array<Vec3d, 3>& corners, double c,
+                                              Segment& segment);
     void add_segment(int row, const Segment& segment, CellRange columns);
     void add_crossings_of_z(const std::array<Vec3d, 3>& corners, int column, double c, CellRange rows);
     void add_crossing(double x, double y, int column, CellRange rows);
