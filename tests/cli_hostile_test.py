@@ -17,6 +17,7 @@ SNUG = Path(sys.argv.pop(1)).resolve()
 MOST_CPU_SECONDS = 12
 MOST_MB = 400
 MANY_COLUMNS = ["--blocks=30x1024x1024", "--block-size=15x0.3123x0.4057"]
+FLUSH_COLUMNS = ["--blocks=30x1024x1024", "--block-size=15x0.3x0.4"]  # whose faces hold the tetrahedron's corners
 
 
 class Hostile(unittest.TestCase):
@@ -39,6 +40,9 @@ class Hostile(unittest.TestCase):
 
     def test_one_tetrahedron_80000_times(self):
         self.made("coincident.ply", hostile_objects.coincident_tetrahedra())
+
+    def test_one_tetrahedron_flush_with_a_million_columns(self):
+        self.made("coincident.ply", hostile_objects.coincident_tetrahedra(), *FLUSH_COLUMNS)
 
     def test_boxes_flush_with_blocks(self):
         self.made("flush.stl", hostile_objects.flush_boxes(1))

@@ -1,6 +1,7 @@
 #include "snug/check/find_problems.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <span>
@@ -18,6 +19,10 @@ namespace {
 constexpr double kLeastGoodWall = 25;  // mm; thinner pads do not follow cushion curves
 constexpr double kSpeckShare = 0.02;   // of the object's diagonal
 constexpr std::size_t kPartsNamed = 5;
+// Corners often lie on blocks' faces, where alone they cut nothing. Points somewhere within a triangle, as
+// shares of two of its sides, lie on faces only where it does.
+constexpr std::array<std::array<double, 2>, 4> kAnywhere{
+    {{0.618, 0.2361}, {0.2361, 0.1459}, {0.1459, 0.618}, {0.3819, 0.3823}}};
 
 void add(std::vector<Finding>& findings, Severity severity, std::string code, std::string message,
          std::optional<Vec3d> where = {}) {
@@ -92,6 +97,29 @@ Mesh with_own_caps(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
     return capped(part, own.holes);
 }
 
+struct UncutParts {
+    std::vector<std::uint32_t> parts;  ///< the largest first
+    std::size_t unknown = 0;           ///< parts that would have taken too long
+};
+
+/// Of the parts that are not marked. The small ones are looked at first, so that a few large ones do not use
+/// up the work that is allowed.
+UncutParts uncut_parts(const Mesh& mesh, const TrianglesOfParts& triangles, const std::vector<bool>& marked,
+                       bool capped, PartCut alone) {
+    UncutParts found;
+    for (auto part = static_cast<std::uint32_t>(marked.size()); part-- > 0;) {
+        if (marked[part]) continue;
+        std::optional<bool> cuts = alone.cuts(mesh, triangles[part]);
+        if (cuts == false && capped) cuts = alone.cuts(with_own_caps(mesh, triangles[part]));
+        if (!cuts)
+            ++found.unknown;
+        else if (!*cuts)
+            found.parts.push_back(part);
+    }
+    std::reverse(found.parts.begin(), found.parts.end());
+    return found;
+}
+
 /// A column that leaves least foam on a side, to show where it is.
 std::optional<Vec3d> thinnest_place(const BlockMap& blocks, const DesignSpace& space, Side side) {
     std::optional<Vec3d> place;
@@ -158,12 +186,13 @@ void find_uncut_parts(const Mesh& mesh, const MeshMeasure& measure, bool capped,
                       std::vector<Finding>& findings) {
     if (blocks.size() == 0) return;
     const PointCut cuts(space, reach);
-    // Vertices often lie on blocks' faces, where alone they cut nothing; points between them rarely do.
     const auto cuts_at_its_points = [&](const Triangle& t) {
         const Vec3d a = placement(mesh.vertices[t[0]]), b = placement(mesh.vertices[t[1]]),
                     c = placement(mesh.vertices[t[2]]);
-        return cuts(a) || cuts(b) || cuts(c) || cuts((a + b) * 0.5) || cuts((b + c) * 0.5) ||
-               cuts((c + a) * 0.5) || cuts((a + b + c) * (1.0 / 3));
+        if (cuts(a) || cuts(b) || cuts(c)) return true;
+        return std::any_of(kAnywhere.begin(), kAnywhere.end(), [&](const std::array<double, 2>& at) {
+            return cuts(a + (b - a) * at[0] + (c - a) * at[1]);
+        });
     };
     std::vector<bool> cut(measure.parts.size());
     std::size_t uncut = cut.size();
@@ -175,20 +204,22 @@ void find_uncut_parts(const Mesh& mesh, const MeshMeasure& measure, bool capped,
         --uncut;
     }
     if (uncut == 0) return;
-    const TrianglesOfParts triangles(measure, cut);
-    PartCut alone(placement, space, reach);
-    std::size_t named = 0;
-    for (std::uint32_t part = 0; part < cut.size() && named < kPartsNamed; ++part) {
-        if (cut[part] || alone.cuts(mesh, triangles[part])) continue;
-        if (capped && alone.cuts(with_own_caps(mesh, triangles[part]))) continue;
-        ++named;
+    const UncutParts found =
+        uncut_parts(mesh, TrianglesOfParts(measure, cut), cut, capped, PartCut(placement, space, reach));
+    for (std::size_t i = 0; i < std::min(found.parts.size(), kPartsNamed); ++i) {
+        const MeshPart& part = measure.parts[found.parts[i]];
         add(findings, Severity::danger, "uncut_part",
-            "a part of the object (" + dimensions(measure.parts[part].bounds.size()) +
+            "a part of the object (" + dimensions(part.bounds.size()) +
                 " mm) cuts no block, so foam would press on it: choose a larger clearance or smaller blocks, "
-                "or move "
-                "the object",
-            placement(mesh.vertices[mesh.triangles[triangles[part].front()][0]]));
+                "or move the object",
+            placement(mesh.vertices[mesh.triangles[part.first_triangle][0]]));
     }
+    if (found.unknown > 0)
+        add(findings, Severity::warning, "parts_not_checked",
+            "whether " + counted(found.unknown, "part", "parts") +
+                " of the object, flush with the blocks, cut a block each was not checked: they are too many "
+                "for "
+                "so fine blocks. Look at them in the preview, or move the object by a part of a block");
 }
 
 void find_thin_walls(const FitReport& fit, const BlockMap& blocks, const DesignSpace& space,

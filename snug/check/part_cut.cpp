@@ -1,7 +1,6 @@
 #include "snug/check/part_cut.h"
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 
 #include "snug/base/box.h"
@@ -9,9 +8,10 @@
 namespace snug {
 namespace {
 
-/// A cell more on each side: crossings may be rounded to just outside a triangle.
-CellRange widened(CellRange range, const GrownCells& cells) {
-    return {std::max(range.first - 1, 0), std::min(range.last + 1, cells.count() - 1)};
+constexpr int kRowsAtOnce = 8;
+
+CellRange united(CellRange a, CellRange b) {
+    return {std::min(a.first, b.first), std::max(a.last, b.last)};
 }
 
 }  // namespace
@@ -19,30 +19,49 @@ CellRange widened(CellRange range, const GrownCells& cells) {
 PartCut::PartCut(const Placement& placement, const DesignSpace& space, Reach reach)
     : placement_(placement), reach_(reach), along_x_(space, 0, {}), builder_(space, reach) {}
 
-bool PartCut::cuts(const Mesh& part) {
+std::optional<bool> PartCut::cuts(const Mesh& part) {
     std::vector<std::uint32_t> all(part.triangles.size());
     std::iota(all.begin(), all.end(), 0u);
     return cuts(part, all);
 }
 
-bool PartCut::cuts(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
+std::optional<bool> PartCut::cuts(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
+    if (work_ > kMostWork) return {};
+    std::vector<Placed> placed;
     Box3d box;
-    for (const std::uint32_t t : triangles)
-        for (const std::uint32_t v : mesh.triangles[t]) box.include(placement_(mesh.vertices[v]));
+    CellRange rows{builder_.rows().count(), -1}, columns{builder_.columns().count(), -1};
+    for (const std::uint32_t t : triangles) {
+        const Triangle& triangle = mesh.triangles[t];
+        const std::array<Vec3d, 3> corners{placement_(mesh.vertices[triangle[0]]),
+                                           placement_(mesh.vertices[triangle[1]]),
+                                           placement_(mesh.vertices[triangle[2]])};
+        for (const Vec3d& corner : corners) box.include(corner);
+        const ColumnBlock met = builder_.met_by(corners);
+        if (met.j.first > met.j.last || met.k.first > met.k.last) continue;
+        rows = united(rows, met.j);
+        columns = united(columns, met.k);
+        placed.push_back({corners, met});
+    }
     // What lies wholly in a slot between two layers of blocks cuts none of them, however broad it is.
     if (!reaches_block(box.min.x, box.max.x)) return false;
-    for (const std::uint32_t t : triangles) {
-        std::array<Vec3d, 3> corners;
-        std::array<VertexCell, 3> cells;
-        for (std::size_t i = 0; i < 3; ++i) {
-            corners[i] = placement_(mesh.vertices[mesh.triangles[t][i]]);
-            cells[i] = builder_.add_vertex(corners[i]);
-        }
-        const bool one_cell = cells[0].one() && cells[0] == cells[1] && cells[0] == cells[2];
-        if (!one_cell) builder_.add_triangle(corners);
+    // A few rows at a time: what cuts a block mostly cuts one in the first of them.
+    for (int row = rows.first; row <= rows.last; row += kRowsAtOnce) {
+        const CellRange strip{row, std::min(row + kRowsAtOnce - 1, rows.last)};
+        for (const Placed& triangle : placed) add(triangle, strip);
+        if (take_cut({strip, columns})) return true;
+        if (work_ > kMostWork) return {};
     }
-    return take_cut({widened(builder_.rows().meeting(box.min.y, box.max.y), builder_.rows()),
-                     widened(builder_.columns().meeting(box.min.z, box.max.z), builder_.columns())});
+    return false;
+}
+
+void PartCut::add(const Placed& triangle, CellRange rows) {
+    const CellRange j{std::max(triangle.met.j.first, rows.first), std::min(triangle.met.j.last, rows.last)};
+    ++work_;
+    if (j.first > j.last) return;
+    const ColumnBlock block{j, triangle.met.k};
+    work_ += block.k.last - block.k.first + 1;
+    for (const Vec3d& corner : triangle.corners) builder_.add_vertex(corner, block);
+    builder_.add_edges_within(triangle.corners, block);
 }
 
 bool PartCut::reaches_block(double lowest, double highest) const {
@@ -59,6 +78,7 @@ bool PartCut::take_cut(const ColumnBlock& block) {
             depth = {};
         }
     }
+    work_ += static_cast<long long>(block.j.last - block.j.first + 1) * (block.k.last - block.k.first + 1);
     return cut;
 }
 

@@ -112,7 +112,7 @@ bool DepthMapBuilder::section_along_z(const std::array<Vec3d, 3>& corners, doubl
 }
 
 /// The same for a part of a triangle, which crosses few of the lines.
-void DepthMapBuilder::add_in_square(const std::array<Vec3d, 3>& corners, const ColumnBlock& block) {
+void DepthMapBuilder::add_edges_within(const std::array<Vec3d, 3>& corners, const ColumnBlock& block) {
     for (int row = block.j.first; row <= block.j.last; ++row) {
         for (const double c : {rows_.low(row), rows_.high(row)}) {
             Segment section;
@@ -170,7 +170,8 @@ void DepthMapBuilder::add_triangle(const std::array<Vec3d, 3>& corners, const Co
 void DepthMapBuilder::add_in_tiles(const std::array<Vec3d, 3>& corners, const ColumnBlock& block) {
     if (tiles_.empty()) tiles_ = DepthTiles(rows_.count(), columns_.count());
     const SpreadTriangle triangle(corners);
-    const ColumnBlock met = narrowed(corners, block);
+    const ColumnBlock around = met_by(corners);
+    const ColumnBlock met{common(block.j, around.j), common(block.k, around.k)};
     constexpr int kSide = DepthTiles::kSide;
     for (int tile_j = met.j.first / kSide; tile_j * kSide <= met.j.last; ++tile_j) {
         const CellRange rows{tile_j * kSide, std::min((tile_j + 1) * kSide, rows_.count()) - 1};
@@ -195,7 +196,7 @@ void DepthMapBuilder::add_in_tile(const std::array<Vec3d, 3>& corners, const Spr
             const SpreadTriangle::Rectangle seen = over(square);
             if (!triangle.may_meet(seen)) continue;
             const DepthRange x = triangle.over(seen);
-            if (changes_any(square, x.lowest, x.highest)) add_in_square(corners, square);
+            if (changes_any(square, x.lowest, x.highest)) add_edges_within(corners, square);
         }
     }
 }
@@ -213,12 +214,10 @@ SpreadTriangle::Rectangle DepthMapBuilder::over(const ColumnBlock& block) const 
             columns_.high(block.k.last)};
 }
 
-/// Without the columns that the triangle does not meet.
-ColumnBlock DepthMapBuilder::narrowed(const std::array<Vec3d, 3>& corners, const ColumnBlock& block) const {
+ColumnBlock DepthMapBuilder::met_by(const std::array<Vec3d, 3>& corners) const {
     const auto [y_min, y_max] = std::minmax({corners[0].y, corners[1].y, corners[2].y});
     const auto [z_min, z_max] = std::minmax({corners[0].z, corners[1].z, corners[2].z});
-    return {common(block.j, rows_.meeting(y_min - kMet, y_max + kMet)),
-            common(block.k, columns_.meeting(z_min - kMet, z_max + kMet))};
+    return {rows_.meeting(y_min - kMet, y_max + kMet), columns_.meeting(z_min - kMet, z_max + kMet)};
 }
 
 void DepthMapBuilder::add_segment(int row, const Segment& segment, CellRange columns) {

@@ -99,6 +99,12 @@ class DepthMapBuilder {
     void add_triangle(const std::array<Vec3d, 3>& corners, const ColumnBlock& block, double x_min,
                       double x_max);
 
+    /// The columns that a triangle may meet, with what rounding may add.
+    [[nodiscard]] ColumnBlock met_by(const std::array<Vec3d, 3>& corners) const;
+    /// The edges of a triangle as far as columns of the block see them: the block need not hold all that the
+    /// triangle meets.
+    void add_edges_within(const std::array<Vec3d, 3>& corners, const ColumnBlock& block);
+
     /// What another has found, for the same space and reach.
     void include(const DepthMapBuilder& other) {
         for (std::size_t column = 0; column < depths_.size(); ++column)
@@ -126,10 +132,8 @@ class DepthMapBuilder {
     void add_in_tiles(const std::array<Vec3d, 3>& corners, const ColumnBlock& block);
     void add_in_tile(const std::array<Vec3d, 3>& corners, const SpreadTriangle& triangle,
                      const ColumnBlock& block);
-    void add_in_square(const std::array<Vec3d, 3>& corners, const ColumnBlock& block);
     [[nodiscard]] bool changes_any(const ColumnBlock& block, double x_min, double x_max) const;
     [[nodiscard]] SpreadTriangle::Rectangle over(const ColumnBlock& block) const;
-    [[nodiscard]] ColumnBlock narrowed(const std::array<Vec3d, 3>& corners, const ColumnBlock& block) const;
     void add_in_block(const std::array<Vec3d, 3>& corners, const ColumnBlock& block, double x_min,
                       double x_max);
     [[nodiscard]] bool changes(int row, int column, double x_min, double x_max) const;

@@ -53,27 +53,6 @@ def large_triangles(seed):
     return ply(vertices, [numbers.sample(range(300), 3) for _ in range(PLY_FACES)])
 
 
-def slivers(seed):
-    numbers = random.Random(seed)
-
-    def sliver():
-        tip, end = within(numbers), within(numbers)
-        return tip, end, tuple(c + numbers.uniform(-0.1, 0.1) for c in end)
-
-    return stl([sliver() for _ in range(STL_TRIANGLES)])
-
-
-def triangles_on_block_faces(seed):
-    """Each a part of its own that cuts no block, and between them two that make the object large."""
-    numbers = random.Random(seed)
-
-    def flat():
-        x, y, z = 15 * numbers.randrange(-12, 13), numbers.uniform(-120, 115), numbers.uniform(-180, 175)
-        return (x, y, z), (x, y + 4, z), (x, y, z + 4)
-
-    return stl([flat() for _ in range(STL_TRIANGLES)])
-
-
 def flush_boxes(seed):
     """Boxes whose sides lie on the blocks' faces."""
     numbers = random.Random(seed)

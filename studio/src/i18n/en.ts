@@ -330,6 +330,7 @@ export const en = {
       open: 'Foam would grow inside',
       outside: 'Does not fit',
       uncut_part: 'A part is not cut free',
+      parts_not_checked: 'Parts that were not checked',
       no_floor: 'No foam below',
       no_roof: 'No foam above',
       thin_floor: 'Thin below',

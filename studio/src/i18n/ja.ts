@@ -359,6 +359,7 @@ export const ja: Texts = {
       open: '内側にフォームが残る',
       outside: '入りきらない',
       uncut_part: '切り抜かれない部品がある',
+      parts_not_checked: '確認できなかった部品がある',
       no_floor: '下にフォームがない',
       no_roof: '上にフォームがない',
       thin_floor: '下が薄い',
