@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
-#include <iterator>
 #include <memory>
 #include <optional>
 #include <string>
@@ -206,18 +205,25 @@ Result<Task> task_from(const MakeArguments& arguments) {
 /// Writes everything, the report last, since it tells how long the rest took and what of earlier runs stays.
 Result<std::string> write_outputs(const Packed& packed, Packing& packing, const Project& project,
                                   const Measured& measured, FolderRun&& run) {
-    std::vector<OutputFile> files = output_files(packed.object, project, measured, packing);
+    std::vector<OutputFile> of_pack;
     if (measured.pack) {
-        auto more = workshop_files(*measured.pack);
-        if (!more) return tl::unexpected(more.error());
-        std::move(more->begin(), more->end(), std::back_inserter(files));
+        auto files = workshop_files(*measured.pack);
+        if (!files) return tl::unexpected(files.error());
+        of_pack = std::move(*files);
     }
     const InterruptGuard guard;
-    Stopwatch watch;
     if (auto done = run.open(); !done) return tl::unexpected(done.error());
-    for (const OutputFile& file : files)
-        if (auto done = run.write(file.name, file.bytes); !done) return tl::unexpected(done.error());
-    packing.timing.write = watch.lap();
+    packing.timing.write = 0;
+    const auto write = [&](const OutputFile& file) {
+        Stopwatch watch;
+        auto done = run.write(file.name, file.bytes);
+        packing.timing.write += watch.lap();
+        return done;
+    };
+    if (auto done = make_output_files(packed.object, project, measured, packing, write); !done)
+        return tl::unexpected(done.error());
+    for (const OutputFile& file : of_pack)
+        if (auto done = write(file); !done) return tl::unexpected(done.error());
     const std::string report_name = "report.json";
     const auto earlier = run.look_back({&report_name, 1});
     if (!earlier) return tl::unexpected(earlier.error());

@@ -291,25 +291,26 @@ std::string report_json(const Object& object, const Project& project, const Pack
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::vector<OutputFile> output_files(const Object& object, const Project& project, const Measured& measured,
-                                     Packing& packing) {
+Result<void> make_output_files(const Object& object, const Project& project, const Measured& measured,
+                               Packing& packing, const TakeFile& take) {
     const FoamPair& foams = *packing.foams;
-    Stopwatch watch;
-    const Solid lower = lower_solid(foams, packing.space);
-    const Solid upper = upper_solid(foams, packing.space);
-    packing.timing.solids = watch.lap();
-
-    std::vector<OutputFile> files;
-    for (const std::string& format : project.design.output.formats) {
-        files.push_back({"lower." + format, foam_file(lower, format, true)});
-        files.push_back({"upper." + format, foam_file(upper, format, false)});
+    packing.timing.solids = 0;
+    for (const bool lower : {true, false}) {
+        Stopwatch watch;
+        const Solid solid = lower ? lower_solid(foams, packing.space) : upper_solid(foams, packing.space);
+        packing.timing.solids += watch.lap();
+        for (const std::string& format : project.design.output.formats)
+            if (auto done = take({(lower ? "lower." : "upper.") + format, foam_file(solid, format, lower)});
+                !done)
+                return done;
     }
-    files.push_back({"depths.csv", bytes_of(depths_csv(foams, packing.space.blocks.x))});
-    files.push_back({"preview.svg", bytes_of(preview_svg(foams, packing.space, object.mesh, packing.placement,
-                                                         caption(packing, project.object.name),
-                                                         measured.gap ? &*measured.gap : nullptr))});
-    files.push_back({"project.snug.json", bytes_of(project_json(project))});
-    return files;
+    if (auto done = take({"depths.csv", bytes_of(depths_csv(foams, packing.space.blocks.x))}); !done)
+        return done;
+    const std::string preview =
+        preview_svg(foams, packing.space, object.mesh, packing.placement,
+                    caption(packing, project.object.name), measured.gap ? &*measured.gap : nullptr);
+    if (auto done = take({"preview.svg", bytes_of(preview)}); !done) return done;
+    return take({"project.snug.json", bytes_of(project_json(project))});
 }
 
 }  // namespace snug

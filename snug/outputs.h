@@ -1,8 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "snug/design/project.h"
 #include "snug/fabricate/kit/workshop_pack.h"
@@ -42,9 +42,14 @@ struct Measured {
 [[nodiscard]] std::string report_json(const Object& object, const Project& project, const Packing& packing,
                                       const Measured& measured);
 
+/// Takes one file after the other, so that they need not all be held at once. An error ends the making.
+using TakeFile = std::function<Result<void>(const OutputFile&)>;
+
 /// Everything that `snug make` writes for a packing with foams, the report left out (it holds the time that
-/// writing took): foams in the design's formats, depths, preview, project. Fills packing.timing.solids.
-[[nodiscard]] std::vector<OutputFile> output_files(const Object& object, const Project& project,
-                                                   const Measured& measured, Packing& packing);
+/// writing took): foams in the design's formats, depths, preview, project. Fills packing.timing.solids. Fails
+/// only where `take` does.
+[[nodiscard]] Result<void> make_output_files(const Object& object, const Project& project,
+                                             const Measured& measured, Packing& packing,
+                                             const TakeFile& take);
 
 }  // namespace snug

@@ -60,7 +60,14 @@ val make_files(const Object& object, const Project& project, const Progress& pro
     if (!measured) return to_val(measured.error());
     measured->pack = pack ? &*pack : nullptr;
     val result = val::object();
-    result.set("files", to_val(output_files(object, project, *measured, *packing)));
+    val files = val::array();
+    const auto take = [&files](const OutputFile& file) -> Result<void> {
+        files.call<void>("push", to_val(file));
+        return {};
+    };
+    if (auto done = make_output_files(object, project, *measured, *packing, take); !done)
+        return to_val(done.error());
+    result.set("files", files);
     result.set("report", report_json(object, project, *packing, *measured));
     if (pack) result.set("pack", to_val(*pack));
     return result;

@@ -321,10 +321,4 @@ val to_val(const OutputFile& file) {
     return result;
 }
 
-val to_val(const std::vector<OutputFile>& files) {
-    val list = val::array();
-    for (const OutputFile& file : files) list.call<void>("push", to_val(file));
-    return list;
-}
-
 }  // namespace snug::wasm

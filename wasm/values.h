@@ -58,6 +58,5 @@ template <class T>
 constexpr std::size_t kMapDirections = 500;
 constexpr std::size_t kMapPasses = 12;  ///< turns about each direction in a map
 [[nodiscard]] val to_val(const OutputFile& file);
-[[nodiscard]] val to_val(const std::vector<OutputFile>& files);
 
 }  // namespace snug::wasm
