@@ -78,7 +78,7 @@ def main():
                         sys.exit(done.stderr)
             for example in examples:
                 if example.startswith("snug studio"):
-                    if not (Path(__file__).resolve().parent.parent / "studio" / "dist").exists():
+                    if not (Path(__file__).resolve().parents[2] / "studio" / "dist").exists():
                         print(f"{example}: passed over, the studio is not built")
                     elif not serves(example, work):
                         sys.exit(f"{example}: says no address")

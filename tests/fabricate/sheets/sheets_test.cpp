@@ -117,7 +117,7 @@ class SheetFiles : public testing::Test {
 
     /// Every column that the files describe is the design's.
     void expect_the_same_foams() {
-        std::string command = "python3 " SNUG_SOURCE_DIR "/tests/read_sheets.py";
+        std::string command = "python3 " SNUG_SOURCE_DIR "/tests/support/read_sheets.py";
         for (std::size_t i = 0; i < cases_.size(); ++i)
             command += " " + (folder_ / std::to_string(i)).string();
         ASSERT_EQ(std::system(command.c_str()), 0);

@@ -185,7 +185,7 @@ class Formats(unittest.TestCase):
         self.assertEqual(self.depths(path), self.plain())
 
     def test_public_gltf_files_are_what_viewers_show(self):
-        cases = Path(__file__).resolve().parent.parent.parent / "shared" / "cases"
+        cases = Path(__file__).resolve().parents[3] / "shared" / "cases"
         if not cases.exists():
             self.skipTest(f"{cases} is not there")
         with open(cases / "expected.csv", newline="") as table:

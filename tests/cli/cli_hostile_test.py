@@ -10,7 +10,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from support import hostile_objects
+import hostile_objects
 
 SNUG = Path(sys.argv.pop(1)).resolve()
 # Twice what the slowest takes on a machine of 2024, for machines that are slower or busy.

@@ -61,7 +61,7 @@ class Server:
 
 def policy_of_page():
     """What the page says of itself, which the server repeats for all that it serves."""
-    page = Path(__file__).resolve().parent.parent / "studio" / "index.html"
+    page = Path(__file__).resolve().parents[2] / "studio" / "index.html"
     return re.search(r'Content-Security-Policy"\s*content="([^"]*)"', page.read_text())[1]
 
 

@@ -10,7 +10,7 @@ import tempfile
 import unittest
 
 PROGRAM = os.path.abspath(sys.argv.pop())
-FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "shared", "cases")
+FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "..", "shared", "cases")
 KNOWN = os.path.join(FOLDER, "expected.csv")
 DIGITS = 5e-5  # of a size: 5 significant digits are known
 
