@@ -1,11 +1,13 @@
 import {mount} from 'svelte';
-import App from './app/App.svelte';
-import './app/app.css';
 import {createEngine} from './engine/engine';
-import {language} from './i18n/language.svelte';
-import {openServed} from './state/open_served';
+import {coreIn} from './engine/worker_link';
+import {openServed} from './import/open_served';
+import App from './panels/App.svelte';
+import './panels/app.css';
 import {Studio} from './state/studio.svelte';
 import {Works} from './state/works.svelte';
+import {typing} from './ui/typing.svelte';
+import {language} from './words/language.svelte';
 
 const page = document.getElementById('app') as HTMLElement;
 
@@ -14,8 +16,9 @@ async function start() {
   starting.textContent = language.text.busy.start;
   page.replaceChildren(starting);
   let studio: Studio | null = null;
-  const engine = await createEngine({onRestart: (reason) => studio?.restarted(reason)});
-  studio = await Studio.start(engine);
+  const startCore = () => coreIn(new Worker(new URL('./worker.ts', import.meta.url), {type: 'module'}));
+  const engine = await createEngine({startCore, onRestart: (reason) => studio?.restarted(reason)});
+  studio = await Studio.start(engine, () => typing.designChanged());
   page.replaceChildren();
   // The page first: what comes back to it may be large.
   mount(App, {target: page, props: {studio}});

@@ -1,9 +1,10 @@
-import type {Session, SnugModule} from 'snug-wasm/snug.mjs';
+import type {Pack, SceneTools, Session, SnugModule} from 'snug-wasm/snug.mjs';
+import type {Design, Preset} from '../design/design';
 import type {
+  BesideFile,
   CaseRanking,
   SearchResult,
   SearchStep,
-  Design,
   DirectionMap,
   DisplayMesh,
   Failure,
@@ -13,27 +14,43 @@ import type {
   OnProgress,
   OutputFile,
   Packing,
-  Preset,
   WorkshopFigures,
 } from './api';
 import {simplified} from './display_mesh';
 import {brokenModule, isFailure} from './failure';
-import {SceneToolbox, type BesideFile} from './scene_tools';
 import {sha256} from './sha256';
 
 // Often enough for a progress bar.
 const PROGRESS_EVERY_MS = 50;
 
+/** The tools for one file: what the library asks for in the middle of reading it. */
+export interface FileTools {
+  readonly tools: SceneTools;
+  /** Names of the files beside it that were asked for and are there. */
+  readonly used: string[];
+  /** Fetches what was asked for and not at hand, after which another try may go better; false where that was nothing. */
+  fetchMissing(): Promise<boolean>;
+}
+
+/** What a core calls and does not know: readers and writers that are no part of the library. */
+export interface CoreParts {
+  toolsFor(beside: readonly BesideFile[]): FileTools;
+  /** The files of a pack as a maker has them. */
+  packFiles(pack: Pack): Promise<OutputFile[]>;
+}
+
 /** What runs in a worker: one object and the library. After a Failure of kind `memory` it is of no more use. */
 export class EngineCore {
   readonly #snug: SnugModule;
   readonly #session: Session;
+  readonly #parts: CoreParts;
   #file: Promise<ObjectFile> = Promise.resolve({name: '', bytes: 0, sha256: ''});
   #beside: string[] = [];
   #stepping = 0;
 
-  constructor(snug: SnugModule) {
+  constructor(snug: SnugModule, parts: CoreParts) {
     this.#snug = snug;
+    this.#parts = parts;
     this.#session = new snug.Session();
   }
 
@@ -65,7 +82,7 @@ export class EngineCore {
   ): Promise<ObjectInfo | Failure> {
     const bytes = new Uint8Array(await content.arrayBuffer());
     const design = JSON.stringify({...(await this.defaultDesign()), object});
-    const box = new SceneToolbox(beside);
+    const box = this.#parts.toolsFor(beside);
     const read = () => guarded(() => this.#session.load(bytes, name, design, box.tools));
     let info = read();
     while (isFailure(info) && info.kind === 'input' && (await box.fetchMissing())) info = read();
@@ -183,9 +200,7 @@ export class EngineCore {
     if (isFailure(made)) return made;
     const files = [...made.files, {name: 'report.json', bytes: new TextEncoder().encode(made.report)}];
     if (!made.pack) return files;
-    // A large part of the page that only makers need.
-    const {packFiles} = await import('../make/pack');
-    return [...files, ...(await packFiles(made.pack))];
+    return [...files, ...(await this.#parts.packFiles(made.pack))];
   }
 }
 

@@ -1,7 +1,9 @@
-import {proxy, wrap} from 'comlink';
+import {proxy} from 'comlink';
+import type {Design} from '../design/design';
+import {firstMakeLine} from '../design/make_line';
 import type {
+  BesideFile,
   CaseRanking,
-  Design,
   DirectionMap,
   DisplayMesh,
   Engine,
@@ -15,44 +17,22 @@ import type {
   SearchStep,
   WorkshopFigures,
 } from './api';
-import type {EngineCore} from './core';
 import {brokenModule, failure, isFailure} from './failure';
 import {latest} from './latest';
-import {firstMakeLine} from './make_line';
-import type {BesideFile} from './scene_tools';
-
-/** A core somewhere else, as a rule in a worker. */
-export interface CoreHandle {
-  core: Pick<EngineCore, keyof EngineCore>;
-  /** Resolves when the core stopped by itself or was ended: calls that still wait get this answer. */
-  stopped: Promise<Failure>;
-  /** Stops it at once, whatever it is doing. */
-  end(answer: Failure): void;
-}
+import type {CoreHandle} from './worker_link';
 
 export interface EngineOptions {
   /** Hears that the library had to be started anew, and why; the object is loaded again by then. */
   onRestart?: (reason: Failure) => void;
-  startCore?: () => CoreHandle;
+  /** Called again whenever a core has ended. */
+  startCore: () => CoreHandle;
 }
 
 /** Rejects where the browser cannot run the library at all. */
-export async function createEngine(options: EngineOptions = {}): Promise<Engine> {
+export async function createEngine(options: EngineOptions): Promise<Engine> {
   const engine = new PageEngine(options);
   await engine.start();
   return engine;
-}
-
-function startWorker(): CoreHandle {
-  const worker = new Worker(new URL('./worker.ts', import.meta.url), {type: 'module'});
-  let stop: (answer: Failure) => void = () => {};
-  const stopped = new Promise<Failure>((resolve) => (stop = resolve));
-  worker.addEventListener('error', (event) => stop(brokenModule(event.message || 'its worker failed')));
-  const end = (answer: Failure) => {
-    worker.terminate();
-    stop(answer);
-  };
-  return {core: wrap(worker) as unknown as CoreHandle['core'], stopped, end};
 }
 
 const CANCELLED = failure('cancelled', 'cancelled');
@@ -85,7 +65,7 @@ class PageEngine implements Engine {
 
   constructor(options: EngineOptions) {
     this.#options = options;
-    this.#quick = this.#start();
+    this.#quick = this.#options.startCore();
   }
 
   async start(): Promise<void> {
@@ -234,10 +214,6 @@ class PageEngine implements Engine {
     );
   }
 
-  #start(): CoreHandle {
-    return (this.#options.startCore ?? startWorker)();
-  }
-
   #usesOptions(options: Design['object']) {
     if (!this.#object || JSON.stringify(this.#object.options) === JSON.stringify(options)) return;
     this.#object = {...this.#object, options};
@@ -259,7 +235,7 @@ class PageEngine implements Engine {
   #restart(reason: Failure) {
     this.#quick.end(reason);
     this.#endSlow(reason);
-    this.#quick = this.#start();
+    this.#quick = this.#options.startCore();
     const object = this.#object;
     const handle = this.#quick;
     const {core, stopped} = handle;
@@ -294,7 +270,7 @@ class PageEngine implements Engine {
   }
 
   #startSlow() {
-    const handle = this.#start();
+    const handle = this.#options.startCore();
     const object = this.#object;
     const loaded = object ? loadAgain(handle.core, object) : Promise.resolve(null);
     this.#slowWork = {gaps: 0, searches: 0, outputs: 0};

@@ -1,6 +1,7 @@
 // The WebAssembly module that wasm/ builds. Designs and projects pass as JSON texts.
 
 declare module 'snug-wasm/snug.mjs' {
+  import type {Preset} from '../design/design';
   import type {
     CaseRanking,
     DirectionMap,
@@ -12,7 +13,6 @@ declare module 'snug-wasm/snug.mjs' {
     ObjectInfo,
     OutputFile,
     Packing,
-    Preset,
     SearchStep,
     WorkshopFigures,
   } from './api';

@@ -1,8 +1,8 @@
 import {openDB, type IDBPTransaction} from 'idb';
-import type {Design} from '../engine/api';
-import type {BesideFile} from '../engine/scene_tools';
-import type {Picture} from '../search/thumbnail';
-import {present, type History} from './history';
+import type {Design} from '../design/design';
+import {present, type History} from '../design/history';
+import type {BesideFile} from '../engine/api';
+import type {Picture} from '../picture/thumbnail';
 
 // The browser's own database: the works of this browser, and of nobody else. Each tab of the page has a work of
 // its own; objects are shared by all that name them.

@@ -1,9 +1,10 @@
-import type {Design, DisplayMesh, Failure} from '../engine/api';
-import {language} from '../i18n/language.svelte';
-import {thumbnail, type Picture} from '../search/thumbnail';
+import type {Design} from '../design/design';
+import {completed} from '../design/edit';
+import {present, type History} from '../design/history';
+import type {DisplayMesh, Failure} from '../engine/api';
+import {thumbnail, type Picture} from '../picture/thumbnail';
+import {language} from '../words/language.svelte';
 import type {Moment, StoredObject} from './autosave';
-import {completed} from './edit';
-import {present, type History} from './history';
 import {stepped} from './last_change';
 import type {Studio} from './studio.svelte';
 import type {Works} from './works.svelte';

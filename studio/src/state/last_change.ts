@@ -1,5 +1,5 @@
+import {present, type History} from '../design/history';
 import type {Moment} from './autosave';
-import {present, type History} from './history';
 
 // The browser's database takes its time, and a page that goes away has none. So the last change of a work is noted at
 // once, in few bytes, until the database has it.

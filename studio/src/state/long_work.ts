@@ -1,6 +1,7 @@
-import type {Design, DirectionMap, Failure} from '../engine/api';
+import type {Design} from '../design/design';
+import {withPlacement, withSpace} from '../design/edit';
+import type {DirectionMap, Failure} from '../engine/api';
 import {isFailure} from '../engine/failure';
-import {withPlacement, withSpace} from './edit';
 import type {Work} from './on_the_page';
 import type {Studio} from './studio.svelte';
 

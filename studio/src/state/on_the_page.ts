@@ -1,5 +1,4 @@
-import type {DisplayMesh} from '../engine/api';
-import type {BesideFile} from '../engine/scene_tools';
+import type {BesideFile, DisplayMesh} from '../engine/api';
 
 // What the page shows beside the design and its object.
 

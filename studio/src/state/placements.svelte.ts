@@ -1,6 +1,7 @@
-import type {Design, DirectionMap, Engine, FoundPlacement} from '../engine/api';
+import type {Design} from '../design/design';
+import {walls, withPlacement, withSpace, withWalls} from '../design/edit';
+import type {DirectionMap, Engine, FoundPlacement} from '../engine/api';
 import {isFailure} from '../engine/failure';
-import {walls, withPlacement, withSpace, withWalls} from './edit';
 
 type Blocks = Design['space']['blocks'];
 

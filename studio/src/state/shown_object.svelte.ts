@@ -1,4 +1,5 @@
-import type {Design, Engine, Failure, ObjectInfo} from '../engine/api';
+import type {Design} from '../design/design';
+import type {Engine, Failure, ObjectInfo} from '../engine/api';
 import {failure, isFailure} from '../engine/failure';
 import type {DisplayMeshes} from './on_the_page';
 

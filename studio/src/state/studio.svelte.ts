@@ -1,27 +1,17 @@
-import type {
-  Design,
-  Engine,
-  Failure,
-  Finding,
-  Gap,
-  ObjectInfo,
-  Packing,
-  Preset,
-} from '../engine/api';
+import type {Design, Preset} from '../design/design';
+import {forNewObject} from '../design/edit';
+import {canRedo, canUndo, moved, present, record, startHistory, type History} from '../design/history';
+import {makeLine} from '../design/make_line';
+import type {BesideFile, Engine, Failure, Finding, Gap, ObjectInfo, Packing} from '../engine/api';
 import {isFailure} from '../engine/failure';
-import {makeLine} from '../engine/make_line';
-import type {BesideFile} from '../engine/scene_tools';
-import {language} from '../i18n/language.svelte';
-import {gravestFirst} from '../steps/findings';
-import {typing} from '../ui/typing.svelte';
+import {language} from '../words/language.svelte';
 import type {Moment, StoredObject} from './autosave';
-import {forNewObject} from './edit';
-import {canRedo, canUndo, moved, present, record, startHistory, type History} from './history';
 import {newId} from './claims';
-import {Placements} from './placements.svelte';
+import {gravestFirst} from './findings';
 import {Keeping} from './keeping.svelte';
 import {LongWork} from './long_work';
 import type {Busy, Content, DisplayMeshes, FileFacts, Problem, Reading, Timing, Work} from './on_the_page';
+import {Placements} from './placements.svelte';
 import {CANCELLED, named, Readings} from './readings';
 import {Rest} from './rest.svelte';
 import {ShownObject} from './shown_object.svelte';
@@ -44,6 +34,7 @@ export class Studio {
   /** What the controls show. */
   design: Design = $state.raw({} as Design);
   readonly #object: ShownObject;
+  readonly #onDesign: () => void;
   /** The last good one. */
   packing: Packing | null = $state.raw(null);
   timing: Timing | null = $state.raw(null);
@@ -91,8 +82,10 @@ export class Studio {
   private constructor(
     engine: Engine,
     facts: {defaults: Design; presets: Preset[]; samples: string[]; version: string},
+    onDesign: () => void,
   ) {
     this.engine = engine;
+    this.#onDesign = onDesign;
     this.#object = new ShownObject(engine);
     this.defaults = facts.defaults;
     this.presets = facts.presets;
@@ -102,14 +95,15 @@ export class Studio {
     this.#history = startHistory({design: this.design, object: null});
   }
 
-  static async start(engine: Engine): Promise<Studio> {
+  /** `onDesign` hears of every change of the design while it is made. */
+  static async start(engine: Engine, onDesign = () => {}): Promise<Studio> {
     const [defaults, presets, samples, version] = await Promise.all([
       engine.defaultDesign(),
       engine.presets(),
       engine.samples(),
       engine.version(),
     ]);
-    return new Studio(engine, {defaults, presets, samples, version});
+    return new Studio(engine, {defaults, presets, samples, version}, onDesign);
   }
 
   /** Which object is on the screen. */
@@ -308,7 +302,7 @@ export class Studio {
   /** What the fields show from now on. */
   #changes(design: Design) {
     this.design = design;
-    typing.designChanged();
+    this.#onDesign();
     this.#keeping.note();
   }
 

@@ -1,4 +1,4 @@
-import type {Triple} from '../engine/api';
+import type {Triple} from '../design/design';
 
 export type Part = 'object' | 'lower' | 'upper' | 'space';
 export type Look = 'shown' | 'glass' | 'hidden';

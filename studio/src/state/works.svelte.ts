@@ -1,7 +1,7 @@
+import type {Picture} from '../picture/thumbnail';
 import {openAutosave, summaryOf, type Autosave, type AutosaveNews, type StoredObject, type StoredWork, type WorkSummary} from './autosave';
 import {newId, openClaims, type Claims} from './claims';
 import {forgetChange, isKept, noteChange, notedChange, type LastChange} from './last_change';
-import type {Picture} from '../search/thumbnail';
 
 /** Works that are kept beside those that a tab has open. */
 const MOST_WORKS = 10;

@@ -1,4 +1,4 @@
-import type {Triple} from '../engine/api';
+import type {Triple} from '../design/design';
 import type {Side} from './stage';
 
 /** What other parts of the page may ask of the 3D view. */

@@ -1,4 +1,5 @@
-import type {Packing, Triple} from '../engine/api';
+import type {Triple} from '../design/design';
+import type {Packing} from '../engine/api';
 
 // A foam half as quads for drawing: what a person sees of a height field, flat runs merged. The library's solids
 // are the true ones; these need no closedness, only looks.

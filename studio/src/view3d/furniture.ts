@@ -15,7 +15,8 @@ import {
   SRGBColorSpace,
   SpriteMaterial,
 } from 'three';
-import type {Packing, Triple} from '../engine/api';
+import type {Triple} from '../design/design';
+import type {Packing} from '../engine/api';
 
 // What stands around the foams: the space, arrows, the column under the pointer.
 

@@ -10,12 +10,13 @@ import {
   Vector3,
   type ShaderMaterial,
 } from 'three';
-import type {DisplayMesh, Packing, Triple} from '../engine/api';
+import type {Triple} from '../design/design';
+import type {DisplayMesh, Packing} from '../engine/api';
+import type {Cell, Look, Part} from '../state/view.svelte';
 import {foamQuads, type Half, type Quads} from './foam_geometry';
 import {arrow, boxEdges, columnBox, ruler} from './furniture';
 import {objectGeometry} from './object_geometry';
 import {foamShading, objectShading, type Shading} from './shading';
-import type {Cell, Look, Part} from '../state/view.svelte';
 
 /** What may be drawn while something moves: halves, and the object's own copy besides. */
 const MOVING_FOAM_TRIANGLES = 4_500;

@@ -15,7 +15,7 @@ import {
 } from 'three';
 import type * as THREE from 'three';
 import {TransformControls} from 'three/addons/controls/TransformControls.js';
-import type {Triple} from '../engine/api';
+import type {Triple} from '../design/design';
 import type {Handles} from '../state/view.svelte';
 import {TO_WORLD, type FoamScene} from './scene';
 

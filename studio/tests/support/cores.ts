@@ -1,6 +1,6 @@
 import type {Failure} from '../../src/engine/api';
 import type {EngineCore} from '../../src/engine/core';
-import type {CoreHandle} from '../../src/engine/engine';
+import type {CoreHandle} from '../../src/engine/worker_link';
 import {startCore} from './snug';
 
 /** Cores in this thread instead of workers, which notice what was started and ended. */

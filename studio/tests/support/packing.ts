@@ -1,4 +1,5 @@
-import type {Packing, Triple} from '../../src/engine/api';
+import type {Triple} from '../../src/design/design';
+import type {Packing} from '../../src/engine/api';
 
 /** A packing with these kept blocks, and nothing else that a test would look at. */
 export function packingOf(blocks: Triple, block_mm: Triple, lower: number[], upper: number[]): Packing {

@@ -1,6 +1,7 @@
 import {readFileSync} from 'node:fs';
 import {fileURLToPath} from 'node:url';
 import createSnug from 'snug-wasm/snug.mjs';
+import {CORE_PARTS} from '../../src/core_parts';
 import type {Failure} from '../../src/engine/api';
 import {EngineCore} from '../../src/engine/core';
 import {isFailure} from '../../src/engine/failure';
@@ -9,7 +10,7 @@ const wasmBinary = readFileSync(fileURLToPath(new URL('../../../build/wasm/snug.
 
 /** The real library, as make build leaves it. */
 export async function startCore(): Promise<EngineCore> {
-  return new EngineCore(await createSnug({wasmBinary}));
+  return new EngineCore(await createSnug({wasmBinary}), CORE_PARTS);
 }
 
 /** The answer, which must be none of the library's refusals. */

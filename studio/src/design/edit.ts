@@ -1,0 +1,229 @@
+import type {Design, KnownCase, Notches, Preset, Triple, Unit, Work} from './design';
+
+// Every change that a person can make, as a function from a design to the next one. Ranges are the library's
+// business: it refuses what cannot be, with its own sentence.
+
+export function withAxis(value: Triple, axis: number, to: number): Triple {
+  return value.map((old, i) => (i === axis ? to : old)) as Triple;
+}
+
+/** Counts of other blocks would mean another size: the space fits itself again. */
+export function withPreset(design: Design, preset: Preset): Design {
+  return {
+    ...design,
+    space: {...design.space, preset: preset.name, block_mm: [...preset.block_mm], blocks: 'auto'},
+    cut: {...design.cut, clearance_mm: preset.clearance_mm},
+    fit: {...design.fit, creep_kpa: preset.creep_kpa},
+    case: {...design.case, division: preset.division},
+    workshop: {...design.workshop, density_kg_m3: preset.density_kg_m3},
+    parting: {level: 'auto'},
+  };
+}
+
+/** `shown`: the counts on the screen, which a fitted space has chosen by itself. */
+export function withBlocks(design: Design, axis: number, count: number, shown: Triple): Design {
+  const blocks = withAxis(design.space.blocks === 'auto' ? shown : design.space.blocks, axis, count);
+  return {...design, space: {...design.space, blocks}};
+}
+
+export function withSpace(design: Design, blocks: Design['space']['blocks']): Design {
+  return {...design, space: {...design.space, blocks}};
+}
+
+export function withFittedSpace(design: Design, fitted: boolean, shown: Triple): Design {
+  return {...design, space: {...design.space, blocks: fitted ? 'auto' : shown}};
+}
+
+export function withBlockSize(design: Design, axis: number, mm: number): Design {
+  return {...design, space: {...design.space, block_mm: withAxis(design.space.block_mm, axis, mm)}};
+}
+
+/** The thinnest of the walls that were chosen, where the sides differ. */
+export function leastWall(wall_mm: number | number[] | null): number | null {
+  return wall_mm === null ? null : Math.min(...[wall_mm].flat());
+}
+
+export function withWall(design: Design, wall_mm: number | null): Design {
+  return {...design, space: {...design.space, wall_mm}};
+}
+
+/** The six walls, floor, roof, back, front, left, right. */
+export function walls({space}: Design): number[] {
+  if (Array.isArray(space.wall_mm)) return space.wall_mm;
+  return Array<number>(6).fill(space.wall_mm ?? (space.blocks === 'auto' ? 50 : 0));
+}
+
+export function withWalls(design: Design, wall_mm: number | number[]): Design {
+  return {...design, space: {...design.space, wall_mm}};
+}
+
+/** As carriers reckon where nothing else is known: the library's own. */
+export const USUAL_DIVISOR = 5000;
+
+/** A case of other sizes is no longer the one that has the name. */
+export function withCase(design: Design, to: Partial<Design['case']>): Design {
+  const other = 'inside_mm' in to || 'lid_mm' in to ? {name: '', divisor: USUAL_DIVISOR} : {};
+  return {...design, case: {...design.case, ...other, ...to}};
+}
+
+/** A case that is known, with the object laid as it was ranked. */
+export function withKnownCase(design: Design, known: KnownCase): Design {
+  const {name, inside_mm, lid_mm, divisor, rotation_deg} = known;
+  const sides = {base_mm: null, top_mm: null, corner_radius_mm: 0};
+  return {
+    ...withCase(design, {name, inside_mm, lid_mm, divisor, ...sides}),
+    placement: {rotation_deg, offset_mm: [0, 0, 0]},
+    parting: {level: 'auto'},
+  };
+}
+
+/** The one thing that a search looks for. */
+export function withObjective(design: Design, objective: string): Design {
+  const weights = Object.fromEntries(Object.keys(design.search.weights).map((name) => [name, Number(name === objective)]));
+  return {...design, search: {...design.search, weights}};
+}
+
+export function objective({search}: Design): string {
+  return Object.entries(search.weights).reduce((best, next) => (next[1] > best[1] ? next : best))[0];
+}
+
+export function withUpright(design: Design, upright: string | null): Design {
+  return {...design, search: {...design.search, upright}};
+}
+
+export function withWorkshop(design: Design, to: Partial<Design['workshop']>): Design {
+  return {...design, workshop: {...design.workshop, ...to}};
+}
+
+/** The foam that a way of working takes where none is chosen for it. */
+export const USUAL_PRESET: Record<Work, string> = {
+  sponge: 'slit-15',
+  sheets: 'sheet-10',
+  print: 'print',
+  bricks: 'lego-brick',
+  mill: 'mill',
+  mould: 'cast',
+};
+
+export function withRotation(design: Design, rotation_deg: Triple): Design {
+  return {...design, placement: {...design.placement, rotation_deg}};
+}
+
+export function withPlacement(design: Design, {rotation_deg, offset_mm}: Design['placement']): Design {
+  return {...design, placement: {rotation_deg, offset_mm}};
+}
+
+export function withOffset(design: Design, offset_mm: Triple): Design {
+  return {...design, placement: {...design.placement, offset_mm}};
+}
+
+export function withClearance(design: Design, clearance_mm: number | number[]): Design {
+  return {...design, cut: {...design.cut, clearance_mm}};
+}
+
+/** x, y, z of the lower foam, then of the upper. */
+export function clearances({cut}: Design): number[] {
+  return typeof cut.clearance_mm === 'number' ? Array<number>(6).fill(cut.clearance_mm) : cut.clearance_mm;
+}
+
+export function withClearanceOf(design: Design, side: number, mm: number): Design {
+  return withClearance(
+    design,
+    clearances(design).map((old, i) => (i === side ? mm : old)),
+  );
+}
+
+export function withLiner(design: Design, liner_mm: number): Design {
+  return {...design, cut: {...design.cut, liner_mm}};
+}
+
+export function withLeastRib(design: Design, least_rib_mm: number): Design {
+  return {...design, fit: {...design.fit, least_rib_mm}};
+}
+
+/** As the library has them where nothing is said. */
+export const USUAL_NOTCHES: Notches = {width_mm: 80, depth_mm: 40, room_mm: 25, axis: null, first_mm: null, second_mm: null};
+
+export function withNotches(design: Design, notches: Notches | null): Design {
+  return {...design, fit: {...design.fit, notches}};
+}
+
+export function withCutOnTouch(design: Design, cut_on_touch: boolean): Design {
+  return {...design, cut: {...design.cut, cut_on_touch}};
+}
+
+export function withParting(design: Design, level: number | 'auto'): Design {
+  return {...design, parting: {level}};
+}
+
+export function withCap(design: Design, cap: boolean): Design {
+  return {...design, object: {...design.object, cap}};
+}
+
+/** Drops a part of the object, or takes it back. */
+export function withPart(design: Design, part: number, kept: boolean): Design {
+  const others = design.object.clean.drop_parts.filter((number) => number !== part);
+  const drop_parts = kept ? others : [...others, part].sort((a, b) => a - b);
+  return {...design, object: {...design.object, clean: {...design.object.clean, drop_parts}}};
+}
+
+export function withDropBelow(design: Design, drop_below_mm: number): Design {
+  return {...design, object: {...design.object, clean: {...design.object.clean, drop_below_mm}}};
+}
+
+export function withPointRadius(design: Design, point_radius_mm: number): Design {
+  return {...design, object: {...design.object, point_radius_mm}};
+}
+
+export function withUnits(design: Design, units: Unit): Design {
+  return {...design, object: {...design.object, units, longest_mm: null}};
+}
+
+/** Whatever the unit of the file is. */
+export function withLongest(design: Design, longest_mm: number): Design {
+  return {...design, object: {...design.object, units: null, scale: 1, longest_mm}};
+}
+
+export const MM_PER_UNIT: Record<Unit, number> = {mm: 1, cm: 10, m: 1000, in: 25.4};
+
+/** Scales the object so that what is `length` of the file's units long becomes `mm` long. A file that states its
+ *  unit is in mm, whatever the design says. */
+export function withLength(design: Design, length: number, mm: number, statesUnit = false): Design {
+  const units = statesUnit ? null : (design.object.units ?? 'mm');
+  const scale = mm / (length * MM_PER_UNIT[units ?? 'mm']);
+  return {...design, object: {...design.object, units, scale, longest_mm: null}};
+}
+
+/** Millimetres for one unit of the file, as the design has it. */
+export function mmPerFileUnit(design: Design, fileSize: Triple, statesUnit = false): number {
+  const {units, scale, longest_mm} = design.object;
+  if (longest_mm !== null) return longest_mm / Math.max(...fileSize);
+  return MM_PER_UNIT[(statesUnit ? null : units) ?? 'mm'] * scale;
+}
+
+/** A design of another version, with what it does not say as it is by default. */
+export function completed(design: Design, defaults: Design): Design {
+  const parts = Object.entries(defaults).map(([name, part]) => [name, {...part, ...design[name as keyof Design]}]);
+  return Object.fromEntries(parts) as Design;
+}
+
+/** What a fresh object starts with. To the person belongs how they work: the foam and its blocks, the way of working
+ *  with its machines and prices, what a search looks for. To the object belongs all that was chosen to hold or to
+ *  place it: walls, case, clearance, notches, which axis is up, what it weighs. The latter begins anew, with the
+ *  foam's own clearance, so that a thin wall for a ring never holds the next vase. */
+export function forNewObject(design: Design, defaults: Design, presets: readonly Preset[]): Design {
+  const preset = presets.find(({name}) => name === design.space.preset);
+  const {play_mm, division} = design.case;
+  return {
+    ...design,
+    object: defaults.object,
+    placement: defaults.placement,
+    parting: {level: 'auto'},
+    space: {...design.space, blocks: 'auto', wall_mm: defaults.space.wall_mm},
+    cut: {...design.cut, clearance_mm: preset?.clearance_mm ?? defaults.cut.clearance_mm},
+    fit: {...design.fit, notches: null},
+    case: {...defaults.case, play_mm, division},
+    search: {...design.search, upright: null},
+    workshop: {...design.workshop, mass_kg: null},
+  };
+}

@@ -1,0 +1,48 @@
+import type {Studio} from '../state/studio.svelte';
+import {drawMap, drawMarks, drawNumbers, drawOutline} from '../view2d/draw';
+import {PRINT_INK} from '../view2d/ink';
+import {layOut} from '../view2d/page';
+import type {Texts} from '../words/en';
+
+/** Pixels of a drawing on paper; about 250 to the inch on A4. */
+const WIDTH = 1900;
+const HEIGHT = 2300;
+const SCALE = 2.5;
+
+/** Fills the sheets that only a printer sees (see index.html and app.css) and asks the browser to print. */
+export async function printMaps(studio: Studio, texts: Texts): Promise<void> {
+  const sheets = document.getElementById('print');
+  const {packing, meshes} = studio;
+  if (!sheets || !packing?.fit) return;
+  const pages = (['lower', 'lid'] as const).map((half) => {
+    const canvas = document.createElement('canvas');
+    [canvas.width, canvas.height] = [WIDTH, HEIGHT];
+    const pen = canvas.getContext('2d');
+    if (pen) {
+      pen.setTransform(SCALE, 0, 0, SCALE, 0, 0);
+      const page = layOut(packing, half, WIDTH / SCALE, HEIGHT / SCALE, 24);
+      drawMap(pen, page, packing, half, PRINT_INK);
+      if (meshes) drawOutline(pen, page, packing, meshes.still, PRINT_INK);
+      drawNumbers(pen, page, packing, half);
+      drawMarks(pen, page, {back: texts.view2d.back}, PRINT_INK);
+    }
+    return sheet(studio, canvas, half === 'lid' ? texts.view2d.lidNote : texts.view2d.lowerNote);
+  });
+  sheets.replaceChildren(...pages.map(({element}) => element));
+  await Promise.all(pages.map(({image}) => image.decode()));
+  window.print();
+}
+
+function sheet({object, packing}: Studio, canvas: HTMLCanvasElement, note: string) {
+  const element = document.createElement('section');
+  const heading = document.createElement('h1');
+  heading.textContent = object?.file.name ?? '';
+  const line = document.createElement('p');
+  const {blocks, block_mm} = packing ?? {blocks: [], block_mm: []};
+  line.textContent = `${note} · ${blocks.join(' × ')} × (${block_mm.join(' × ')} mm)`;
+  const image = new Image();
+  image.src = canvas.toDataURL('image/png');
+  image.alt = note;
+  element.append(heading, line, image);
+  return {element, image};
+}

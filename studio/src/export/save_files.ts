@@ -1,0 +1,76 @@
+import {Zip, ZipDeflate} from 'fflate';
+import type {OutputFile} from '../engine/api';
+import {isFailure} from '../engine/failure';
+import {isScene} from '../import/bundle';
+import type {Studio} from '../state/studio.svelte';
+
+/** Takes some hundredths of a second. */
+const ZIP_PIECE = 1 << 19;
+
+export type Kind = 'zip' | 'stl' | 'ply';
+
+/** Hands the person what `snug make` writes, byte for byte: all of it in one zip, or the two foams alone. */
+export async function exportFiles(studio: Studio, kind: Kind): Promise<void> {
+  const {design} = studio;
+  // The foams alone need no pack.
+  const alone = {...design, workshop: {...design.workshop, for: null}};
+  const wanted = kind === 'zip' ? design : {...alone, output: {formats: [kind]}};
+  const files = await studio.long('make', (onProgress) => studio.engine.outputFiles(wanted, onProgress));
+  if (isFailure(files)) {
+    if (files.kind !== 'cancelled') studio.refuse('make', files.error);
+    return;
+  }
+  if (kind === 'zip') return download(`${stem(studio)}-foam.zip`, await zipped(await withObject(studio, files)));
+  for (const file of files) if (file.name.endsWith(`.${kind}`)) download(file.name, [file.bytes]);
+}
+
+export async function saveProject(studio: Studio): Promise<void> {
+  const text = await studio.engine.projectText(studio.design);
+  download(`${stem(studio)}.snug.json`, [new TextEncoder().encode(text)]);
+}
+
+/** An object that Snug made, and a scene or an archive with the files it was read with, come with their project. */
+async function withObject(studio: Studio, files: OutputFile[]): Promise<OutputFile[]> {
+  const {file} = studio;
+  if (!file || !(file.converted || isScene(file.name))) return files;
+  const company = [file, ...(file.beside ?? [])].map(async ({name, content}) => ({
+    name,
+    bytes: new Uint8Array(await content.arrayBuffer()),
+  }));
+  return [...files, ...(await Promise.all(company))];
+}
+
+/** Piece by piece, so that the page stays alive: its policy forbids the workers that fflate would start by itself. */
+async function zipped(files: OutputFile[]): Promise<Uint8Array<ArrayBuffer>[]> {
+  const parts: Uint8Array<ArrayBuffer>[] = [];
+  const archive = new Zip((error, part) => {
+    if (error) throw error;
+    parts.push(part as Uint8Array<ArrayBuffer>);
+  });
+  for (const {name, bytes} of files) {
+    const member = new ZipDeflate(name, {level: 6});
+    // The same time in every zip, so that the same design gives the same bytes.
+    member.mtime = new Date(1980, 0, 1);
+    archive.add(member);
+    for (let at = 0; at === 0 || at < bytes.length; at += ZIP_PIECE) {
+      member.push(bytes.subarray(at, at + ZIP_PIECE), at + ZIP_PIECE >= bytes.length);
+      await new Promise((resolve) => setTimeout(resolve));
+    }
+  }
+  archive.end();
+  return parts;
+}
+
+function stem(studio: Studio): string {
+  return (studio.object?.file.name ?? 'snug').replace(/\.[^.]+$/, '');
+}
+
+function download(name: string, parts: Uint8Array<ArrayBuffer>[]) {
+  const address = URL.createObjectURL(new Blob(parts, {type: 'application/octet-stream'}));
+  const link = document.createElement('a');
+  link.href = address;
+  link.download = name;
+  link.click();
+  // The browser still reads from it when click() returns.
+  setTimeout(() => URL.revokeObjectURL(address), 60_000);
+}

@@ -1,0 +1,38 @@
+import {describe, expect, it} from 'vitest';
+import {bundled} from '../../src/import/bundle';
+
+const names = (...all: string[]) => all.map((name) => ({name}));
+
+describe('several files at once', () => {
+  it('have the object among them found, wherever it stands', () => {
+    for (const files of [
+      names('bust.mtl', 'bust.obj', 'bust.jpg'),
+      names('bust.obj', 'bust.jpg', 'bust.mtl'),
+      names('._bust.obj', 'bust.jpg', 'bust.obj'),
+    ])
+      expect(bundled(files)).toMatchObject({object: {name: 'bust.obj'}, leftOut: []});
+    expect(bundled(names('scene.bin', 'scene.GLTF')).object?.name).toBe('scene.GLTF');
+  });
+
+  it('leave every other object out by name', () => {
+    expect(bundled(names('a.stl', 'b.jpg', 'c.3mf'))).toEqual({
+      object: {name: 'a.stl'},
+      beside: [{name: 'b.jpg'}],
+      leftOut: [{name: 'c.3mf'}],
+    });
+  });
+
+  it('give the object what is no object, which it may need', () => {
+    expect(bundled(names('a.bin', 'chair.gltf', 'b.bin')).beside).toEqual(names('a.bin', 'b.bin'));
+  });
+
+  it('are looked for in an archive only where there is no object beside it', () => {
+    expect(bundled(names('notes.txt', 'bust.zip')).object?.name).toBe('bust.zip');
+    expect(bundled(names('bust.zip', 'bust.obj'))).toMatchObject({object: {name: 'bust.obj'}, leftOut: [{name: 'bust.zip'}]});
+  });
+
+  it('are refused by the name of the first where none is an object', () => {
+    expect(bundled(names('notes.txt', 'bust.jpg')).object?.name).toBe('notes.txt');
+    expect(bundled([]).object).toBeUndefined();
+  });
+});
