@@ -2,7 +2,7 @@ import type {Studio} from '../state/studio.svelte';
 import {drawMap, drawMarks, drawNumbers, drawOutline} from '../view2d/draw';
 import {PRINT_INK} from '../view2d/ink';
 import {layOut} from '../view2d/page';
-import type {Texts} from '../words/en';
+import type {Texts} from '../words/texts';
 
 /** Pixels of a drawing on paper; about 250 to the inch on A4. */
 const WIDTH = 1900;

@@ -1,5 +1,5 @@
 import type {Finding} from '../engine/api';
-import type {Texts} from '../words/en';
+import type {Texts} from '../words/texts';
 
 export type Severity = Finding['severity'];
 

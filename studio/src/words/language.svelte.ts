@@ -1,5 +1,4 @@
-import {en, type Texts} from './en';
-import {ja} from './ja';
+import {en, ja, type Texts} from './texts';
 
 const KEY = 'snug-language';
 export const LANGUAGES: readonly Texts[] = [en, ja];

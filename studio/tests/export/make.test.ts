@@ -8,7 +8,7 @@ import type {Design, Work} from '../../src/design/design';
 import {USUAL_PRESET} from '../../src/design/edit';
 import type {OutputFile} from '../../src/engine/api';
 import type {EngineCore} from '../../src/engine/core';
-import {ja} from '../../src/words/ja';
+import {ja} from '../../src/words/texts';
 import {placeless} from '../support/report';
 import {good, startCore} from '../support/snug';
 

@@ -2,7 +2,7 @@ import {describe, expect, it} from 'vitest';
 import type {Design} from '../../src/design/design';
 import {sha256} from '../../src/engine/sha256';
 import type {Studio} from '../../src/state/studio.svelte';
-import {en} from '../../src/words/en';
+import {en} from '../../src/words/texts';
 import {box} from '../support/shapes';
 import {startCore} from '../support/snug';
 import {startStudio} from '../support/studio';

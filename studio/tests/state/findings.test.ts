@@ -4,8 +4,7 @@ import {fileURLToPath} from 'node:url';
 import {expect, test} from 'vitest';
 import type {Finding} from '../../src/engine/api';
 import {counted, findingTitle, gravestFirst, titles, worst} from '../../src/state/findings';
-import {en} from '../../src/words/en';
-import {ja} from '../../src/words/ja';
+import {en, ja} from '../../src/words/texts';
 
 const ROOT = fileURLToPath(new URL('../../../', import.meta.url));
 const finding = (severity: Finding['severity'], code: string): Finding => ({severity, code, message: '', where: null});

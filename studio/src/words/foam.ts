@@ -1,0 +1,134 @@
+import {byName, words} from './words';
+
+// The foam: its blocks, the case around it, and how tightly it holds.
+
+export const foam = words({
+  foam: {
+    preset: ['Foam', 'フォーム'],
+    presetTip: [
+      'Real foams with the blocks that they have. Everything below can still be changed.',
+      '実際に手に入るフォームとそのブロックの大きさ。下の値はあとから変えられます。',
+    ],
+    presets: byName({
+      paper: ['Block sponge 15 × 15 × 22', 'ブロックスポンジ 15 × 15 × 22'],
+      'slit-10': ['Slit sponge 10 mm', 'スリットスポンジ 10 mm'],
+      'slit-12.7': ['Slit sponge ½ inch', 'スリットスポンジ ½ インチ'],
+      'slit-15': ['Slit sponge 15 mm', 'スリットスポンジ 15 mm'],
+      'cube-25': ['Cubes 25 mm', 'キューブ 25 mm'],
+      'sheet-5': ['Sheets 5 mm', 'シート 5 mm'],
+      'sheet-10': ['Sheets 10 mm', 'シート 10 mm'],
+      print: ['Printed, steps of 2 mm', '3Dプリント 2 mm 刻み'],
+      'lego-brick': ['Toy bricks, 8 mm', 'ブロック玩具 8 mm'],
+      'lego-plate': ['Toy plates, 8 mm', 'ブロック玩具（薄）8 mm'],
+      mill: ['Milled, columns of 2 mm', '切削 2 mm 刻み'],
+      cast: ['Cast in moulds, 5 mm', '注型 5 mm 刻み'],
+    }),
+    rigid: ['Rigid: it holds, but does not cushion.', '硬い材料：支えますが、衝撃は吸収しません。'],
+    fitted: ['Fit the space to the object', '対象物に合わせて空間を決める'],
+    fittedTip: [
+      'As many blocks as the object and its walls need. Off: you choose the number of blocks.',
+      '対象物と壁に必要なだけのブロック数にします。オフにすると自分で数を決められます。',
+    ],
+    wall: ['Wall', '壁の厚さ'],
+    wallTip: [
+      'Foam between the object and the case on every side. 50 mm is the usual least for parcels.',
+      '対象物とケースの間の、各面のフォームの厚さ。宅配便では 50 mm 以上が目安です。',
+    ],
+    blocks: ['Blocks', 'ブロック数'],
+    blocksTip: (axis: string) => [`How many blocks of foam along ${axis}`, `${axis}のブロックの数`],
+    blockSize: ['Block size', 'ブロックの大きさ'],
+    blockSizeTip: (axis: string) => [`How large one block is along ${axis}`, `${axis}のブロック1個の大きさ`],
+    space: ['Outside', '外寸'],
+    clearance: ['Clearance', 'すきま'],
+    clearanceTip: [
+      'Play around the object before blocks are cut. Negative squeezes it.',
+      'ブロックを切る前に対象物のまわりに取る余裕。負の値は締めつけます。',
+    ],
+    touch: ['Also cut blocks that are only touched', '触れるだけのブロックも切る'],
+    touchTip: [
+      'Stricter: a block whose face the object merely touches is cut away, too.',
+      'より厳しく：面が触れるだけのブロックも切り取ります。',
+    ],
+    parting: ['Parting level', '分割の高さ'],
+    partingTip: [
+      'Where lower foam and lid meet beside the object, in blocks from below.',
+      '対象物のない所で下のフォームとふたが合わさる高さ（下からのブロック数）。',
+    ],
+    partingAuto: ['Choose it for me', '自動で決める'],
+    axes: {x: ['up', '上下'], y: ['front to back', '前後'], z: ['left to right', '左右']},
+  },
+  cases: {
+    wallsApart: ['Walls of their own on each side', '壁の厚さを面ごとに決める'],
+    wallsApartTip: ['A floor may be thicker than the sides.', '底だけを厚くすることもできます。'],
+    wall: ['Wall', '壁の厚さ'],
+    sides: [['Floor', '底'], ['Roof', '上'], ['Back', '奥'], ['Front', '手前'], ['Left', '左'], ['Right', '右']],
+    fill: ['Fill a case', 'ケースに合わせる'],
+    fillTip: [
+      'The foam fills the inside of a case; the halves part where its lid does.',
+      'フォームはケースの内側を満たし、ふたの線で分かれます。',
+    ],
+    inside: [['Length inside', '内寸 長さ'], ['Width inside', '内寸 幅'], ['Height inside', '内寸 高さ']],
+    insideTip: [
+      'Measure your case: sizes differ between makers by some mm',
+      '実際に測ってください。製品によって数 mm 違います。',
+    ],
+    lid: ['Lid', 'ふた'],
+    lidTip: ['What of the inside height belongs to the lid. 0: not known.', '内寸の高さのうちふたの分。0 なら不明。'],
+    play: ['Play', '遊び'],
+    playTip: ['Air between foam and case on each side', 'フォームとケースの間のすきま（各面）'],
+    radius: ['Corner radius', '角の半径'],
+    radiusTip: ['Of the case’s four upright edges', 'ケースの縦の角の丸み'],
+    look: ['Which cases hold it?', '入るケースを探す'],
+    nothing: (least: string) => [
+      `None of the known cases holds it. One would from ${least} inside.`,
+      `知られているケースには入りません。内寸 ${least} 以上が必要です。`,
+    ],
+    nearest: (name: string, inside: string) => [
+      `The nearest is ${name}, ${inside}.`,
+      `最も近いのは ${name}（${inside}）です。`,
+    ],
+    filled: (percent: number) => [`${percent} % filled`, `充填 ${percent} %`],
+  },
+  fit: {
+    apart: ['Lower foam and lid each with their own', '下のフォームとふたで別々に決める'],
+    apartTip: [
+      'Along each axis, too. A lid may be loose around an object that the lower foam holds tight.',
+      '軸ごとにも決められます。下のフォームでしっかり支え、ふたはゆるくできます。',
+    ],
+    halves: {
+      lower: ['Clearance of the lower foam', '下のフォームのすきま'],
+      upper: ['Clearance of the lid', 'ふたのすきま'],
+    },
+    halfTip: (axis: string) => [`Play around the object along ${axis}`, `${axis}方向のすきま`],
+    liner: ['Liner', '内張り'],
+    linerTip: [
+      'Thickness of a cloth or film between object and foam, on top of the clearance',
+      '対象物とフォームの間の布やフィルムの厚さ（すきまに加わります）',
+    ],
+    rib: ['Least rib', '最小の壁厚'],
+    ribTip: [
+      'Foam between two cavities that is thinner than this is cut away. 0: nothing is.',
+      'くぼみの間に残るフォームがこれより薄いときは切り取ります。0 なら切りません。',
+    ],
+    notches: ['Finger notches', '指かけ'],
+    notchesTip: [
+      'Two recesses in the lower foam, opposite each other, for the fingers that lift the object',
+      '対象物を持ち上げる指のための、下のフォームの向かい合う2つのくぼみ',
+    ],
+    notchSizes: {width_mm: ['Width', '幅'], depth_mm: ['Depth', '深さ'], room_mm: ['Room', '奥行き']},
+    notchTips: {
+      width_mm: ['Along the side of the object', '対象物の側面に沿った長さ'],
+      depth_mm: ['Down from the parting level', '分割の高さから下へ'],
+      room_mm: ['From the object outwards, for the fingers', '対象物から外へ、指の入る広さ'],
+    },
+    notchAxis: ['Across', '向き'],
+    notchAxisTip: ['The axis along which the two lie opposite each other', '2つが向かい合う方向'],
+    notchAxes: {auto: ['as it suits', '自動'], y: ['back and front', '奥と手前'], z: ['left and right', '左と右']},
+    notchMoved: ['Choose their places', '位置を決める'],
+    notchPlaces: {first_mm: ['Back or left', '奥・左'], second_mm: ['Front or right', '手前・右']},
+    notchPlaceTip: [
+      'The middle of the notch along the object’s side, from the middle of the space',
+      '側面に沿った指かけの中心（空間の中心から）',
+    ],
+  },
+});

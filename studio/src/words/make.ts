@@ -1,0 +1,46 @@
+import {words} from './words';
+
+// What is made and saved.
+
+export const make = words({
+  make: {
+    what: ['What to export', '書き出すもの'],
+    kinds: {
+      zip: ['Everything in one zip', 'すべてを一つのzipに'],
+      stl: ['The two foams as STL', '二つのフォームをSTLで'],
+      ply: ['The two foams as PLY', '二つのフォームをPLYで'],
+    },
+    kindTips: {
+      zip: [
+        'Foams, drawing, depth table, report and project: what the command line writes',
+        'フォーム、図、深さの表、レポート、プロジェクト：コマンドラインと同じ内容',
+      ],
+      stl: ['lower.stl and upper.stl, in millimetres', 'lower.stl と upper.stl（ミリメートル）'],
+      ply: ['lower.ply and upper.ply, in millimetres', 'lower.ply と upper.ply（ミリメートル）'],
+    },
+    export: ['Export', '書き出す'],
+    exportTip: [
+      'Makes the files on this computer and saves them to your downloads',
+      'このコンピューターの中でファイルを作り、ダウンロードに保存します',
+    ],
+    summary: ['What you will make', '作るもの'],
+    lower: ['Lower foam', '下のフォーム'],
+    upper: ['Lid', 'ふた'],
+    blocks: (n: string) => [`${n} blocks`, `${n} ブロック`],
+    remove: ['Blocks to take out', '取り除くブロック'],
+    weight: ['Weight of the foam', 'フォームの重さ'],
+    command: ['The same on the command line', '同じことをコマンドラインで'],
+    copy: ['Copy', 'コピー'],
+    copied: ['Copied', 'コピーしました'],
+    named: ['Know before you make it:', '作る前に知っておくこと：'],
+    readThem: ['Read them in Check', '「確認」で読む'],
+    dangers: ['This foam is not safe yet', 'このフォームはまだ安全ではありません'],
+    dangersLead: ['Before you make it, read this:', '作る前にお読みください：'],
+    anyway: ['Make the files anyway', 'それでも作る'],
+    back: ['Go back', '戻る'],
+    thinned: [
+      'This is a thinned copy of a large scan. Use the command above to make the foams from the original.',
+      'これは大きなスキャンを間引いた写しです。元のデータからは上のコマンドで作ってください。',
+    ],
+  },
+});

@@ -1,0 +1,17 @@
+import {check} from './check';
+import {files} from './files';
+import {foam} from './foam';
+import {make} from './make';
+import {object} from './object';
+import {page} from './page';
+import {placement} from './placement';
+import {views} from './views';
+import {spoken, words} from './words';
+import {workshop} from './workshop';
+
+/** Every text of the studio. Sentences of the library come from the library. */
+export const ALL = words({...page, ...object, ...foam, ...workshop, ...placement, ...check, ...make, ...views, ...files});
+
+export const en = spoken(ALL, 0);
+export const ja = spoken(ALL, 1);
+export type Texts = typeof en;

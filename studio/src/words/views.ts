@@ -1,0 +1,100 @@
+import {words} from './words';
+
+// The views in three dimensions and in two.
+
+export const views = words({
+  view3d: {
+    label: [
+      '3D view of the object in its foams. Drag to orbit; arrow keys orbit, plus and minus zoom.',
+      'フォームに収まった対象物の3D表示。ドラッグか矢印キーで回転、プラスとマイナスで拡大・縮小。',
+    ],
+    opening: ['Open foams', 'フォームを開く'],
+    openingTip: [
+      'Moves the lid up and the lower foam down, as the object goes in and out',
+      'ふたを上に、下のフォームを下に動かします（出し入れの動き）',
+    ],
+    openingValue: ['Opening in percent', '開き（パーセント）'],
+    play: ['Open or close, animated', '開閉のアニメーション'],
+    views: ['View from', '視点'],
+    names: {
+      corner: ['Corner', '斜め'],
+      front: ['Front', '前'],
+      back: ['Back', '後ろ'],
+      left: ['Left', '左'],
+      right: ['Right', '右'],
+      top: ['Top', '上'],
+      bottom: ['Below', '下'],
+    },
+    all: ['Show all', '全体を表示'],
+    parts: {
+      object: ['Object', '対象物'],
+      lower: ['Lower foam', '下のフォーム'],
+      upper: ['Lid', 'ふた'],
+      space: ['Space', '空間'],
+    },
+    looks: {shown: ['shown', '表示'], glass: ['see-through', '半透明'], hidden: ['hidden', '非表示']},
+    look: (part: string, look: string) => [`${part}: ${look}`, `${part}：${look}`],
+    lookTip: ['Shown, see-through, hidden: click for the next', '表示・半透明・非表示をクリックで切り替え'],
+    handles: ['Handles', 'ハンドル'],
+    handleKinds: {none: ['Look', '見る'], turn: ['Turn', '回す'], shift: ['Shift', '動かす']},
+    handleTips: {
+      none: ['Dragging orbits the view', 'ドラッグで視点を回します'],
+      turn: ['Rings to turn the object in the view', '輪をつかんで対象物を回します'],
+      shift: ['Arrows to shift the object in the view', '矢印をつかんで対象物を動かします'],
+    },
+    up: ['UP', '上'],
+    own: ['object’s own z', '対象物の z'],
+    lost: [
+      'The graphics of this browser stopped. They come back by themselves; nothing is lost.',
+      'ブラウザーのグラフィックスが止まりました。自動で戻ります。データは失われません。',
+    ],
+    none: [
+      'This browser has no WebGL 2, so there is no 3D view. Everything else works.',
+      'このブラウザーにはWebGL 2がないため3D表示はできません。ほかの機能は使えます。',
+    ],
+    gapNear: ['touching', '接している'],
+    gapFar: (mm: string) => [`${mm} mm and more`, `${mm} mm 以上`],
+  },
+  view2d: {
+    label: ['Drawings', '図面'],
+    tabs: {slice: ['Section', '断面図'], lower: ['Lower', '下'], lid: ['Lid', 'ふた']},
+    slice: ['Slice', '断面'],
+    sliceTip: [
+      'One layer of blocks, counted from below. Page Up and Page Down move five.',
+      '下から数えた1層のブロック。PageUp／PageDownで5層ずつ動きます。',
+    ],
+    sliceValue: ['Layer from below', '下からの層'],
+    sliceAt: (mm: string) => [`seen from above, at ${mm} mm`, `上から見た図、高さ ${mm} mm`],
+    lowerNote: [
+      'LOWER · cavity facing you · numbers: blocks to remove',
+      '下のフォーム（LOWER）・くぼみが手前・数字は取り除くブロック数',
+    ],
+    lidNote: [
+      'LID · cavity facing you · numbers: blocks to remove',
+      'ふた（LID）・くぼみが手前・数字は取り除くブロック数',
+    ],
+    back: ['BACK', 'BACK'],
+    print: ['Print', '印刷'],
+    printTip: [
+      'Prints the maps of the lower foam and the lid, one page each, the cavity facing you',
+      '図を印刷します：下のフォームとふたを1ページずつ、くぼみを手前にして',
+    ],
+    column: (j: number, k: number) => [`Row ${j}, column ${k}`, `${j} 行 ${k} 列`],
+    remove: (lower: number, lid: number) => [
+      `remove ${lower} below, ${lid} in the lid`,
+      `下で ${lower}、ふたで ${lid} 取り除く`,
+    ],
+    hover: ['Point at a column to see it in both windows.', '列を指すと両方の窓に表示されます。'],
+    legend: {
+      lower: ['lower foam', '下のフォーム'],
+      lid: ['lid', 'ふた'],
+      cut: ['cut away', '切り取り'],
+      object: ['object', '対象物'],
+    },
+    canvas: {
+      section: (n: number) => [`Section through layer ${n}`, `${n} 層目の断面`],
+      lower: ['Map of the lower foam: blocks to remove in each column', '下のフォームの図：各列で取り除くブロック数'],
+      lid: ['Map of the lid: blocks to remove in each column', 'ふたの図：各列で取り除くブロック数'],
+    },
+  },
+});
