@@ -10,7 +10,6 @@
 #include "snug/outputs.h"
 #include "snug/pipeline.h"
 #include "snug/samples/samples.h"
-#include "snug/solid/run_solid.h"
 #include "snug/solid/solid.h"
 #include "snug/space/case_space.h"
 
@@ -269,29 +268,6 @@ TEST(Case, RandomObjectsInShapedCasesKeepEveryInvariant) {
         }
     }
     EXPECT_GT(shortened, 10);
-}
-
-TEST(RunSolid, IsClosedForAnyRunsOfBlocks) {
-    for (std::uint64_t seed = 0; seed < 200; ++seed) {
-        SCOPED_TRACE(seed);
-        Random random(seed);
-        const DesignSpace space{{random.integer(1, 4), random.integer(1, 5), random.integer(1, 5)},
-                                {3, 4, 5}};
-        Grid<CutRun> runs(space.blocks.y, space.blocks.z);
-        long long blocks = 0;
-        for (CutRun& run : runs) {
-            const int a = random.integer(0, space.blocks.x), b = random.integer(0, space.blocks.x);
-            run = {static_cast<std::int16_t>(std::min(a, b)), static_cast<std::int16_t>(std::max(a, b))};
-            blocks += run.blocks();
-        }
-        const Solid solid = run_solid(runs, space);
-        EXPECT_EQ(solid.triangles.empty(), blocks == 0);
-        if (blocks == 0) continue;
-        EXPECT_TRUE(test::every_edge_has_two_triangles(solid.triangles));
-        EXPECT_TRUE(test::closed_when_welded(solid.vertices, solid.triangles));
-        EXPECT_NEAR(test::signed_volume(solid.vertices, solid.triangles), static_cast<double>(blocks) * 60,
-                    0.01);
-    }
 }
 
 TEST(Case, AnObjectThatDoesNotFitIsToldWhatWould) {

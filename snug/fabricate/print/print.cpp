@@ -37,8 +37,8 @@ std::string csv_range(int first, int count) {
 }
 
 std::string csv_line(const std::string& name, const PrintPart& part) {
-    return name + csv_range(part.first.x, part.levels()) + csv_range(part.first.y, part.heights.ny()) +
-           csv_range(part.first.z, part.heights.nz()) + "," + std::to_string(part.blocks()) + "\n";
+    return name + csv_range(part.first.x, part.levels()) + csv_range(part.first.y, part.runs.ny()) +
+           csv_range(part.first.z, part.runs.nz()) + "," + std::to_string(part.blocks()) + "\n";
 }
 
 /// Where each part belongs, numbered from 1: levels from the half's floor, rows from BACK, columns from the
@@ -68,7 +68,7 @@ Result<PrintedHalf> printed_half(const Grid<Run>& kept, Vec3d block_mm, const Pr
                               part_solid(layout, static_cast<int>(i), half.bores, block_mm, options,
                                          {lid, layout.cuts.turned})});
         half.blocks += layout.parts[i].blocks();
-        half.overhanging += layout.parts[i].missing.size() > 0;
+        half.overhanging += layout.parts[i].overhangs;
         half.places += csv_line(half.parts.back().name, layout.parts[i]);
     }
     return half;

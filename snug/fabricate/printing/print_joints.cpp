@@ -109,8 +109,8 @@ class JointPlacer {
     /// The levels of the half that a part fills in a column of its piece.
     [[nodiscard]] Run levels_of(int index, Vec3i piece, int j, int k) const {
         const PrintPart& part = layout_.parts[static_cast<std::size_t>(index)];
-        const Run run = part.run(lines(1)[static_cast<std::size_t>(piece.y)] + j - part.first.y,
-                                 lines(2)[static_cast<std::size_t>(piece.z)] + k - part.first.z);
+        const Run run = part.runs(lines(1)[static_cast<std::size_t>(piece.y)] + j - part.first.y,
+                                  lines(2)[static_cast<std::size_t>(piece.z)] + k - part.first.z);
         return {static_cast<std::int16_t>(run.first + part.first.x),
                 static_cast<std::int16_t>(run.end + part.first.x)};
     }
@@ -169,12 +169,12 @@ class JointPlacer {
         const PrintPart& part = layout_.parts[static_cast<std::size_t>(index)];
         const auto first = [&](int a) { return block_at(a, box.min[a], kRounding) - part.first[a]; };
         const auto end = [&](int a) { return block_at(a, box.max[a], -kRounding) + 1 - part.first[a]; };
-        // No dowels in parts whose floor is no plane: their faces are made block by block (print_solid.h).
-        if (first(0) < 0 || part.missing.size() > 0) return false;
+        // No dowels in parts whose floor is no plane.
+        if (first(0) < 0 || part.overhangs) return false;
         const int top = end(0);
         for (int j = first(1); j < end(1); ++j)
             for (int k = first(2); k < end(2); ++k)
-                if (!part.heights.contains(j, k) || part.heights(j, k) < top) return false;
+                if (!part.runs.contains(j, k) || part.runs(j, k).end < top) return false;
         const auto& taken = taken_[static_cast<std::size_t>(index)];
         return std::none_of(taken.begin(), taken.end(), [&](const Box3d& other) {
             for (int a = 0; a < 3; ++a)

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace snug {
@@ -84,19 +83,14 @@ PrintPart part_of(const Grid<Run>& piece, const std::vector<Column>& columns, Ve
         k0 = std::min(k0, at.second);
         k1 = std::max(k1, at.second + 1);
     }
-    int floor = std::numeric_limits<int>::max(), highest_floor = 0;
-    for (const Column& at : columns) {
-        floor = std::min<int>(floor, piece(at.first, at.second).first);
-        highest_floor = std::max<int>(highest_floor, piece(at.first, at.second).first);
-    }
-    const Grid<std::uint16_t> none(j1 - j0, k1 - k0);
-    PrintPart part{{first.x + floor, first.y + j0, first.z + k0}, tile, none};
-    if (highest_floor > floor) part.missing = none;
+    int floor = std::numeric_limits<int>::max();
+    for (const Column& at : columns) floor = std::min<int>(floor, piece(at.first, at.second).first);
+    PrintPart part{{first.x + floor, first.y + j0, first.z + k0}, tile, {j1 - j0, k1 - k0}};
     for (const Column& at : columns) {
         const Run run = piece(at.first, at.second);
-        const int j = at.first - j0, k = at.second - k0;
-        part.heights(j, k) = static_cast<std::uint16_t>(run.end - floor);
-        if (part.missing.size() > 0) part.missing(j, k) = static_cast<std::uint16_t>(run.first - floor);
+        part.runs(at.first - j0, at.second - k0) = {static_cast<std::int16_t>(run.first - floor),
+                                                    static_cast<std::int16_t>(run.end - floor)};
+        part.overhangs = part.overhangs || run.first > floor;
     }
     return part;
 }
@@ -148,12 +142,15 @@ void add_parts(const Grid<Run>& kept, Vec3i first, Vec3i end, const PiecePartiti
 }  // namespace
 
 int PrintPart::levels() const {
-    return heights.size() == 0 ? 0 : *std::max_element(heights.begin(), heights.end());
+    int levels = 0;
+    for (const Run run : runs) levels = std::max<int>(levels, run.end);
+    return levels;
 }
 
 long long PrintPart::blocks() const {
-    return std::accumulate(heights.begin(), heights.end(), 0LL) -
-           std::accumulate(missing.begin(), missing.end(), 0LL);
+    long long blocks = 0;
+    for (const Run run : runs) blocks += run.blocks();
+    return blocks;
 }
 
 bool holds_block(Vec3d bed, Vec3d block) {
@@ -197,13 +194,6 @@ PrintCuts print_cuts(const BlockLines& lines, Vec3d bed) {
 
 PrintCuts print_cuts(Vec3i blocks, Vec3d block, Vec3d bed) {
     return print_cuts(block_lines(blocks, block), bed);
-}
-
-Grid<Run> PrintPart::runs() const {
-    Grid<Run> all(heights.ny(), heights.nz());
-    for (int j = 0; j < all.ny(); ++j)
-        for (int k = 0; k < all.nz(); ++k) all(j, k) = run(j, k);
-    return all;
 }
 
 namespace {

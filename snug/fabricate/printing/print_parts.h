@@ -38,17 +38,11 @@ struct PrintCuts {
 /// One piece of foam that is printed at a time: columns that share sides. Its floor is flat unless a case
 /// shortens the half from below.
 struct PrintPart {
-    Vec3i first;                       ///< its least level, j and k within the half
-    int tile = 0;                      ///< the piece of PrintCuts that it comes from
-    Grid<std::uint16_t> heights;       ///< blocks from its floor, 0 where it has none; no empty rim
-    Grid<std::uint16_t> missing = {};  ///< of them, from the floor, that are none; empty where it is flat
+    Vec3i first;             ///< its least level, j and k within the half
+    int tile = 0;            ///< the piece of PrintCuts that it comes from
+    Grid<Run> runs;          ///< its blocks in each column, from its floor; no empty rim
+    bool overhangs = false;  ///< some column begins above the floor
     [[nodiscard]] int levels() const;
-    /// Its blocks in a column, from its floor.
-    [[nodiscard]] Run run(int j, int k) const {
-        const int from = missing.size() == 0 ? 0 : missing(j, k);
-        return {static_cast<std::int16_t>(from), static_cast<std::int16_t>(heights(j, k))};
-    }
-    [[nodiscard]] Grid<Run> runs() const;
     [[nodiscard]] long long blocks() const;
 };
 

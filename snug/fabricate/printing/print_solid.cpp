@@ -8,8 +8,6 @@
 
 #include "snug/base/box.h"
 #include "snug/base/rotation.h"
-#include "snug/polygon/corners.h"
-#include "snug/solid/run_solid.h"
 #include "snug/solid/solid_faces.h"
 
 namespace snug {
@@ -68,20 +66,15 @@ class PartBuilder {
     PartBuilder(const PrintPart& part, Vec3d block_mm) : part_(part), block_(block_mm) {}
 
     void add_foam(std::vector<PartBore>& bores) {
-        if (part_.missing.size() > 0) return add_runs();
-        const SolidCorners corners(part_.heights);
-        for (int J = 0; J <= part_.heights.ny(); ++J)
-            for (int K = 0; K <= part_.heights.nz(); ++K)
-                for (const SolidCorner& corner : corners.on_line(J, K))
-                    points.insert(points.end(), corner.doubled ? 2 : 1,
-                                  in_mm({corner.level * 1.0, J * 1.0, K * 1.0}));
+        const SolidCorners corners(part_.runs);
+        for (const Vec3i p : corners.points()) points.push_back(in_mm(vec_cast<double>(p)));
         std::vector<FaceOpening> openings;
         for (PartBore& bore : bores) {
             bore.opening.first_vertex = static_cast<std::uint32_t>(points.size());
             add_corners(bore.opening);
             openings.push_back(bore.opening);
         }
-        add_faces(part_.heights, corners, openings, triangles);
+        add_faces(part_.runs, corners, openings, triangles);
     }
 
     void add_bore(const PartBore& bore, double radius, double depth) {
@@ -114,13 +107,6 @@ class PartBuilder {
   private:
     [[nodiscard]] Vec3d in_mm(Vec3d blocks) const {
         return {blocks.x * block_.x, blocks.y * block_.y, blocks.z * block_.z};
-    }
-
-    /// A part whose floor is no plane; it has no bores.
-    void add_runs() {
-        const RunSurface surface = run_surface(part_.runs());
-        for (const Vec3d& point : surface.points) points.push_back(in_mm(point));
-        triangles = surface.triangles;
     }
 
     void add_corners(const FaceOpening& opening) {

@@ -45,9 +45,9 @@ TEST(PrintParts, EveryBlockIsInOnePartAndPartsAreJoinedBySides) {
                        {random.between(1, 9), random.between(1, 9), random.between(1, 9)}));
         std::set<std::array<int, 3>> seen;
         for (const PrintPart& part : layout.parts)
-            for (int j = 0; j < part.heights.ny(); ++j)
-                for (int k = 0; k < part.heights.nz(); ++k)
-                    for (int i = 0; i < part.heights(j, k); ++i) {
+            for (int j = 0; j < part.runs.ny(); ++j)
+                for (int k = 0; k < part.runs.nz(); ++k)
+                    for (int i = 0; i < part.runs(j, k).end; ++i) {
                         EXPECT_TRUE(
                             seen.insert({part.first.x + i, part.first.y + j, part.first.z + k}).second);
                         EXPECT_LT(part.first.x + i, heights(part.first.y + j, part.first.z + k));
@@ -86,8 +86,8 @@ TEST(PrintJoints, DowelsFitTheirBoresAndBoresStayInsideTheFoam) {
                 const PrintPart& part =
                     layout.parts[static_cast<std::size_t>(along < 0 ? bore.before : bore.after)];
                 at = at - part.first;
-                ASSERT_TRUE(part.heights.contains(at.y, at.z));
-                ASSERT_TRUE(at.x >= 0 && at.x < part.heights(at.y, at.z));
+                ASSERT_TRUE(part.runs.contains(at.y, at.z));
+                ASSERT_TRUE(part.runs(at.y, at.z).contains(at.x));
             }
         }
     }
