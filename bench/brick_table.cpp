@@ -13,7 +13,7 @@
 #include "snug/fabricate/bricks/brick_shape.h"
 #include "snug/fabricate/bricks/brick_springs.h"
 #include "snug/fabricate/bricks/brick_statics.h"
-#include "snug/pipeline.h"
+#include "snug/make.h"
 #include "snug/samples/samples.h"
 
 #include "bench/brick_graph.h"

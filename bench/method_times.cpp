@@ -16,8 +16,8 @@
 #include "snug/foam/foam_pair.h"
 #include "snug/foam/parting.h"
 #include "snug/formats/mesh_files.h"
+#include "snug/make.h"
 #include "snug/object/prepared_surface.h"
-#include "snug/pipeline.h"
 
 #include "bench/measure_times.h"
 #include "bench/objects.h"
@@ -133,7 +133,7 @@ json packs(const Mesh& mesh) {
         design.space.blocks = space.blocks;
         design.space.block_mm = space.block_mm;
         Object object = *prepare(mesh, design);
-        object.surface = prepare_surface(object.mesh);
+        object.prepared = prepare_surface(object.mesh);
         std::vector<double> times;
         for (const Vec3d& rotation : rotations(kRotations)) {
             design.placement.rotation_deg = rotation;

@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "snug/make.h"
 #include "snug/samples/samples.h"
-#include "snug/workshop.h"
 
 #include "bench/measure_times.h"
 

@@ -10,7 +10,8 @@
 
 #include "snug/base/rotation.h"
 #include "snug/base/text.h"
-#include "snug/pipeline.h"
+#include "snug/object/prepare.h"
+#include "snug/space/placement.h"
 #include "snug/search/rank_cases.h"
 
 #include "cli/commands.h"

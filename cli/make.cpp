@@ -1,3 +1,5 @@
+#include "snug/make.h"
+
 #include <algorithm>
 #include <cstddef>
 #include <filesystem>
@@ -11,9 +13,6 @@
 
 #include "snug/base/stopwatch.h"
 #include "snug/design/project.h"
-#include "snug/outputs.h"
-#include "snug/pipeline.h"
-#include "snug/workshop.h"
 
 #include "cli/clp_solver.h"
 #include "cli/commands.h"
@@ -23,7 +22,7 @@
 #include "cli/make_case.h"
 #include "cli/make_clean.h"
 #include "cli/make_fit.h"
-#include "cli/make_pack.h"
+#include "cli/make_object.h"
 #include "cli/make_search.h"
 #include "cli/make_workshop.h"
 #include "cli/object_file.h"
@@ -203,38 +202,68 @@ Result<Task> task_from(const MakeArguments& arguments) {
 }
 
 /// Writes everything, the report last, since it tells how long the rest took and what of earlier runs stays.
-Result<std::string> write_outputs(const Packed& packed, Packing& packing, const Project& project,
-                                  const Measured& measured, FolderRun&& run) {
-    std::vector<OutputFile> of_pack;
-    if (measured.pack) {
-        auto files = workshop_files(*measured.pack);
+Result<std::string> write_outputs(const Object& object, const Project& project, Made& made, FolderRun&& run) {
+    std::vector<PackFile> of_pack;
+    if (made.pack) {
+        auto files = workshop_files(*made.pack);
         if (!files) return tl::unexpected(files.error());
         of_pack = std::move(*files);
     }
     const InterruptGuard guard;
     if (auto done = run.open(); !done) return tl::unexpected(done.error());
+    Packing& packing = made.packing;
     packing.timing.write = 0;
-    const auto write = [&](const OutputFile& file) {
+    const auto write = [&](const PackFile& file) {
         Stopwatch watch;
         auto done = run.write(file.name, file.bytes);
         packing.timing.write += watch.lap();
         return done;
     };
-    if (auto done = make_output_files(packed.object, project, measured, packing, write); !done)
+    if (auto done = make_output_files(object, project, made, write); !done)
         return tl::unexpected(done.error());
-    for (const OutputFile& file : of_pack)
+    for (const PackFile& file : of_pack)
         if (auto done = write(file); !done) return tl::unexpected(done.error());
     const std::string report_name = "report.json";
     const auto earlier = run.look_back({&report_name, 1});
     if (!earlier) return tl::unexpected(earlier.error());
     packing.findings.insert(packing.findings.end(), earlier->begin(), earlier->end());
     sort_by_severity(packing.findings);
-    const std::string report = report_json(packed.object, project, packing, measured);
+    const std::string report = report_json(object, project, made);
     if (auto done = run.write(report_name, std::as_bytes(std::span(report))); !done)
         return tl::unexpected(done.error());
     if (auto done = run.commit(); !done) return tl::unexpected(done.error());
     InterruptGuard::finished();
     return report;
+}
+
+std::string in_its_file(const Task& task, const Error& error) {
+    return fmt::format("{}: {}", task.object_path.string(), error.message);
+}
+
+/// What this program has, and the status line that long work moves.
+Tools tools_for(const Task& task, const SearchArguments& searched, StatusLine& status) {
+    Tools tools;
+    tools.solve_lp = clp_solver();
+    if (searched.asked())
+        tools.search = [&](Object& object, Design& design) -> Result<SearchReport> {
+            auto found = search(object, design, searched, status);
+            if (!found) return fail(found.error().kind, in_its_file(task, found.error()));
+            return found;
+        };
+    tools.progress = [&status](Stage stage) {
+        if (stage == Stage::workshop) status.show("Drawing for the workshop");
+        return status.progress(stage == Stage::cut        ? "Cutting"
+                               : stage == Stage::workshop ? "Checking how firmly the bricks hold"
+                                                          : "Measuring gaps");
+    };
+    return tools;
+}
+
+int say_that_it_does_not_fit(const Task& task, const Object& object, const Made& made, bool json) {
+    if (json)
+        if (auto done = print(report_json(object, task.project, made)); !done) return report(done.error());
+    return report({ErrorKind::does_not_fit,
+                   fmt::format("{}: {}", task.object_path.string(), made.packing.findings.front().message)});
 }
 
 int make(const MakeArguments& arguments) {
@@ -246,60 +275,39 @@ int make(const MakeArguments& arguments) {
     if (!task) return report(task.error());
 
     std::optional<StatusLine> status(std::in_place, arguments.quiet);
-    auto packed = read_and_pack(*task, arguments.search, *status);
-    if (!packed) {
+    const auto give_up = [&](const Error& error) {
         status.reset();
-        return report(packed.error());
-    }
-    Packing& packing = packed->packing;
-    if (!packing.foams) {
-        status.reset();
-        if (arguments.json)
-            if (auto done = print(report_json(packed->object, task->project, packing, {})); !done)
-                return report(done.error());
-        return report({ErrorKind::does_not_fit,
-                       fmt::format("{}: {}", task->object_path.string(), packing.findings.front().message)});
-    }
-
-    std::optional<WorkshopPack> pack;
-    if (task->project.design.workshop.work != Workshop::none) {
-        status->show("Drawing for the workshop");
-        auto made = workshop_pack(packed->object, packing, task->project,
-                                  {clp_solver(), status->progress("Checking how firmly the bricks hold")});
-        if (!made) {
-            status.reset();
-            return report(made.error());
-        }
-        pack = std::move(*made);
-        packing.findings.insert(packing.findings.end(), pack->findings.begin(), pack->findings.end());
-        sort_by_severity(packing.findings);
-    }
-
-    auto measured =
-        measure_fit(packed->object, packing, task->project.design, status->progress("Measuring gaps"));
-    if (!measured) return report(measured.error());
-    measured->search = packed->search;
-    measured->pack = pack ? &*pack : nullptr;
+        return report(error);
+    };
+    auto read = read_object_of(*task, *status);
+    if (!read) return give_up(read.error());
+    Object& object = read->object;
+    Project& project = task->project;
+    auto made = snug::make(object, project, tools_for(*task, arguments.search, *status));
+    if (!made && object.is_streamed())  // whose file is read all the while
+        return give_up({made.error().kind, in_its_file(*task, made.error())});
+    if (!made) return give_up(made.error());
+    made->packing.timing.read = read->read_ms;
     status.reset();
+    if (!made->packing.foams) return say_that_it_does_not_fit(*task, object, *made, arguments.json);
+
     // What it takes is said before anything is written.
-    if (pack && !arguments.quiet && !arguments.json)
-        if (auto done = print(workshop_summary(*pack, task->project.design)); !done)
+    if (made->pack && !arguments.quiet && !arguments.json)
+        if (auto done = print(workshop_summary(*made->pack, project.design)); !done)
             return report(done.error());
     const bool dry = arguments.workshop.dry_run;
     status.emplace(arguments.quiet || dry);
     status->show("Writing");
     const auto report_text =
-        dry ? Result<std::string>(report_json(packed->object, task->project, packing, *measured))
-            : write_outputs(*packed, packing, task->project, *measured,
+        dry ? Result<std::string>(report_json(object, project, *made))
+            : write_outputs(object, project, *made,
                             {arguments.folder, workshop_folders(), {arguments.object, task->object_path}});
     status.reset();
     if (!report_text) return report(report_text.error());
     if (arguments.json) {
         if (auto done = print(*report_text); !done) return report(done.error());
     } else if (!arguments.quiet) {
-        if (auto done = print(summary(packed->object, task->project, packing, *measured,
-                                      dry ? std::string() : arguments.folder));
-            !done)
+        if (auto done = print(summary(object, project, *made, dry ? std::string() : arguments.folder)); !done)
             return report(done.error());
     }
     return kDone;

@@ -9,6 +9,7 @@
 #include <fmt/core.h>
 
 #include "snug/base/text.h"
+#include "snug/object/prepare.h"
 #include "snug/search/placement_search.h"
 
 #include "cli/interrupt.h"
@@ -92,6 +93,8 @@ Result<void> apply(const SearchArguments& a, SearchOptions& search) {
 
 Result<SearchReport> search(Object& object, Design& design, const SearchArguments& arguments,
                             StatusLine& status) {
+    if (auto done = mark_stand_in(object, status.progress("Thinning")); !done)
+        return tl::unexpected(done.error());
     prepare_for_many(object);
     SearchTask task;
     task.fit_case = arguments.fit_case;
@@ -103,7 +106,7 @@ Result<SearchReport> search(Object& object, Design& design, const SearchArgument
     const Clock::time_point begun = Clock::now();
     bool out_of_time = false;
     auto report = search_design(
-        object.mesh, *object.surface, design, task, [&](double share, std::optional<long long> cut_blocks) {
+        object.mesh, *object.prepared, design, task, [&](double share, std::optional<long long> cut_blocks) {
             const std::chrono::duration<double> spent = Clock::now() - begun;
             if (arguments.seconds) share = spent.count() / *arguments.seconds;
             status.show(cut_blocks

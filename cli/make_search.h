@@ -7,7 +7,7 @@
 
 #include "snug/base/result.h"
 #include "snug/design/design.h"
-#include "snug/pipeline.h"
+#include "snug/object/object.h"
 #include "snug/search/search_design.h"
 
 #include "cli/console.h"

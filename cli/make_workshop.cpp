@@ -102,8 +102,8 @@ std::string workshop_summary(const WorkshopPack& pack, const Design& design) {
     return text;
 }
 
-Result<std::vector<OutputFile>> workshop_files(const WorkshopPack& pack) {
-    std::vector<OutputFile> files;
+Result<std::vector<PackFile>> workshop_files(const WorkshopPack& pack) {
+    std::vector<PackFile> files;
     for (const PackFile& file : pack.files) files.push_back({file.name, file.bytes});
     for (const PackContainer& container : pack.containers) {
         auto bytes = write_zip(container);

@@ -9,7 +9,6 @@
 #include "snug/base/result.h"
 #include "snug/design/design.h"
 #include "snug/fabricate/kit/workshop_pack.h"
-#include "snug/outputs.h"
 
 #include "cli/make_tools.h"
 
@@ -48,6 +47,6 @@ struct FoamChoice {
 [[nodiscard]] std::string workshop_summary(const WorkshopPack& pack, const Design& design);
 
 /// Every file of the pack, drawings as PDF and containers zipped.
-[[nodiscard]] Result<std::vector<OutputFile>> workshop_files(const WorkshopPack& pack);
+[[nodiscard]] Result<std::vector<PackFile>> workshop_files(const WorkshopPack& pack);
 
 }  // namespace snug::cli

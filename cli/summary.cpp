@@ -65,25 +65,26 @@ std::string gap_line(const GapReport& gap) {
 
 std::string object_line(const Object& object) {
     const auto& measure = object.measure;
-    if (object.kind == ObjectKind::cloud)
-        return fmt::format("{}, {} mm, a cloud", counted(object.read_vertices, "point", "points"),
+    if (object.is_cloud())
+        return fmt::format("{}, {} mm, a cloud", counted(object.read.vertices, "point", "points"),
                            dimensions(measure.bounds.size()));
-    if (object.kind == ObjectKind::streamed)
+    if (object.is_streamed())
         return fmt::format("{}, {} mm, read in pieces",
-                           counted(object.read_triangles, "triangle", "triangles"),
+                           counted(object.read.triangles, "triangle", "triangles"),
                            dimensions(measure.bounds.size()));
     std::string closed = "closed";
     if (!measure.holes.empty())
         closed = "open (" + counted(measure.holes.size(), "hole", "holes") + ")";
     else if (!measure.watertight)
         closed = "closed, but wound both ways";
-    return fmt::format("{}, {}, {} mm, {}", counted(object.read_vertices, "vertex", "vertices"),
-                       counted(object.read_triangles, "triangle", "triangles"),
+    return fmt::format("{}, {}, {} mm, {}", counted(object.read.vertices, "vertex", "vertices"),
+                       counted(object.read.triangles, "triangle", "triangles"),
                        dimensions(measure.bounds.size()), closed);
 }
 
-std::string summary(const Object& object, const Project& project, const Packing& packing,
-                    const Measured& measured, const std::string& folder) {
+std::string summary(const Object& object, const Project& project, const Made& made,
+                    const std::string& folder) {
+    const Packing& packing = made.packing;
     const FitReport& fit = packing.fit;
     const auto& wall = fit.wall_mm;
     const auto line = [](std::string_view label, const std::string& text) {
@@ -105,8 +106,8 @@ std::string summary(const Object& object, const Project& project, const Packing&
                                       number(wall[0], 1), number(wall[1], 1), number(wall[2], 1),
                                       number(wall[3], 1), number(wall[4], 1), number(wall[5], 1)));
     for (const Notch& notch : packing.notches) text += line("Notch", notch_text(notch));
-    if (measured.gap) text += line("Gaps", gap_line(*measured.gap));
-    if (measured.bearing) text += line("Bears", wrapped(bearing_text(*measured.bearing, project.design), 10));
+    if (made.fit.gap) text += line("Gaps", gap_line(*made.fit.gap));
+    if (made.fit.bearing) text += line("Bears", wrapped(bearing_text(*made.fit.bearing, project.design), 10));
     text += findings_lines(packing.findings);
     text += line("Files", folder.empty() ? "none are written: a dry run"
                                          : fmt::format("in {}: look at preview.svg first", one_line(folder)));

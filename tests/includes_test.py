@@ -11,6 +11,7 @@ ROOT = Path(__file__).resolve().parent.parent
 # From what every part speaks to what uses most; files that stand directly in snug/ use all of it.
 FOLDERS = ["base", "words", "polygon", "drawing", "mesh", "formats", "samples", "design", "object", "space", "depth",
            "foam", "check", "search", "solid", "picture", "fabricate/kit", "fabricate/printing"]
+# Each in a folder of its own under fabricate/, which itself lists them.
 WAYS = ["sponge", "sheets", "print", "bricks", "mill", "mould"]
 
 
@@ -27,8 +28,8 @@ def includes():
 
 
 def rank(folder):
-    if folder == ".":
-        return len(FOLDERS) + 1
+    if folder in ("fabricate", "."):
+        return len(FOLDERS) + (1 if folder == "fabricate" else 2)
     return FOLDERS.index(folder) if folder in FOLDERS else len(FOLDERS)
 
 
@@ -36,7 +37,10 @@ class Includes(unittest.TestCase):
     def test_every_folder_has_its_place(self):
         ways = [f"fabricate/{way}" for way in WAYS]
         for path in (ROOT / "snug").rglob("*.h"):
-            self.assertIn(folder_of(path.relative_to(ROOT)), [".", *FOLDERS, *ways])
+            self.assertIn(folder_of(path.relative_to(ROOT)), [".", "fabricate", *FOLDERS, *ways])
+
+    def test_the_top_alone_stands_directly_in_the_library(self):
+        self.assertEqual(sorted(path.name for path in (ROOT / "snug").glob("*.*")), ["make.cpp", "make.h"])
 
     def test_includes_are_written_from_the_root_and_stay_in_the_library(self):
         for file, included in includes():

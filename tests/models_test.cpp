@@ -10,8 +10,8 @@
 #include <gtest/gtest.h>
 
 #include "snug/formats/read.h"
+#include "snug/make.h"
 #include "snug/mesh/raw_mesh.h"
-#include "snug/pipeline.h"
 #include "snug/solid/solid.h"
 
 #include "tests/support/brute_force.h"

@@ -1,10 +1,9 @@
-#include "snug/workshop.h"
-
 #include <gtest/gtest.h>
 
 #include "snug/base/stopwatch.h"
 #include "snug/design/presets.h"
 #include "snug/drawing/text_lines.h"
+#include "snug/make.h"
 #include "snug/samples/samples.h"
 
 #include "tests/support/drawing_cells.h"

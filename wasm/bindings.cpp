@@ -60,7 +60,7 @@ val samples() {
 val sample_file(const std::string& name) {
     const auto mesh = sample(name);
     if (!mesh) return to_val(mesh.error());
-    return to_val(OutputFile{name + ".ply", write_ply(mesh->vertices, mesh->triangles, {})});
+    return to_val(PackFile{name + ".ply", write_ply(mesh->vertices, mesh->triangles, {})});
 }
 
 val make(const val& object_bytes, const std::string& project_text, const val& tools) {
@@ -68,7 +68,7 @@ val make(const val& object_bytes, const std::string& project_text, const val& to
     if (!project) return to_val(project.error());
     auto mesh = read_object(bytes_from(object_bytes), project->object.name, scene_tools_from(tools));
     if (!mesh) return to_val(mesh.error());
-    const auto object = prepare(std::move(*mesh), project->design);
+    auto object = prepare(std::move(*mesh), project->design);
     if (!object) return to_val(object.error());
     return make_files(*object, *project, {});
 }

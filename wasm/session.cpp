@@ -6,10 +6,10 @@
 
 #include "snug/base/stopwatch.h"
 #include "snug/formats/read_object.h"
+#include "snug/make.h"
 #include "snug/mesh/measure.h"
 #include "snug/search/rank_cases.h"
 #include "snug/search/search_design.h"
-#include "snug/workshop.h"
 
 #include "wasm/scene_tools.h"
 #include "wasm/workshop_values.h"
@@ -35,41 +35,31 @@ bool asks_for_unit(const Mesh& mesh, const Box3d& box, const Design& design) {
 Object unscaled(const Mesh& mesh) {
     Object object;
     object.mesh.read = mesh.read;
-    if (mesh.is_cloud()) object.kind = ObjectKind::cloud;
-    object.read_vertices = mesh.vertices.size();
-    object.read_triangles = mesh.triangles.size();
+    if (mesh.is_cloud()) object.surface = PointBalls{};
+    object.read = {mesh.vertices.size(), mesh.triangles.size()};
     object.measure = measure(mesh);
     return object;
 }
 
 }  // namespace
 
-val make_files(const Object& object, const Project& project, const Progress& progress) {
-    auto packing = pack(object, project.design);
-    if (!packing) return to_val(packing.error());
-    if (!packing->foams) return to_val(Error{ErrorKind::does_not_fit, packing->findings.front().message});
-    std::optional<WorkshopPack> pack;
-    if (project.design.workshop.work != Workshop::none) {
-        auto made = workshop_pack(object, *packing, project);
-        if (!made) return to_val(made.error());
-        pack = std::move(*made);
-        packing->findings.insert(packing->findings.end(), pack->findings.begin(), pack->findings.end());
-        sort_by_severity(packing->findings);
-    }
-    auto measured = measure_fit(object, *packing, project.design, progress);
-    if (!measured) return to_val(measured.error());
-    measured->pack = pack ? &*pack : nullptr;
+val make_files(Object& object, Project project, const Progress& progress) {
+    Tools tools;
+    tools.progress = [&progress](Stage stage) { return stage == Stage::gaps ? progress : Progress(); };
+    auto made = make(object, project, tools);
+    if (!made) return to_val(made.error());
+    if (!made->packing.foams)
+        return to_val(Error{ErrorKind::does_not_fit, made->packing.findings.front().message});
     val result = val::object();
     val files = val::array();
-    const auto take = [&files](const OutputFile& file) -> Result<void> {
+    const auto take = [&files](const PackFile& file) -> Result<void> {
         files.call<void>("push", to_val(file));
         return {};
     };
-    if (auto done = make_output_files(object, project, *measured, *packing, take); !done)
-        return to_val(done.error());
+    if (auto done = make_output_files(object, project, *made, take); !done) return to_val(done.error());
     result.set("files", files);
-    result.set("report", report_json(object, project, *packing, *measured));
-    if (pack) result.set("pack", to_val(*pack));
+    result.set("report", report_json(object, project, *made));
+    if (made->pack) result.set("pack", to_val(*made->pack));
     return result;
 }
 
@@ -140,7 +130,7 @@ val Session::pack(const std::string& design_text) {
 
 val Session::gaps(const val& progress) const {
     if (!packing_ || !packing_->foams) return to_val(kNoFoams);
-    if (object_->kind == ObjectKind::cloud) return to_val(kNotOfClouds);
+    if (!object_->whole()) return to_val(kNotOfClouds);
     Packing packing = *packing_;
     const auto measured = measure_fit(*object_, packing, packed_, progress_from(progress));
     if (!measured) return to_val(measured.error());
@@ -173,7 +163,7 @@ val Session::start_search(const std::string& design_text) {
     prepare_for_many(*object_);
     const auto packing = snug::pack(*object_, *design);
     if (!packing) return to_val(packing.error());
-    auto search = PlacementSearch::start(object_->mesh, *object_->surface, *design, packing->space,
+    auto search = PlacementSearch::start(object_->mesh, *object_->prepared, *design, packing->space,
                                          kSearchSeed, packing->available);
     if (!search) return to_val(search.error());
     search_ = std::move(*search);
@@ -208,7 +198,7 @@ val Session::fit_case(const std::string& design_text, const val& progress) {
     task.fit_case = true;
     const Progress told = progress_from(progress);
     const auto news = [&](double share, std::optional<long long>) { return go_on(told, share); };
-    const auto report = search_design(object_->mesh, *object_->surface, *design, task, news);
+    const auto report = search_design(object_->mesh, *object_->prepared, *design, task, news);
     if (!report) return to_val(report.error());
     val result = val::object();
     result.set("design", design_json(*design));
@@ -222,7 +212,7 @@ val Session::start_map(const std::string& design_text) {
     prepare_for_many(*object_);
     const auto packing = snug::pack(*object_, *design);
     if (!packing) return to_val(packing.error());
-    map_.emplace(object_->mesh, *object_->surface, *design, packing->space, kMapDirections,
+    map_.emplace(object_->mesh, *object_->prepared, *design, packing->space, kMapDirections,
                  packing->available);
     return to_val(*map_);
 }

@@ -3,9 +3,10 @@
 #include <optional>
 #include <string>
 
+#include "snug/check/packing.h"
 #include "snug/check/surface_distance.h"
 #include "snug/mesh/mesh.h"
-#include "snug/pipeline.h"
+#include "snug/object/object.h"
 #include "snug/search/direction_map.h"
 #include "snug/search/placement_search.h"
 
@@ -15,7 +16,7 @@ namespace snug::wasm {
 
 /// {files: [{name, bytes}], report, pack}: what `snug make` writes for an object; no pack where the design
 /// asks for none, and PDF and zip are left to the caller.
-[[nodiscard]] val make_files(const Object& object, const Project& project, const Progress& progress);
+[[nodiscard]] val make_files(Object& object, Project project, const Progress& progress);
 
 /// Keeps the object between calls, so that only designs and results pass between JavaScript and the library.
 /// Designs are JSON texts as they stand in a project. Failures are {error, kind} and change nothing.

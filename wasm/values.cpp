@@ -156,8 +156,8 @@ val to_val(const ObjectFile& file) {
 val to_val(const Object& object, Vec3d file_size, const std::optional<Error>& refused) {
     const MeshMeasure& measure = object.measure;
     val parts = val::array();
-    for (std::size_t i = 0; !refused && i < std::min(object.parts.size(), kMostParts); ++i) {
-        const PartShare& own = object.parts[i];
+    for (std::size_t i = 0; !refused && i < std::min(object.clean.parts.size(), kMostParts); ++i) {
+        const PartShare& own = object.clean.parts[i];
         const auto& dropped = object.clean.dropped;
         val part = val::object();
         part.set("number", own.number);
@@ -169,18 +169,18 @@ val to_val(const Object& object, Vec3d file_size, const std::optional<Error>& re
         parts.call<void>("push", part);
     }
     val result = val::object();
-    result.set("vertices", object.read_vertices);
-    result.set("triangles", object.read_triangles);
+    result.set("vertices", object.read.vertices);
+    result.set("triangles", object.read.triangles);
     result.set("fileSize", to_val(file_size));
     result.set("size_mm", refused ? val::null() : to_val(measure.bounds.size()));
     result.set("statesUnit", object.mesh.read.in_mm);
     result.set("sizeProblem", refused ? val(refused->message) : val::null());
-    result.set("cloud", object.kind == ObjectKind::cloud);
+    result.set("cloud", object.is_cloud());
     result.set("watertight", measure.watertight);
     result.set("volume_mm3", refused ? val::null() : or_null(measure.volume));
     result.set("holes", measure.holes.size());
     result.set("parts", parts);
-    result.set("partCount", object.parts.size());
+    result.set("partCount", object.clean.parts.size());
     return result;
 }
 
@@ -314,7 +314,7 @@ val to_val(const DirectionMap& map) {
     return result;
 }
 
-val to_val(const OutputFile& file) {
+val to_val(const PackFile& file) {
     val result = val::object();
     result.set("name", file.name);
     result.set("bytes", to_uint8_array(file.bytes));

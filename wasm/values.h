@@ -12,10 +12,11 @@
 #include "snug/base/vec.h"
 #include "snug/check/bearing.h"
 #include "snug/check/gap.h"
+#include "snug/check/packing.h"
 #include "snug/design/presets.h"
 #include "snug/design/project.h"
-#include "snug/outputs.h"
-#include "snug/pipeline.h"
+#include "snug/fabricate/kit/workshop_pack.h"
+#include "snug/object/object.h"
 #include "snug/search/direction_map.h"
 #include "snug/search/placement_search.h"
 
@@ -57,6 +58,6 @@ template <class T>
 [[nodiscard]] val to_val(const DirectionMap& map);
 constexpr std::size_t kMapDirections = 500;
 constexpr std::size_t kMapPasses = 12;  ///< turns about each direction in a map
-[[nodiscard]] val to_val(const OutputFile& file);
+[[nodiscard]] val to_val(const PackFile& file);
 
 }  // namespace snug::wasm

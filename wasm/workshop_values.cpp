@@ -16,10 +16,6 @@ val or_null(const std::optional<double>& value) {
     return value ? val(*value) : val::null();
 }
 
-val file_val(const PackFile& file) {
-    return to_val(OutputFile{file.name, file.bytes});
-}
-
 val ranked_val(const RankedCase& ranked, const Design& design) {
     const KnownCase& known = ranked.known;
     val result = val::object();
@@ -40,7 +36,7 @@ val ranked_val(const RankedCase& ranked, const Design& design) {
 
 val to_val(const WorkshopPack& pack) {
     val result = val::object();
-    result.set("files", list_of(pack.files, file_val));
+    result.set("files", list_of(pack.files, [](const PackFile& file) { return to_val(file); }));
     result.set("documents", list_of(pack.documents, [](const DrawingDocument& document) {
                    val one = val::object();
                    one.set("name", document.name);
@@ -52,7 +48,8 @@ val to_val(const WorkshopPack& pack) {
     result.set("containers", list_of(pack.containers, [](const PackContainer& container) {
                    val one = val::object();
                    one.set("name", container.name);
-                   one.set("members", list_of(container.members, file_val));
+                   one.set("members",
+                           list_of(container.members, [](const PackFile& file) { return to_val(file); }));
                    return one;
                }));
     return result;

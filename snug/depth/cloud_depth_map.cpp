@@ -33,20 +33,6 @@ void add_ball(DepthMapBuilder& builder, Vec3d centre, double radius) {
 
 }  // namespace
 
-Placement place_cloud(const Mesh& cloud, std::span<const float> radius, Vec3d rotation_deg, Vec3d offset_mm) {
-    Placement placement;
-    placement.rotation = rotation_from_euler(rotation_deg);
-    Box3d turned;
-    for (std::size_t i = 0; i < cloud.vertices.size(); ++i) {
-        const Vec3d centre = placement.rotation(vec_cast<double>(cloud.vertices[i]));
-        const double r = static_cast<double>(radius[i]);
-        turned.include(Box3d{centre - Vec3d{r, r, r}, centre + Vec3d{r, r, r}});
-    }
-    placement.shift = offset_mm - turned.centre();
-    placement.bounds = {turned.min + placement.shift, turned.max + placement.shift};
-    return placement;
-}
-
 DepthMap cloud_depth_map(const Mesh& cloud, std::span<const float> radius, const Placement& placement,
                          const DesignSpace& space, Reach reach) {
     DepthMapBuilder builder(space, reach);

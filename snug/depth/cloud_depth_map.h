@@ -9,12 +9,7 @@
 
 namespace snug {
 
-/// The placement of a cloud whose points are balls (point_radius.h): the turned bounding box is that of the
-/// balls. One radius a vertex.
-[[nodiscard]] Placement place_cloud(const Mesh& cloud, std::span<const float> radius, Vec3d rotation_deg,
-                                    Vec3d offset_mm);
-
-/// The depth map of the balls: the extremes of x over all their points whose y and z lie in the column's cell
+/// The depth map of points that are balls (point_radius.h), one radius a vertex: the extremes of x over all their points whose y and z lie in the column's cell
 /// grown by `reach`, bounds included. Exact: within a cell a ball reaches furthest above the cell's nearest
 /// point to its centre. Takes as many steps as the balls cover columns.
 [[nodiscard]] DepthMap cloud_depth_map(const Mesh& cloud, std::span<const float> radius,

@@ -9,19 +9,6 @@
 namespace snug {
 namespace {
 
-template <class Surface>
-ObjectDepths depths_of(const Surface& surface, const Placement& placement, const DesignSpace& space,
-                       const CutOptions& cut) {
-    const auto seen = [&](Vec3d clearance_mm) {
-        const Reach grown = reach(clearance_mm, cut.cut_on_touch);
-        return HalfDepths{depth_map(surface, placement, space, grown), grown};
-    };
-    const Clearance clearance = cut.whole_clearance_mm();
-    ObjectDepths depths{seen(clearance.lower), {}};
-    if (!clearance.same_in_both()) depths.upper = seen(clearance.upper);
-    return depths;
-}
-
 CutRun either(CutRun a, CutRun b) {
     if (a.none()) return b;
     if (b.none()) return a;
@@ -36,16 +23,6 @@ CutRun both(CutRun lower, CutRun upper, std::int16_t level) {
 }
 
 }  // namespace
-
-ObjectDepths object_depths(const Mesh& mesh, const Placement& placement, const DesignSpace& space,
-                           const CutOptions& cut) {
-    return depths_of(mesh, placement, space, cut);
-}
-
-ObjectDepths object_depths(const PreparedSurface& surface, const Placement& placement,
-                           const DesignSpace& space, const CutOptions& cut) {
-    return depths_of(surface, placement, space, cut);
-}
 
 HalfCuts half_cuts(const ObjectDepths& depths, const DesignSpace& space) {
     HalfCuts cuts{block_map(depths.lower.depths, space, depths.lower.reach), {}};

@@ -3,13 +3,9 @@
 #include <optional>
 
 #include "snug/base/box.h"
-#include "snug/depth/depth_map.h"
-#include "snug/design/design.h"
+#include "snug/depth/object_depths.h"
 #include "snug/foam/block_map.h"
-#include "snug/mesh/mesh.h"
-#include "snug/object/prepared_surface.h"
 #include "snug/space/design_space.h"
-#include "snug/space/placement.h"
 
 // Where each half has a clearance of its own, each gives way to the object grown by it: a column's lower foam
 // ends below the lowest x that the surface reaches in the cell grown for the lower foam, its upper foam above
@@ -28,22 +24,6 @@
 // come out.
 
 namespace snug {
-
-/// The surface as one half sees it, and how far that half keeps away from it.
-struct HalfDepths {
-    DepthMap depths;
-    Reach reach;
-};
-
-struct ObjectDepths {
-    HalfDepths lower;
-    std::optional<HalfDepths> upper;  ///< none where it is the same
-};
-
-[[nodiscard]] ObjectDepths object_depths(const Mesh& mesh, const Placement& placement,
-                                         const DesignSpace& space, const CutOptions& cut);
-[[nodiscard]] ObjectDepths object_depths(const PreparedSurface& surface, const Placement& placement,
-                                         const DesignSpace& space, const CutOptions& cut);
 
 /// What the object cuts from either half alone.
 struct HalfCuts {

@@ -1,20 +1,29 @@
 #include "snug/foam/space_for.h"
 
 #include <algorithm>
+#include <string>
+#include <utility>
 
 #include "snug/base/text.h"
 #include "snug/foam/notches.h"
 #include "snug/space/fitted_space.h"
 
 namespace snug {
+namespace {
 
-Vec3d shift_between_walls(const SpaceOptions& space, bool in_case) {
-    return space.blocks || in_case ? Vec3d{} : fitted_shift(space.block_mm, wanted_wall_mm(space));
+/// A case that is divided exactly may have smaller blocks than those the clearance was checked for.
+std::optional<Error> too_squeezed(const DesignSpace& space, const CutOptions& cut) {
+    const Vec3d block = space.block_mm;
+    const double least = kLeastClearanceShare * std::min({block.x, block.y, block.z});
+    if (cut.whole_clearance_mm().least() >= least) return {};
+    return Error{ErrorKind::usage, "the case is divided into blocks of " + dimensions(block) +
+                                       " mm, for which the clearance must be " + number(least, 4) +
+                                       " mm or more (-0.4 of the smallest side), not " +
+                                       number(cut.whole_clearance_mm().least(), 4)};
 }
 
-Result<DesignSpace> space_for(Box3d placed, const Design& design) {
+Result<DesignSpace> fitted_to(Box3d placed, const Design& design) {
     const SpaceOptions& options = design.space;
-    if (options.blocks) return DesignSpace{*options.blocks, options.block_mm};
     const Vec3d shift = shift_between_walls(options, false);
     placed = {placed.min - shift, placed.max - shift};
     Box3d room = grown(placed, design.cut.whole_clearance_mm());
@@ -24,6 +33,29 @@ Result<DesignSpace> space_for(Box3d placed, const Design& design) {
         return fail(ErrorKind::usage, "the object and its walls would need " + dimensions(counts, 0) +
                                           " blocks, more than 4096 on an axis: choose larger blocks");
     return DesignSpace{vec_cast<int>(counts), options.block_mm};
+}
+
+Result<PackedSpace> in_case(const Design& design) {
+    auto fitted = case_space(design.case_options, design.space.block_mm);
+    if (!fitted) return tl::unexpected(fitted.error());
+    if (const auto error = too_squeezed(fitted->space, design.cut)) return tl::unexpected(*error);
+    const DesignSpace space = fitted->space;
+    Available available = available_blocks(*fitted);
+    return PackedSpace{space, std::move(*fitted), std::move(available)};
+}
+
+}  // namespace
+
+Vec3d shift_between_walls(const SpaceOptions& space, bool in_case) {
+    return space.blocks || in_case ? Vec3d{} : fitted_shift(space.block_mm, wanted_wall_mm(space));
+}
+
+Result<PackedSpace> space_for(const Box3d& placed, const Design& design) {
+    if (design.case_options.inside_mm) return in_case(design);
+    if (design.space.blocks) return PackedSpace{{*design.space.blocks, design.space.block_mm}, {}, {}};
+    const auto fitted = fitted_to(placed, design);
+    if (!fitted) return tl::unexpected(fitted.error());
+    return PackedSpace{*fitted, {}, {}};
 }
 
 }  // namespace snug

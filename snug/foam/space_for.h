@@ -1,8 +1,12 @@
 #pragma once
 
+#include <optional>
+
 #include "snug/base/box.h"
 #include "snug/base/result.h"
 #include "snug/design/design.h"
+#include "snug/space/available.h"
+#include "snug/space/case_space.h"
 #include "snug/space/design_space.h"
 
 namespace snug {
@@ -11,9 +15,18 @@ namespace snug {
 /// differ; nothing where the design chooses the blocks or a case. mm.
 [[nodiscard]] Vec3d shift_between_walls(const SpaceOptions& space, bool in_case);
 
-/// The design space outside of a case, fitted to the placed object where the design leaves the counts open:
-/// with its clearance, its walls and room for its notches. `placed`: mm, design coordinates,
-/// shift_between_walls() included. Fails (usage) beyond 4096 blocks on an axis.
-[[nodiscard]] Result<DesignSpace> space_for(Box3d placed, const Design& design);
+/// The blocks that an object is packed in.
+struct PackedSpace {
+    DesignSpace space;
+    std::optional<CaseSpace> fitted_case;  ///< where the design has a case: what `space` is of
+    Available available;                   ///< blocks that exist in it
+};
+
+/// The space of a design: its case divided into blocks, its own counts, or fitted to the placed object with
+/// its clearance, its walls and room for its notches. `placed`: mm, design coordinates,
+/// shift_between_walls() included. Fails with kind `does_not_fit` where not one block goes into the case, and
+/// with kind `usage` beyond 4096 blocks on an axis or where the case's blocks are too small to be squeezed so
+/// much.
+[[nodiscard]] Result<PackedSpace> space_for(const Box3d& placed, const Design& design);
 
 }  // namespace snug

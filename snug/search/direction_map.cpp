@@ -132,7 +132,7 @@ std::optional<ExactCut> DirectionMap::exact(Vec3d rotation_deg, Vec3d offset_mm)
     if (fitted_) {
         const auto own = space_for(place(surface_, rotation_deg, lies).bounds, design_);
         if (!own) return {};
-        space = *own;
+        space = own->space;
     }
     auto found = exact_cut(surface_, space, design_.cut, rotation_deg, lies, available_);
     if (found && !keeps_walls(found->wall_mm, wanted_wall_mm(design_.space))) return {};
@@ -153,7 +153,7 @@ Vec3d DirectionMap::offset_when_fitted(Vec3d rotation_deg, Vec3d offset_mm) cons
     const auto own = space_for(place(surface_, rotation_deg, even + shift).bounds, design_);
     if (!own) return even;
     Vec3d result;
-    for (int axis = 0; axis < 3; ++axis) result[axis] = own->blocks[axis] % 2 == 0 ? even[axis] : odd[axis];
+    for (int axis = 0; axis < 3; ++axis) result[axis] = own->space.blocks[axis] % 2 == 0 ? even[axis] : odd[axis];
     return result;
 }
 

@@ -6,7 +6,7 @@
 
 #include <gtest/gtest.h>
 
-#include "snug/pipeline.h"
+#include "snug/make.h"
 #include "snug/samples/samples.h"
 #include "snug/space/fitted_space.h"
 

@@ -10,10 +10,10 @@
 #include "snug/depth/cloud_depth_map.h"
 #include "snug/foam/block_map.h"
 #include "snug/formats/read.h"
+#include "snug/make.h"
 #include "snug/object/point_radius.h"
-#include "snug/outputs.h"
-#include "snug/pipeline.h"
 #include "snug/samples/samples.h"
+#include "snug/space/place_object.h"
 
 #include "tests/support/models.h"
 #include "tests/support/random.h"
@@ -96,7 +96,9 @@ TEST(CloudDepthMap, TheTurnedBoundingBoxHoldsTheBallsAndIsCentred) {
     Random random(7);
     std::vector<float> radius;
     const Mesh cloud = random_balls(random, {}, false, radius);
-    const Placement placement = place_cloud(cloud, radius, {30, 40, 50}, {1, 2, 3});
+    Object object;
+    object.surface = PointBalls{cloud, radius};
+    const Placement placement = *place(object, {30, 40, 50}, {1, 2, 3});
     const Vec3d centre = placement.bounds.centre();
     EXPECT_NEAR(centre.x, 1, 1e-9);
     EXPECT_NEAR(centre.y, 2, 1e-9);
@@ -214,13 +216,15 @@ TEST(Cloud, IsPackedLikeAMeshAndTellsWhatIsNotKnown) {
     design.cut.clearance_mm = 1;
     auto object = prepare(cloud, design);
     ASSERT_TRUE(object.has_value());
-    EXPECT_EQ(object->kind, ObjectKind::cloud);
-    EXPECT_EQ(object->read_vertices, cloud.vertices.size());
-    auto packing = pack(*object, design);
-    ASSERT_TRUE(packing.has_value() && packing->foams);
-    const auto measured = measure_fit(*object, *packing, design);
-    EXPECT_FALSE(measured->gap || measured->bearing);
-    const std::string report = report_json(*object, {}, *packing, *measured);
+    EXPECT_TRUE(object->is_cloud());
+    EXPECT_EQ(object->read.vertices, cloud.vertices.size());
+    Project project;
+    project.design = design;
+    const auto made = make(*object, project);
+    ASSERT_TRUE(made.has_value() && made->packing.foams);
+    const Packing* const packing = &made->packing;
+    EXPECT_FALSE(made->fit.gap || made->fit.bearing);
+    const std::string report = report_json(*object, project, *made);
     for (const char* null : {"\"watertight\": null", "\"volume_mm3\": null", "\"gap\": null"})
         EXPECT_NE(report.find(null), std::string::npos) << null;
     EXPECT_EQ(packing->findings.back().code, "cloud");

@@ -9,10 +9,10 @@
 #include "snug/base/parallel.h"
 #include "snug/depth/depth_map.h"
 #include "snug/formats/read.h"
+#include "snug/make.h"
 #include "snug/mesh/cap.h"
 #include "snug/mesh/measure.h"
 #include "snug/object/turned_bounds.h"
-#include "snug/pipeline.h"
 #include "snug/samples/samples.h"
 
 #include "tests/support/models.h"
@@ -228,7 +228,7 @@ TEST(PreparedSurface, GivesTheSamePackingsOfRealObjects) {
     ASSERT_TRUE(object.has_value());
     for (const Vec3d angles : {Vec3d{}, Vec3d{10, 20, 30}, Vec3d{90, 0, 45}}) {
         design.placement.rotation_deg = angles;
-        object->surface.reset();
+        object->prepared.reset();
         const auto once = pack(*object, design);
         prepare_for_many(*object);
         const auto again = pack(*object, design);

@@ -10,7 +10,7 @@
 
 #include "snug/formats/mesh_files.h"
 #include "snug/formats/read.h"
-#include "snug/pack_stream.h"
+#include "snug/make.h"
 #include "snug/samples/samples.h"
 
 #include "tests/support/models.h"
@@ -37,6 +37,19 @@ FileBytes stl_of(const Mesh& mesh) {
     return write_stl(mesh.vertices, mesh.triangles, "test");
 }
 
+struct Streamed {
+    Object object;
+    Packing packing;
+};
+
+Result<Streamed> pack_stream(TriangleStream stream, const Design& design, const Progress& progress = {}) {
+    auto object = prepare(std::move(stream), design, progress);
+    if (!object) return tl::unexpected(object.error());
+    auto packing = pack(*object, design, progress);
+    if (!packing) return tl::unexpected(packing.error());
+    return Streamed{std::move(*object), std::move(*packing)};
+}
+
 void expect_same(const FileBytes& bytes, const Design& design) {
     auto mesh = read_mesh(bytes, "object");
     ASSERT_TRUE(mesh) << mesh.error().message;
@@ -55,7 +68,7 @@ void expect_same(const FileBytes& bytes, const Design& design) {
         EXPECT_EQ(streamed.error().message, packing.error().message);
         return;
     }
-    EXPECT_EQ(streamed->object.read_triangles, object->read_triangles);
+    EXPECT_EQ(streamed->object.read.triangles, object->read.triangles);
     const Vec3d size = object->measure.bounds.size();
     for (int axis = 0; axis < 3; ++axis)
         EXPECT_NEAR(streamed->object.measure.bounds.size()[axis], size[axis], 1e-5 * size[axis] + 1e-9);
@@ -220,6 +233,24 @@ TEST(Stream, ReadsTheFileTwice) {
     design.object.units = Unit::mm;
     ASSERT_TRUE(pack_stream(*stream, design));
     EXPECT_LE(read, 2 * bytes.size() + 84);
+}
+
+TEST(Stream, IsPackedItselfInWhicheverPlacement) {
+    const FileBytes bytes = stl_of(*sample("figurine"));
+    Design design;
+    design.object.units = Unit::mm;
+    auto whole = prepare(*read_mesh(bytes, "object"), design);
+    auto streamed = prepare(*TriangleStream::open(source_of(bytes)), design);
+    ASSERT_TRUE(whole && streamed);
+    for (const Vec3d& rotation : {Vec3d{0, 0, 0}, Vec3d{31, -12, 77}}) {
+        design.placement.rotation_deg = rotation;
+        const auto expected = pack(*whole, design), got = pack(*streamed, design);
+        ASSERT_TRUE(expected && got);
+        EXPECT_EQ(got->blocks, expected->blocks);
+        // What it has to be looked at by then changes nothing of it.
+        take_stand_in(*streamed);
+        EXPECT_FALSE(streamed->mesh.triangles.empty());
+    }
 }
 
 TEST(Stream, BadFilesAreSentences) {

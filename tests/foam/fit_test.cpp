@@ -9,7 +9,7 @@
 #include "snug/foam/notches.h"
 #include "snug/foam/object_cut.h"
 #include "snug/foam/ribs.h"
-#include "snug/pipeline.h"
+#include "snug/make.h"
 #include "snug/samples/samples.h"
 #include "snug/solid/solid.h"
 
@@ -396,7 +396,7 @@ TEST(Bearing, OfABoxIsItsFloorOnceItSankThroughTheGap) {
     const Mesh box = test::box_mesh({-18, -30, -20}, {18, 30, 20});  // 2 mm above and below in 10 mm blocks
     const auto object = prepare(box, box_design());
     const auto packing = pack(*object, box_design());
-    const auto report = bearing(*object, *packing);
+    const auto report = bearing_report(object->mesh, packing->placement, packing->space, *packing->foams);
     ASSERT_TRUE(report);
     EXPECT_EQ(report->lower_mm2[0], 0);
     EXPECT_EQ(report->upper_mm2[0], 0);
@@ -414,7 +414,7 @@ TEST(Bearing, OfASphereOnFineFoamIsItsWholeShadowOnceItSankThroughOneBlock) {
     design.space.blocks = Vec3i{120, 120, 120};
     const auto object = prepare(test::sphere_mesh(40, 200), design);
     const auto packing = pack(*object, design);
-    const auto report = bearing(*object, *packing);
+    const auto report = bearing_report(object->mesh, packing->placement, packing->space, *packing->foams);
     ASSERT_TRUE(report);
     const double shadow = 3.14159265 * 40 * 40;
     EXPECT_LT(report->lower_mm2[0], 0.9 * shadow) << "its flanks are steeper than a millimetre a column";

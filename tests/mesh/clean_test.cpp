@@ -7,8 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "snug/make.h"
 #include "snug/object/clean_object.h"
-#include "snug/pipeline.h"
 #include "snug/samples/samples.h"
 
 #include "tests/support/models.h"
@@ -64,7 +64,7 @@ TEST(Clean, AScanWithoutItsSpecksHasTheFoamsOfTheObjectAlone) {
     EXPECT_EQ(object->clean.dropped[0].number, 2u);
     EXPECT_EQ(object->clean.dropped[0].triangles, 4u);
     EXPECT_EQ(object->mesh.vertices, vase.vertices);
-    EXPECT_EQ(object->read_triangles, scan.triangles.size());
+    EXPECT_EQ(object->read.triangles, scan.triangles.size());
     const auto clean = pack(*object, design);
     EXPECT_TRUE(has(clean->findings, "dropped"));
     EXPECT_EQ(clean->foams->lower, alone->foams->lower);

@@ -5,7 +5,7 @@
 
 #include "snug/design/project.h"
 #include "snug/formats/read_cloud.h"
-#include "snug/pipeline.h"
+#include "snug/make.h"
 
 #include "tests/support/read_checks.h"
 

@@ -7,7 +7,7 @@
 
 #include <gtest/gtest.h>
 
-#include "snug/pipeline.h"
+#include "snug/make.h"
 #include "snug/samples/samples.h"
 
 #include "tests/support/random.h"
@@ -17,7 +17,7 @@ namespace {
 
 /// A few quick looks are enough: what each of them names must be true.
 DirectionMap looked_at(const Object& object, const Design& design, const Packing& packing) {
-    DirectionMap map(object.mesh, *object.surface, design, packing.space, 40, packing.available);
+    DirectionMap map(object.mesh, *object.prepared, design, packing.space, 40, packing.available);
     while (map.passes() < 2) map.step();
     return map;
 }

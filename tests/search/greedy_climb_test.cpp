@@ -10,7 +10,7 @@
 #include "snug/check/fit_report.h"
 #include "snug/foam/block_map.h"
 #include "snug/foam/foam_pair.h"
-#include "snug/pipeline.h"
+#include "snug/make.h"
 #include "snug/samples/samples.h"
 
 #include "tests/support/random.h"

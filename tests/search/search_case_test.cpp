@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "snug/pipeline.h"
+#include "snug/make.h"
 #include "snug/samples/samples.h"
 #include "snug/search/search_design.h"
 
@@ -43,7 +43,7 @@ TEST(SearchInACase, NeverCutsMoreKeepsTheWallsAndStaysAmongTheBlocksThatExist) {
         SearchTask task;
         task.placement = true;
         task.evaluations = 700;
-        const auto report = search_design(object->mesh, *object->surface, design, task);
+        const auto report = search_design(object->mesh, *object->prepared, design, task);
         ASSERT_TRUE(report) << report.error().message;
         const auto after = pack(*object, design);
         ASSERT_TRUE(after);
@@ -68,7 +68,7 @@ TEST(SearchInACase, FitsNoCaseWhereOneIsGiven) {
     prepare_for_many(*object);
     SearchTask task;
     task.fit_case = true;
-    const auto report = search_design(object->mesh, *object->surface, design, task);
+    const auto report = search_design(object->mesh, *object->prepared, design, task);
     ASSERT_FALSE(report);
     EXPECT_EQ(report.error().kind, ErrorKind::usage);
 }

@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "snug/formats/read.h"
-#include "snug/pipeline.h"
+#include "snug/make.h"
 #include "snug/samples/samples.h"
 #include "snug/search/fit_case.h"
 #include "snug/search/turn.h"

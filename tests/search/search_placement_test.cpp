@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "snug/pipeline.h"
+#include "snug/make.h"
 #include "snug/samples/samples.h"
 #include "snug/search/exact_cut.h"
 #include "snug/search/greedy_climb.h"

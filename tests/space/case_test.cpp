@@ -7,8 +7,7 @@
 
 #include "snug/check/find_case_problems.h"
 #include "snug/design/presets.h"
-#include "snug/outputs.h"
-#include "snug/pipeline.h"
+#include "snug/make.h"
 #include "snug/samples/samples.h"
 #include "snug/solid/solid.h"
 #include "snug/space/case_space.h"

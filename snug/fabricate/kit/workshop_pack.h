@@ -49,7 +49,7 @@ struct PackFigure {
 struct PackMaterial {
     std::optional<long long> pieces;  ///< handled one by one: blocks plucked, sheets, printed parts
     std::optional<double> litres;     ///< to buy or use up; none: the foams' own volume
-    std::optional<double> foam_kg;    ///< of what is left of it; from the density, see snug/workshop.h
+    std::optional<double> foam_kg;    ///< of what is left of it; from the density, see fabricate/processes.h
     std::optional<double> cost;       ///< from the price of a litre
 };
 

@@ -9,7 +9,7 @@
 
 #include "snug/design/presets.h"
 #include "snug/formats/read.h"
-#include "snug/pipeline.h"
+#include "snug/make.h"
 #include "snug/samples/samples.h"
 
 #include "tests/support/brick_design.h"

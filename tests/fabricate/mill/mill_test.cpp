@@ -13,7 +13,7 @@
 #include "snug/fabricate/mill/gcode.h"
 #include "snug/fabricate/mill/mill_plan.h"
 #include "snug/formats/read.h"
-#include "snug/pipeline.h"
+#include "snug/make.h"
 #include "snug/samples/samples.h"
 
 #include "tests/support/gcode_stock.h"

@@ -13,7 +13,7 @@
 #include "snug/fabricate/sheets/sheet_outlines.h"
 #include "snug/fabricate/sheets/sheets_pack.h"
 #include "snug/formats/read.h"
-#include "snug/pipeline.h"
+#include "snug/make.h"
 #include "snug/samples/samples.h"
 
 #include "tests/support/models.h"

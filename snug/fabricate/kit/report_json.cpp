@@ -1,17 +1,10 @@
-#include "snug/outputs.h"
+#include "snug/fabricate/kit/report_json.h"
 
-#include <algorithm>
 #include <cmath>
-#include <string_view>
 #include <type_traits>
 #include <utility>
 
 #include <nlohmann/json.hpp>
-
-#include "snug/base/stopwatch.h"
-#include "snug/base/text.h"
-#include "snug/picture/preview.h"
-#include "snug/solid/solid.h"
 
 namespace snug {
 namespace {
@@ -54,18 +47,18 @@ Json dropped_json(const std::vector<PartShare>& dropped) {
 /// What is not known of an object is null.
 Json object_json(const Object& object, const std::string& file) {
     const MeshMeasure& measure = object.measure;
-    const bool mesh = object.kind == ObjectKind::mesh;
-    const bool vertices = object.read_vertices > 0;
+    const bool whole = object.whole();
+    const bool vertices = object.read.vertices > 0;
     Json json = {{"file", file},
-                 {"vertices", vertices ? Json(object.read_vertices) : Json(nullptr)},
-                 {"triangles", object.read_triangles},
+                 {"vertices", vertices ? Json(object.read.vertices) : Json(nullptr)},
+                 {"triangles", object.read.triangles},
                  {"size_mm", array(measure.bounds.size())},
-                 {"watertight", mesh ? Json(measure.watertight) : Json(nullptr)},
+                 {"watertight", whole ? Json(measure.watertight) : Json(nullptr)},
                  {"volume_mm3", volume(measure.volume)}};
     if (!object.clean.dropped.empty()) json["dropped"] = dropped_json(object.clean.dropped);
     if (object.clean.plane_cut) json["cut_off"] = true;
-    if (object.kind == ObjectKind::cloud) json["points"] = object.read_vertices;
-    if (object.kind == ObjectKind::streamed) json["streamed"] = true;
+    if (object.is_cloud()) json["points"] = object.read.vertices;
+    if (object.is_streamed()) json["streamed"] = true;
     return json;
 }
 
@@ -201,66 +194,10 @@ Json workshop_json(const WorkshopPack& pack) {
             {"files", files}};
 }
 
-FileBytes bytes_of(std::string_view text) {
-    const auto* data = reinterpret_cast<const std::byte*>(text.data());
-    return {data, data + text.size()};
-}
-
-FileBytes foam_file(const Solid& solid, const std::string& format, bool lower) {
-    if (format == "ply") return write_ply(solid.vertices, solid.triangles, lower ? kLowerBlue : kUpperOrange);
-    return write_stl(solid.vertices, solid.triangles, lower ? "Snug lower foam, mm" : "Snug upper foam, mm");
-}
-
-std::string caption(const Packing& packing, const std::string& object_name) {
-    const FitReport& fit = packing.fit;
-    double thinnest = fit.wall_mm[0];
-    for (const double wall : fit.wall_mm) thinnest = std::min(thinnest, wall);
-    return object_name + " · " + dimensions(vec_cast<double>(packing.space.blocks), 0) + " blocks of " +
-           dimensions(packing.space.block_mm) + " mm · thinnest wall " + number(thinnest, 1) + " mm · foam " +
-           number(fit.foam_mm3 * 1e-6, 1) + " litres";
-}
-
 }  // namespace
 
-std::string depths_csv(const FoamPair& foams, int nx) {
-    const bool shortened = foams.available.size() > 0;
-    std::string text = "j,k,lower_blocks,upper_blocks";
-    text += shortened ? ",lower_first,upper_first\n" : "\n";
-    const auto add = [&](int value) { text += "," + std::to_string(value); };
-    for (int j = 0; j < foams.lower.ny(); ++j)
-        for (int k = 0; k < foams.lower.nz(); ++k) {
-            const std::size_t column = foams.lower.index(j, k);
-            const Run lower = kept_run(foams, Half::lower, column, nx);
-            const Run upper = from_other_end(kept_run(foams, Half::lid, column, nx), nx);
-            text += std::to_string(j);
-            add(k);
-            add(lower.blocks());
-            add(upper.blocks());
-            if (shortened) {
-                add(lower.first);
-                add(upper.first);
-            }
-            text += "\n";
-        }
-    return text;
-}
-
-Result<Measured> measure_fit(const Object& object, Packing& packing, const Design& design,
-                             const Progress& progress) {
-    Measured measured;
-    if (object.kind != ObjectKind::mesh) return measured;
-    auto gap = gaps(object, packing, part_of(progress, 0, 0.8));
-    if (!gap) return tl::unexpected(gap.error());
-    measured.gap = std::move(*gap);
-    const auto bears = bearing(object, packing, part_of(progress, 0.8, 1));
-    if (!bears) return tl::unexpected(bears.error());
-    measured.bearing = *bears;
-    find_bearing_problems(*bears, design.workshop.mass_kg, design.fit.creep_kpa, packing.findings);
-    return measured;
-}
-
-std::string report_json(const Object& object, const Project& project, const Packing& packing,
-                        const Measured& measured) {
+std::string report_json(const Object& object, const Project& project, const Made& made) {
+    const Packing& packing = made.packing;
     Json json;
     json["object"] = object_json(object, project.object.name);
     json["placement"] = {{"rotation_deg", array(packing.rotation_deg)},
@@ -268,8 +205,8 @@ std::string report_json(const Object& object, const Project& project, const Pack
     json["design_space"] = {{"blocks", array(packing.space.blocks)},
                             {"block_mm", array(packing.space.block_mm)}};
     json["foam"] = packing.foams ? foam_json(packing) : Json(nullptr);
-    json["gap"] = measured.gap ? gap_json(*measured.gap) : Json(nullptr);
-    json["bearing"] = measured.bearing ? bearing_json(*measured.bearing, project.design) : Json(nullptr);
+    json["gap"] = made.fit.gap ? gap_json(*made.fit.gap) : Json(nullptr);
+    json["bearing"] = made.fit.bearing ? bearing_json(*made.fit.bearing, project.design) : Json(nullptr);
     json["wall_mm"] = nullptr;
     if (packing.foams) {
         json["wall_mm"] = Json::array();
@@ -280,37 +217,15 @@ std::string report_json(const Object& object, const Project& project, const Pack
         const int level = packing.foams ? packing.foams->parting_level : 0;
         json["case"] = case_json(*packing.fitted_case, level, packing.fit);
     }
-    if (measured.search) json["search"] = search_json(*measured.search);
+    if (made.search) json["search"] = search_json(*made.search);
     json["findings"] = findings_json(packing.findings);
-    if (measured.pack) json["workshop"] = workshop_json(*measured.pack);
+    if (made.pack) json["workshop"] = workshop_json(*made.pack);
     const Timing& timing = packing.timing;
     json["timing_ms"] = {
         {"read", rounded(timing.read, 1e3)},           {"depth_map", rounded(timing.depth_map, 1e3)},
         {"block_map", rounded(timing.block_map, 1e3)}, {"foam_pair", rounded(timing.foam_pair, 1e3)},
         {"solids", rounded(timing.solids, 1e3)},       {"write", rounded(timing.write, 1e3)}};
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
-}
-
-Result<void> make_output_files(const Object& object, const Project& project, const Measured& measured,
-                               Packing& packing, const TakeFile& take) {
-    const FoamPair& foams = *packing.foams;
-    packing.timing.solids = 0;
-    for (const bool lower : {true, false}) {
-        Stopwatch watch;
-        const Solid solid = lower ? lower_solid(foams, packing.space) : upper_solid(foams, packing.space);
-        packing.timing.solids += watch.lap();
-        for (const std::string& format : project.design.output.formats)
-            if (auto done = take({(lower ? "lower." : "upper.") + format, foam_file(solid, format, lower)});
-                !done)
-                return done;
-    }
-    if (auto done = take({"depths.csv", bytes_of(depths_csv(foams, packing.space.blocks.x))}); !done)
-        return done;
-    const std::string preview =
-        preview_svg(foams, packing.space, object.mesh, packing.placement,
-                    caption(packing, project.object.name), measured.gap ? &*measured.gap : nullptr);
-    if (auto done = take({"preview.svg", bytes_of(preview)}); !done) return done;
-    return take({"project.snug.json", bytes_of(project_json(project))});
 }
 
 }  // namespace snug

@@ -1,4 +1,4 @@
-#include "snug/check/cloud_rims.h"
+#include "snug/object/cloud_rims.h"
 
 #include <algorithm>
 #include <cmath>

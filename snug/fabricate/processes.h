@@ -2,10 +2,11 @@
 
 #include "snug/base/progress.h"
 #include "snug/base/result.h"
+#include "snug/check/packing.h"
 #include "snug/design/project.h"
 #include "snug/fabricate/bricks/linear_program.h"
 #include "snug/fabricate/kit/workshop_pack.h"
-#include "snug/pipeline.h"
+#include "snug/object/object.h"
 
 // From a packing to what a maker takes to the workshop:
 //

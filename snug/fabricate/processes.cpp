@@ -1,4 +1,4 @@
-#include "snug/workshop.h"
+#include "snug/fabricate/processes.h"
 
 #include <string>
 #include <string_view>
@@ -47,7 +47,7 @@ PrintOptions print_options(const Design& design) {
 /// What the cutter must not leave foam in; a cloud's or a stream's object is known by its blocks alone.
 std::optional<MilledObject> milled_object(const Object& object, const Packing& packing,
                                           const Design& design) {
-    if (object.kind != ObjectKind::mesh) return {};
+    if (!object.whole()) return {};
     return MilledObject{object.mesh, packing.placement, design.cut,
                         packing.fitted_case ? &*packing.fitted_case : nullptr};
 }

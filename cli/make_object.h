@@ -5,11 +5,9 @@
 
 #include "snug/base/result.h"
 #include "snug/design/project.h"
-#include "snug/pipeline.h"
-#include "snug/search/search_design.h"
+#include "snug/object/object.h"
 
 #include "cli/console.h"
-#include "cli/make_search.h"
 
 namespace snug::cli {
 
@@ -23,14 +21,13 @@ struct Task {
     std::optional<bool> stream;  ///< whether to read in pieces; none: where the file is large
 };
 
-struct Packed {
+struct ReadObject {
     Object object;
-    Packing packing;
-    std::optional<SearchReport> search;
+    double read_ms = 0;  ///< none of an object that is read in pieces
 };
 
-/// Reads, measures, searches and packs; fills in the project's object and, after a search, its placement;
-/// adds what only the file knows to the findings. Errors name the file.
-[[nodiscard]] Result<Packed> read_and_pack(Task& task, const SearchArguments& search, StatusLine& status);
+/// Reads and prepares the object, whole or to be read in pieces; fills in the project's object. Errors name
+/// the file.
+[[nodiscard]] Result<ReadObject> read_object_of(Task& task, StatusLine& status);
 
 }  // namespace snug::cli

@@ -1,0 +1,60 @@
+#include "snug/check/find_foam_problems.h"
+
+#include <string>
+
+#include "snug/base/text.h"
+#include "snug/check/find_case_problems.h"
+#include "snug/check/find_problems.h"
+#include "snug/space/fitted_space.h"
+
+namespace snug {
+namespace {
+
+std::optional<Finding> outside_of(const Box3d& placed, const DesignSpace& space, const Clearance& clearance) {
+    const Box3d room = grown(placed, clearance);
+    const Vec3d least = fitted_blocks(room, space.block_mm);
+    if (least.x <= space.blocks.x && least.y <= space.blocks.y && least.z <= space.blocks.z) return {};
+    const Vec3d least_mm{least.x * space.block_mm.x, least.y * space.block_mm.y, least.z * space.block_mm.z};
+    return Finding{Severity::danger, "outside",
+                   "the object needs " + dimensions(room.size()) + " mm" +
+                       (clearance != Clearance() ? " with its clearance" : "") +
+                       " and leaves the design space of " + dimensions(space.size()) + " mm (" +
+                       dimensions(vec_cast<double>(space.blocks), 0) +
+                       " blocks). The smallest that would do here is " + dimensions(least, 0) + " blocks (" +
+                       dimensions(least_mm) + " mm) without any wall; --blocks auto adds walls",
+                   placed.centre()};
+}
+
+SpaceChoice choice_of(const Packing& packing, const Design& design) {
+    SpaceChoice choice{SpaceChoice::Kind::blocks, wanted_wall_mm(design.space), design.placement.offset_mm,
+                       design.case_options.inside_mm};
+    const CaseOptions& given = design.case_options;
+    if (packing.fitted_case)
+        choice.kind = given.corner_radius_mm > 0 || given.base_mm || given.top_mm ? SpaceChoice::Kind::shaped
+                                                                                  : SpaceChoice::Kind::box;
+    else if (!design.space.blocks)
+        choice.kind = SpaceChoice::Kind::fitted;
+    return choice;
+}
+
+}  // namespace
+
+std::optional<Finding> find_outside(const Packing& packing, const Design& design) {
+    const Clearance clearance = design.cut.whole_clearance_mm();
+    auto finding = outside_of(packing.placement.bounds, packing.space, clearance);
+    if (finding && packing.fitted_case)
+        finding->message = too_small(*packing.fitted_case, packing.placement.bounds.size(), clearance,
+                                     wanted_wall_mm(design.space));
+    return finding;
+}
+
+void find_foam_problems(const Packing& packing, const Design& design, std::vector<Finding>& findings) {
+    const SpaceChoice choice = choice_of(packing, design);
+    find_thin_walls(packing.fit, packing.blocks, packing.space, wanted_wall_mm(design.space), choice,
+                    findings);
+    find_pieces(packing.fit, choice, findings);
+    if (packing.fitted_case)
+        find_case_problems(*packing.fitted_case, packing.fit, packing.foams->parting_level, findings);
+}
+
+}  // namespace snug

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+
+#include "snug/base/progress.h"
+#include "snug/base/result.h"
+#include "snug/check/bearing.h"
+#include "snug/check/gap.h"
+#include "snug/check/packing.h"
+#include "snug/design/design.h"
+#include "snug/object/object.h"
+
+namespace snug {
+
+/// How well a packing's foams hold the object: sampled, and slower than the packing itself.
+struct MeasuredFit {
+    std::optional<GapReport> gap;          ///< how far the cut space exceeds the object
+    std::optional<BearingReport> bearing;  ///< what the object lies on in either half
+};
+
+/// Of a packing with foams, to whose findings is added what comes out; nothing is known of an object that is
+/// no whole mesh. Fails only when cancelled.
+[[nodiscard]] Result<MeasuredFit> measure_fit(const Object& object, Packing& packing, const Design& design,
+                                              const Progress& progress = {});
+
+}  // namespace snug

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "snug/base/finding.h"
+#include "snug/base/vec.h"
+#include "snug/check/fit_report.h"
+#include "snug/foam/block_map.h"
+#include "snug/foam/foam_pair.h"
+#include "snug/foam/notches.h"
+#include "snug/space/available.h"
+#include "snug/space/case_space.h"
+#include "snug/space/design_space.h"
+#include "snug/space/placement.h"
+
+namespace snug {
+
+/// Milliseconds that each stage of the method took; never part of a comparison.
+struct Timing {
+    double read = 0, depth_map = 0, block_map = 0, foam_pair = 0, solids = 0, write = 0;
+};
+
+/// An object in its foams, and what is true of them.
+struct Packing {
+    Vec3d rotation_deg;  ///< as the design has them
+    Vec3d offset_mm;
+    Placement placement;
+    DesignSpace space;
+    std::optional<CaseSpace> fitted_case;  ///< where the design has a case: what `space` is of
+    Available available;                   ///< blocks that exist in it
+    BlockMap blocks;
+    std::vector<Notch> notches;     ///< beside the object, where the design wants them and there is room
+    long long rib_blocks = 0;       ///< cut because they stood too thin between cavities
+    std::optional<FoamPair> foams;  ///< none where the object leaves the space (finding `outside`)
+    FitReport fit;                  ///< of `foams`
+    std::vector<Finding> findings;  ///< dangers first
+    Timing timing;
+};
+
+}  // namespace snug

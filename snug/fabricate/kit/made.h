@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+
+#include "snug/check/measure_fit.h"
+#include "snug/check/packing.h"
+#include "snug/fabricate/kit/workshop_pack.h"
+#include "snug/search/search_design.h"
+
+namespace snug {
+
+/// Everything that was made of an object and a design, and found out about it.
+struct Made {
+    std::optional<SearchReport> search;  ///< none where nothing was searched
+    Packing packing;                     ///< without foams where the object leaves its space
+    MeasuredFit fit;
+    std::optional<WorkshopPack> pack;  ///< none where the design asks for none
+};
+
+}  // namespace snug

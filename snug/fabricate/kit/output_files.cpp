@@ -1,0 +1,77 @@
+#include "snug/fabricate/kit/output_files.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "snug/base/stopwatch.h"
+#include "snug/base/text.h"
+#include "snug/formats/mesh_files.h"
+#include "snug/picture/preview.h"
+#include "snug/solid/solid.h"
+
+namespace snug {
+namespace {
+
+FileBytes foam_file(const Solid& solid, const std::string& format, bool lower) {
+    if (format == "ply") return write_ply(solid.vertices, solid.triangles, lower ? kLowerBlue : kUpperOrange);
+    return write_stl(solid.vertices, solid.triangles, lower ? "Snug lower foam, mm" : "Snug upper foam, mm");
+}
+
+std::string caption(const Packing& packing, const std::string& object_name) {
+    const FitReport& fit = packing.fit;
+    double thinnest = fit.wall_mm[0];
+    for (const double wall : fit.wall_mm) thinnest = std::min(thinnest, wall);
+    return object_name + " · " + dimensions(vec_cast<double>(packing.space.blocks), 0) + " blocks of " +
+           dimensions(packing.space.block_mm) + " mm · thinnest wall " + number(thinnest, 1) + " mm · foam " +
+           number(fit.foam_mm3 * 1e-6, 1) + " litres";
+}
+
+}  // namespace
+
+std::string depths_csv(const FoamPair& foams, int nx) {
+    const bool shortened = foams.available.size() > 0;
+    std::string text = "j,k,lower_blocks,upper_blocks";
+    text += shortened ? ",lower_first,upper_first\n" : "\n";
+    const auto add = [&](int value) { text += "," + std::to_string(value); };
+    for (int j = 0; j < foams.lower.ny(); ++j)
+        for (int k = 0; k < foams.lower.nz(); ++k) {
+            const std::size_t column = foams.lower.index(j, k);
+            const Run lower = kept_run(foams, Half::lower, column, nx);
+            const Run upper = from_other_end(kept_run(foams, Half::lid, column, nx), nx);
+            text += std::to_string(j);
+            add(k);
+            add(lower.blocks());
+            add(upper.blocks());
+            if (shortened) {
+                add(lower.first);
+                add(upper.first);
+            }
+            text += "\n";
+        }
+    return text;
+}
+
+Result<void> make_output_files(const Object& object, const Project& project, Made& made,
+                               const TakeFile& take) {
+    Packing& packing = made.packing;
+    const FoamPair& foams = *packing.foams;
+    packing.timing.solids = 0;
+    for (const bool lower : {true, false}) {
+        Stopwatch watch;
+        const Solid solid = lower ? lower_solid(foams, packing.space) : upper_solid(foams, packing.space);
+        packing.timing.solids += watch.lap();
+        for (const std::string& format : project.design.output.formats)
+            if (auto done = take({(lower ? "lower." : "upper.") + format, foam_file(solid, format, lower)});
+                !done)
+                return done;
+    }
+    if (auto done = take(text_file("depths.csv", depths_csv(foams, packing.space.blocks.x))); !done)
+        return done;
+    const std::string preview =
+        preview_svg(foams, packing.space, object.mesh, packing.placement,
+                    caption(packing, project.object.name), made.fit.gap ? &*made.fit.gap : nullptr);
+    if (auto done = take(text_file("preview.svg", preview)); !done) return done;
+    return take(text_file("project.snug.json", project_json(project)));
+}
+
+}  // namespace snug

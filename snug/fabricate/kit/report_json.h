@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include "snug/design/project.h"
+#include "snug/fabricate/kit/made.h"
+#include "snug/object/object.h"
+
+namespace snug {
+
+/// What was made and what a person must know of it; fields as the command line's contract names them. Without
+/// foams the foam and wall fields are null; what was not measured is null or, for a search or a pack, left
+/// out.
+[[nodiscard]] std::string report_json(const Object& object, const Project& project, const Made& made);
+
+}  // namespace snug
