@@ -5,6 +5,7 @@
 
 #include "snug/formats/mesh_files.h"
 #include "snug/formats/read_object.h"
+#include "snug/object/prepare.h"
 #include "snug/samples/samples.h"
 
 #include "wasm/scene_tools.h"
