@@ -1,5 +1,6 @@
 #include "snug/fabricate/processes.h"
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -52,25 +53,39 @@ std::optional<MilledObject> milled_object(const Object& object, const Packing& p
                         packing.fitted_case ? &*packing.fitted_case : nullptr};
 }
 
-Result<WorkshopPack> pack_of(const FoamDesign& foams, const Object& object, const Packing& packing,
-                             const Design& design, const WorkshopTools& tools) {
-    switch (design.workshop.work) {
-        case Workshop::sponge:
-            return sponge_pack(foams, design.workshop);
-        case Workshop::sheets:
-            return sheets_pack(foams, design.workshop.sheets, paper_mm(design.workshop.paper));
-        case Workshop::print:
-            return print_pack(foams, print_options(design));
-        case Workshop::bricks:
-            return brick_pack(foams, design.workshop, tools.solve_lp, tools.progress);
-        case Workshop::mill:
-            return mill_pack(foams, milled_object(object, packing, design), design.workshop.mill,
-                             paper_mm(design.workshop.paper));
-        case Workshop::mould:
-            return mould_pack(foams, design.workshop);
-        case Workshop::none:
-            break;
-    }
+/// What a way of working may ask for.
+struct Work {
+    const FoamDesign& foams;
+    const Object& object;
+    const Packing& packing;
+    const Design& design;
+    const WorkshopTools& tools;
+    const WorkshopOptions& options = design.workshop;
+};
+
+/// A way of working and what makes its pack: a new one is a row here, beside its folder and its options.
+struct Process {
+    Workshop work;
+    Result<WorkshopPack> (*pack)(const Work&);
+};
+constexpr std::array kProcesses{
+    Process{Workshop::sponge, [](const Work& w) { return sponge_pack(w.foams, w.options); }},
+    Process{Workshop::sheets,
+            [](const Work& w) { return sheets_pack(w.foams, w.options.sheets, paper_mm(w.options.paper)); }},
+    Process{Workshop::print, [](const Work& w) { return print_pack(w.foams, print_options(w.design)); }},
+    Process{Workshop::bricks,
+            [](const Work& w) { return brick_pack(w.foams, w.options, w.tools.solve_lp, w.tools.progress); }},
+    Process{Workshop::mill,
+            [](const Work& w) {
+                return mill_pack(w.foams, milled_object(w.object, w.packing, w.design), w.options.mill,
+                                 paper_mm(w.options.paper));
+            }},
+    Process{Workshop::mould, [](const Work& w) { return mould_pack(w.foams, w.options); }},
+};
+
+Result<WorkshopPack> pack_of(const Work& work) {
+    for (const Process& process : kProcesses)
+        if (process.work == work.options.work) return process.pack(work);
     return fail(ErrorKind::usage, "no pack was asked for: choose one of " + workshop_names() + " with --for");
 }
 
@@ -106,7 +121,7 @@ Result<WorkshopPack> workshop_pack(const Object& object, const Packing& packing,
     if (!packing.foams)
         return fail(ErrorKind::does_not_fit, "the object leaves the design space, so there are no foams");
     const FoamDesign foams{packing.space, packing.blocks, *packing.foams, title_of(project.object.name)};
-    auto pack = pack_of(foams, object, packing, project.design, tools);
+    auto pack = pack_of({foams, object, packing, project.design, tools});
     if (!pack) return pack;
     fill_material(packing, project.design, *pack);
     tell_material(project.design, *pack);
