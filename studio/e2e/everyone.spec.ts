@@ -76,8 +76,7 @@ test('every control is reached and used by keyboard', async ({studio: page}) => 
   await scene.focus();
   const before = await scene.screenshot();
   await page.keyboard.press('ArrowLeft');
-  await page.waitForTimeout(1200);
-  expect((await scene.screenshot()).equals(before)).toBe(false);
+  await expect.poll(async () => (await scene.screenshot()).equals(before)).toBe(false);
   await page.getByRole('button', {name: 'Object: shown'}).focus();
   await page.keyboard.press('Enter');
   await expect(page.getByRole('button', {name: 'Object: see-through'})).toBeFocused();

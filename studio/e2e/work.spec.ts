@@ -1,7 +1,9 @@
 import {readFileSync} from 'node:fs';
 import type {Page} from '@playwright/test';
 import {sample} from './support/command_line';
+import {atRest} from './support/at_rest';
 import {inTheMoment} from './support/in_the_moment';
+import {kept} from './support/kept';
 import {expect, open, set, status, test} from './support/studio';
 import {torusStl} from './support/torus';
 
@@ -31,16 +33,10 @@ test('undo goes back to the empty start, and redo to the end', async ({studio: p
   const undo = page.getByRole('button', {name: 'Undo', exact: true});
   const redo = page.getByRole('button', {name: 'Redo', exact: true});
   let steps = 0;
-  for (; await undo.isEnabled(); steps++) {
-    await undo.click();
-    await page.waitForTimeout(100);
-  }
+  for (; await undo.isEnabled(); steps++) await undo.click();
   expect(steps).toBe(7);
   await expect(page.getByRole('heading', {name: 'What are you packing?'})).toBeVisible();
-  for (let i = 0; i < steps; i++) {
-    await redo.click();
-    await page.waitForTimeout(100);
-  }
+  for (let i = 0; i < steps; i++) await redo.click();
   await expect(redo).toBeDisabled();
   await expect(status(page)).toContainText('F ');
   expect(await projectText(page)).toBe(last);
@@ -52,7 +48,7 @@ test('a reload brings everything back', async ({studio: page}) => {
   await set(page, 'slider', 'Wall', 70);
   await expect(page.getByRole('button', {name: 'Undo', exact: true})).toBeEnabled();
   const before = await projectText(page);
-  await page.waitForTimeout(600);
+  await kept(page, '"wall_mm":70');
   await page.reload();
   await expect(status(page)).toContainText('F ');
   await expect(page.getByTitle('vase.ply')).toBeVisible();
@@ -79,8 +75,7 @@ test('Optimize shows its climb, never ends below its start, and is one step back
   await open(page, sample('camera'));
   await set(page, 'slider', 'Rotation ψ', 30);
   for (const [axis, count] of Object.entries({x: 20, y: 20, z: 16})) await set(page, 'spinbutton', `Blocks ${axis}`, count);
-  await expect(status(page)).toContainText('Widest gap');
-  await page.waitForTimeout(300);
+  await kept(page, '"blocks":[20,20,16]');
   const before = await fRatio(page);
   await inTheMoment(page, 'footer .busy button');
   await page.getByRole('button', {name: 'Optimize', exact: true}).click();
@@ -112,7 +107,8 @@ test('another object opened meanwhile ends an Optimize, and starts anew', async 
   await set(page, 'slider', 'Rotation θ', 33);
   await page.getByRole('button', {name: 'Optimize', exact: true}).click();
   await open(page, sample('torus'));
-  await page.waitForTimeout(1500);
+  // Long enough for any step of the search that would still be on its way.
+  await expect(status(page)).toContainText(/Widest gap [\d.]+ mm/);
   for (const angle of ['ψ', 'θ', 'φ'])
     await expect(page.getByRole('slider', {name: `Rotation ${angle}`})).toHaveValue('0');
   await expect(page.getByRole('button', {name: 'Optimize', exact: true})).toBeEnabled();
@@ -136,33 +132,34 @@ test('a file in metres asks for its unit', async ({studio: page}) => {
 
 test('a lost graphics context says so and comes back', async ({studio: page}) => {
   await open(page, sample('torus'));
-  const lose = () =>
-    page.locator('canvas').first().evaluate((canvas: HTMLCanvasElement) => {
-      const extension = canvas.getContext('webgl2')?.getExtension('WEBGL_lose_context');
-      extension?.loseContext();
-      setTimeout(() => extension?.restoreContext(), 800);
-    });
-  await lose();
+  const scene = page.locator('canvas').first();
+  const context = await scene.evaluateHandle((canvas: HTMLCanvasElement) => canvas.getContext('webgl2')?.getExtension('WEBGL_lose_context'));
+  await context.evaluate((extension) => extension?.loseContext());
   await expect(page.getByText('The graphics of this browser stopped')).toBeVisible();
+  await context.evaluate((extension) => extension?.restoreContext());
   await expect(page.getByText('The graphics of this browser stopped')).toBeHidden();
   await set(page, 'slider', 'Rotation ψ', 10);
   await expect(status(page)).toContainText('F ');
 });
 
-test('pointing at a column shows it in both windows', async ({studio: page}) => {
-  await open(page, sample('torus'));
-  await page.getByRole('tab', {name: 'Lower'}).click();
-  const map = page.getByRole('img', {name: 'Map of the lower foam'});
-  const box = await map.boundingBox();
-  if (!box) throw new Error('there is no map');
-  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
-  await expect(page.getByText(/^Row \d+, column \d+: remove \d+ below/)).toBeVisible();
-  await page.getByRole('button', {name: 'View from: Top'}).or(page.getByRole('button', {name: 'Top'})).click();
-  await page.waitForTimeout(1200);
-  const scene = await page.getByRole('application').boundingBox();
-  if (!scene) throw new Error('there is no scene');
-  await page.mouse.move(scene.x + scene.width / 2, scene.y + scene.height / 2);
-  await expect(page.getByText(/^Row \d+, column \d+: remove/)).toBeVisible();
+test.describe('with a camera that moves', () => {
+  test.use({contextOptions: {reducedMotion: 'no-preference'}});
+
+  test('pointing at a column shows it in both windows', async ({studio: page}) => {
+    await open(page, sample('torus'));
+    await page.getByRole('tab', {name: 'Lower'}).click();
+    const map = page.getByRole('img', {name: 'Map of the lower foam'});
+    const box = await map.boundingBox();
+    if (!box) throw new Error('there is no map');
+    await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+    await expect(page.getByText(/^Row \d+, column \d+: remove \d+ below/)).toBeVisible();
+    await page.getByRole('button', {name: 'View from: Top'}).or(page.getByRole('button', {name: 'Top'})).click();
+    await atRest(page);
+    const scene = await page.getByRole('application').boundingBox();
+    if (!scene) throw new Error('there is no scene');
+    await page.mouse.move(scene.x + scene.width / 2, scene.y + scene.height / 2);
+    await expect(page.getByText(/^Row \d+, column \d+: remove/)).toBeVisible();
+  });
 });
 
 test('both maps go to the printer', async ({studio: page}) => {
@@ -175,20 +172,19 @@ test('both maps go to the printer', async ({studio: page}) => {
 
 test('a hand on the rings turns the object, as one step', async ({studio: page}) => {
   await open(page, sample('camera'));
-  await page.waitForTimeout(1500);
   await page.getByRole('button', {name: 'Turn', exact: true}).click();
+  await atRest(page);
   const scene = await page.getByRole('application').boundingBox();
   if (!scene) throw new Error('there is no scene');
-  const before = await Promise.all(['ψ', 'θ', 'φ'].map((angle) => page.getByRole('slider', {name: `Rotation ${angle}`}).inputValue()));
+  const rotation = () => Promise.all(['ψ', 'θ', 'φ'].map((angle) => page.getByRole('spinbutton', {name: `${angle} in degrees`}).inputValue()));
+  const before = await rotation();
   const middle = {x: scene.x + scene.width / 2, y: scene.y + scene.height / 2};
   await page.mouse.move(middle.x + 8, middle.y - 22);
   await page.mouse.down();
   for (let i = 1; i <= 12; i++) await page.mouse.move(middle.x + 8 + 5 * i, middle.y - 22 - 3 * i);
   await page.mouse.up();
-  const after = async () =>
-    Promise.all(['ψ', 'θ', 'φ'].map((angle) => page.getByRole('slider', {name: `Rotation ${angle}`}).inputValue()));
-  await expect.poll(after).not.toEqual(before);
-  await page.waitForTimeout(300);
+  await expect.poll(rotation).not.toEqual(before);
+  await kept(page, `"rotation_deg":[${(await rotation()).join()}]`);
   await page.keyboard.press('Control+z');
-  await expect.poll(after).toEqual(before);
+  await expect.poll(rotation).toEqual(before);
 });

@@ -1,5 +1,4 @@
 const MOST_MOMENTS = 500;
-/** Changes of one control that follow each other within this time are one step back: a drag, a held key. */
 const ONE_GESTURE_MS = 800;
 
 /** Where a person has been: one line of moments, and the place in it that is shown. Plain data, so that it can be
@@ -7,21 +6,35 @@ const ONE_GESTURE_MS = 800;
 export interface History<T> {
   readonly moments: readonly T[];
   readonly at: number;
-  readonly control: string;
-  readonly time: number;
+  /** That the last moment belongs to; a change of the same step takes its place. */
+  readonly step: string;
+}
+
+/** Names the step back that a change belongs to: changes of one control that follow each other soon are one, a drag or a
+ *  held key, however long their foams take. */
+export class Gestures {
+  #control = '';
+  #heard = -Infinity;
+  #count = 0;
+
+  /** `control`: what the person used, none if empty; `time` in ms. */
+  step(control: string, time: number): string {
+    if (control !== this.#control || time - this.#heard >= ONE_GESTURE_MS) this.#count++;
+    [this.#control, this.#heard] = [control, time];
+    return control && `${control} ${this.#count}`;
+  }
 }
 
 export function startHistory<T>(first: T): History<T> {
-  return {moments: [first], at: 0, control: '', time: -Infinity};
+  return {moments: [first], at: 0, step: ''};
 }
 
-/** What was undone before is forgotten. `control`: what the person used; the same one soon again continues its
- *  own step. */
-export function record<T>(history: History<T>, moment: T, control: string, time: number): History<T> {
-  const continues = control !== '' && control === history.control && time - history.time < ONE_GESTURE_MS;
+/** What was undone before is forgotten. `step`: of Gestures; none if empty. */
+export function record<T>(history: History<T>, moment: T, step: string): History<T> {
+  const continues = step !== '' && step === history.step;
   const kept = history.moments.slice(0, continues ? history.at : history.at + 1);
   const moments = [...kept, moment].slice(-MOST_MOMENTS);
-  return {moments, at: moments.length - 1, control, time};
+  return {moments, at: moments.length - 1, step};
 }
 
 export function canUndo(history: History<unknown>): boolean {
@@ -35,7 +48,7 @@ export function canRedo(history: History<unknown>): boolean {
 /** A step of -1 or +1; stays where there is nothing further. */
 export function moved<T>(history: History<T>, by: -1 | 1): History<T> {
   const at = Math.min(Math.max(history.at + by, 0), history.moments.length - 1);
-  return {...history, at, control: '', time: -Infinity};
+  return {...history, at, step: ''};
 }
 
 export function present<T>(history: History<T>): T {

@@ -78,7 +78,7 @@ export class Keeping {
     const whole = (at: Moment) => ({...at, design: completed(at.design, this.#studio.defaults)});
     const last = saved.last && {...saved.last, moment: whole(saved.last.moment)};
     const moments = saved.work.history.moments.map(whole);
-    const history = stepped({...saved.work.history, moments, control: '', time: -Infinity}, last);
+    const history = stepped({moments, at: saved.work.history.at, step: ''}, last);
     const checked = await this.#parts.checked(present(history).design);
     if (checked) {
       this.#studio.refuse('object', language.text.works.broken(checked.error));

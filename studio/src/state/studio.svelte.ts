@@ -1,6 +1,6 @@
 import type {Design, Preset} from '../design/design';
 import {forNewObject} from '../design/edit';
-import {canRedo, canUndo, moved, present, record, startHistory, type History} from '../design/history';
+import {canRedo, canUndo, Gestures, moved, present, record, startHistory, type History} from '../design/history';
 import {makeLine} from '../design/make_line';
 import type {BesideFile, Engine, Failure, Finding, Gap, ObjectInfo, Packing} from '../engine/api';
 import {isFailure} from '../engine/failure';
@@ -50,6 +50,7 @@ export class Studio {
   #history: History<Moment> = $state.raw(startHistory<Moment>({design: {} as Design, object: null}));
   /** The object has no size before its unit is known, and no foams. */
   asksForUnit = $derived(this.object?.sizeProblem != null);
+  readonly #gestures = new Gestures();
   /** The person closed that question for now. */
   unitLater = $state(false);
   /** What the way of working adds; null while it is being looked at. */
@@ -313,6 +314,7 @@ export class Studio {
 
   /** Makes the foams of a design; a good one becomes a moment of the history. */
   async #show(design: Design, control: string): Promise<Failure | null> {
+    const step = this.#gestures.step(control, performance.now());
     this.#stopResting();
     const failed = await this.#pack(design);
     // A newer change is on its way, or the person went back meanwhile.
@@ -327,7 +329,7 @@ export class Studio {
       return refused;
     }
     this.#answered();
-    this.#history = record(this.#history, {design, object: this.#shown}, control, performance.now());
+    this.#history = record(this.#history, {design, object: this.#shown}, step);
     this.#keeping.saveSoon();
     this.#rest();
     return null;
