@@ -3,6 +3,7 @@ import {unzipSync} from 'fflate';
 import type {Page} from '@playwright/test';
 import {sample} from './support/command_line';
 import {expect, open, set, status, test} from './support/studio';
+import {torusStl} from './support/torus';
 
 /** The files of the zip that Export saves. */
 async function exported(page: Page): Promise<Record<string, Uint8Array>> {
@@ -11,6 +12,12 @@ async function exported(page: Page): Promise<Record<string, Uint8Array>> {
     page.getByRole('button', {name: 'Export', exact: true}).click(),
   ]);
   return unzipSync(readFileSync(await file.path()));
+}
+
+/** Whose foams are built in a moment, block by block. */
+async function openSmallRing(page: Page) {
+  await open(page, {name: 'ring.stl', buffer: torusStl(64, 32, 40, 15)});
+  await set(page, 'slider', 'Wall', 20);
 }
 
 test('slit sponge: what it takes is shown first, then the pack comes as one zip', async ({studio: page}) => {
@@ -33,7 +40,7 @@ test('slit sponge: what it takes is shown first, then the pack comes as one zip'
 });
 
 test('toy bricks: sizes, colours and a stock are chosen, and built by', async ({studio: page}) => {
-  await open(page, sample('torus'));
+  await openSmallRing(page);
   await page.getByRole('radio', {name: /Toy bricks/}).check();
   await expect(page.getByLabel('Foam', {exact: true})).toHaveValue('lego-brick');
   await page.getByLabel('Rims meet').selectOption('tiles');
@@ -63,7 +70,7 @@ test('toy bricks: sizes, colours and a stock are chosen, and built by', async ({
 });
 
 test('a mill: the cutter and how it moves are chosen, and its programs come', async ({studio: page}) => {
-  await open(page, sample('torus'));
+  await openSmallRing(page);
   await page.getByRole('radio', {name: /Mill/}).check();
   await expect(page.getByLabel('Foam', {exact: true})).toHaveValue('mill');
   await set(page, 'spinbutton', 'Cutter', 8);
@@ -84,7 +91,7 @@ test('a mill: the cutter and how it moves are chosen, and its programs come', as
 });
 
 test('moulds: walls and the printer are chosen, and boxes to print come', async ({studio: page}) => {
-  await open(page, sample('torus'));
+  await openSmallRing(page);
   await page.getByRole('radio', {name: /Moulds/}).check();
   await expect(page.getByLabel('Foam', {exact: true})).toHaveValue('cast');
   await set(page, 'spinbutton', 'Mould wall', 4);
@@ -136,7 +143,7 @@ test('a case that is known is filled, with walls, notches and a looser lid', asy
 });
 
 test('what a way of working finds stands in Check, too', async ({studio: page}) => {
-  await open(page, sample('torus'));
+  await openSmallRing(page);
   const check = page.locator('#step-check');
   await page.getByRole('radio', {name: /Toy bricks/}).check();
   await expect(page.getByTestId('figures')).toContainText('Bricks, lid', {timeout: 30_000});
