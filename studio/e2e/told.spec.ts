@@ -4,10 +4,10 @@ import {inTheMoment} from './support/in_the_moment';
 import {kept} from './support/kept';
 import {expect, open, set, status, test} from './support/studio';
 import {torusStl} from './support/torus';
+import {WEDGE_IN_METRES} from './support/wedge';
 
 const PHONE = {width: 390, height: 800};
 const file = (name: string, content: string) => ({name, mimeType: '', buffer: Buffer.from(content)});
-const METRES = 'OFF\n4 4 0\n0 0 0\n0.2 0 0\n0 0.15 0\n0 0 0.1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n';
 
 for (const viewport of [PHONE, {width: 1280, height: 800}])
   test(`a refusal is in view ${viewport.width} px wide, and stays until it is read`, async ({studio: page}) => {
@@ -84,7 +84,7 @@ test('the page is there before the object that comes back, which can be left for
 });
 
 test('the question for the unit can be left, found again, moved, and answered by a length', async ({studio: page}) => {
-  await page.getByLabel('Open object', {exact: true}).setInputFiles(file('wedge.off', METRES));
+  await page.getByLabel('Open object', {exact: true}).setInputFiles(file('wedge.off', WEDGE_IN_METRES));
   const question = page.getByRole('dialog', {name: 'Which unit does this file use?'});
   await expect(question).toBeVisible();
   const before = await question.boundingBox();
@@ -105,7 +105,7 @@ test('the question for the unit can be left, found again, moved, and answered by
   await expect(page.getByText('300 × 225 × 150 mm')).toBeVisible();
   await expect(page.getByLabel('Unit of the file').locator('option:checked')).toHaveText('by a known length');
   // The length is of this object alone.
-  await page.getByLabel('Open object', {exact: true}).setInputFiles(file('other.off', METRES.replace('0.15', '0.16')));
+  await page.getByLabel('Open object', {exact: true}).setInputFiles(file('other.off', WEDGE_IN_METRES.replace('0.15', '0.16')));
   await expect(page.getByTitle('other.off')).toBeVisible();
   await expect(question.getByRole('spinbutton', {name: 'Or: its longest side is'})).toHaveValue('0');
   await question.getByRole('button', {name: /^Metres/}).click();

@@ -6,6 +6,7 @@ import {inTheMoment} from './support/in_the_moment';
 import {kept} from './support/kept';
 import {expect, open, set, status, test} from './support/studio';
 import {torusStl} from './support/torus';
+import {WEDGE_IN_METRES} from './support/wedge';
 
 async function projectText(page: Page): Promise<string> {
   const [download] = await Promise.all([
@@ -115,8 +116,7 @@ test('another object opened meanwhile ends an Optimize, and starts anew', async 
 });
 
 test('a file in metres asks for its unit', async ({studio: page}) => {
-  const metres = 'OFF\n4 4 0\n0 0 0\n0.2 0 0\n0 0.15 0\n0 0 0.1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n';
-  await page.getByLabel('Open object', {exact: true}).setInputFiles({name: 'wedge.off', mimeType: '', buffer: Buffer.from(metres)});
+  await page.getByLabel('Open object', {exact: true}).setInputFiles({name: 'wedge.off', mimeType: '', buffer: Buffer.from(WEDGE_IN_METRES)});
   const dialog = page.getByRole('dialog', {name: 'Which unit does this file use?'});
   await dialog.getByRole('button', {name: /^Metres/}).click();
   await expect(dialog).toBeHidden();

@@ -17,7 +17,7 @@ import type {
   SearchStep,
   WorkshopFigures,
 } from './api';
-import {brokenModule, failure, isFailure} from './failure';
+import {brokenModule, CANCELLED, failure, isFailure} from './failure';
 import {latest} from './latest';
 import type {CoreHandle} from './worker_link';
 
@@ -35,7 +35,6 @@ export async function createEngine(options: EngineOptions): Promise<Engine> {
   return engine;
 }
 
-const CANCELLED = failure('cancelled', 'cancelled');
 const SUPERSEDED = failure('cancelled', 'a newer request took its place');
 
 interface Kept {

@@ -8,6 +8,8 @@ export function failure(kind: Failure['kind'], error: string): Failure {
   return {error, kind};
 }
 
+export const CANCELLED = failure('cancelled', 'cancelled');
+
 /** What a stopped WebAssembly module means for the person. After either the module cannot be used again. */
 export function brokenModule(reason: unknown): Failure {
   const message = reason instanceof Error ? reason.message : String(reason);

@@ -1,7 +1,7 @@
-import {zipSync, type Zippable} from 'fflate';
 import type {Pack} from 'snug-wasm/snug.mjs';
 import type {OutputFile} from '../engine/api';
 import {writePdf, type Page} from './pdf';
+import {zipped} from './zip';
 
 /** The files of a pack as a maker has them: its documents as PDF, its containers (3MF) zipped. */
 export async function packFiles(pack: Pack): Promise<OutputFile[]> {
@@ -10,11 +10,4 @@ export async function packFiles(pack: Pack): Promise<OutputFile[]> {
   for (const {name, title, trueSize, pages} of pack.documents)
     files.push({name: `${name}.pdf`, bytes: await writePdf(title, trueSize, JSON.parse(pages) as Page[])});
   return files;
-}
-
-/** In the order that they have, and the same bytes for the same members. */
-export function zipped(members: OutputFile[]): Uint8Array<ArrayBuffer> {
-  const contents: Zippable = {};
-  for (const {name, bytes} of members) contents[name] = [bytes, {mtime: new Date(1980, 0, 1), level: 9}];
-  return zipSync(contents) as Uint8Array<ArrayBuffer>;
 }

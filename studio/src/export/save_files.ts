@@ -1,11 +1,8 @@
-import {Zip, ZipDeflate} from 'fflate';
 import type {OutputFile} from '../engine/api';
 import {isFailure} from '../engine/failure';
 import {isScene} from '../import/bundle';
 import type {Studio} from '../state/studio.svelte';
-
-/** Takes some hundredths of a second. */
-const ZIP_PIECE = 1 << 19;
+import {zippedInPieces} from './zip';
 
 export type Kind = 'zip' | 'stl' | 'ply';
 
@@ -20,7 +17,7 @@ export async function exportFiles(studio: Studio, kind: Kind): Promise<void> {
     if (files.kind !== 'cancelled') studio.refuse('make', files.error);
     return;
   }
-  if (kind === 'zip') return download(`${stem(studio)}-foam.zip`, await zipped(await withObject(studio, files)));
+  if (kind === 'zip') return download(`${stem(studio)}-foam.zip`, await zippedInPieces(await withObject(studio, files)));
   for (const file of files) if (file.name.endsWith(`.${kind}`)) download(file.name, [file.bytes]);
 }
 
@@ -38,27 +35,6 @@ async function withObject(studio: Studio, files: OutputFile[]): Promise<OutputFi
     bytes: new Uint8Array(await content.arrayBuffer()),
   }));
   return [...files, ...(await Promise.all(company))];
-}
-
-/** Piece by piece, so that the page stays alive: its policy forbids the workers that fflate would start by itself. */
-async function zipped(files: OutputFile[]): Promise<Uint8Array<ArrayBuffer>[]> {
-  const parts: Uint8Array<ArrayBuffer>[] = [];
-  const archive = new Zip((error, part) => {
-    if (error) throw error;
-    parts.push(part as Uint8Array<ArrayBuffer>);
-  });
-  for (const {name, bytes} of files) {
-    const member = new ZipDeflate(name, {level: 6});
-    // The same time in every zip, so that the same design gives the same bytes.
-    member.mtime = new Date(1980, 0, 1);
-    archive.add(member);
-    for (let at = 0; at === 0 || at < bytes.length; at += ZIP_PIECE) {
-      member.push(bytes.subarray(at, at + ZIP_PIECE), at + ZIP_PIECE >= bytes.length);
-      await new Promise((resolve) => setTimeout(resolve));
-    }
-  }
-  archive.end();
-  return parts;
 }
 
 function stem(studio: Studio): string {

@@ -1,8 +1,6 @@
 import type {Engine, Failure} from '../engine/api';
-import {failure} from '../engine/failure';
+import {CANCELLED} from '../engine/failure';
 import type {Busy, FileFacts, Problem, Reading} from './on_the_page';
-
-export const CANCELLED = failure('cancelled', 'cancelled');
 
 /** Where a reading is shown. */
 interface Page {
