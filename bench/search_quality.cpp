@@ -15,6 +15,7 @@
 #include "snug/search/exact_cut.h"
 #include "snug/search/greedy_climb.h"
 #include "snug/search/placement_search.h"
+#include "snug/space/available.h"
 
 #include "bench/search_objects.h"
 
@@ -54,8 +55,8 @@ long long stored_least(const Json& least, const bench::NamedMesh& object, const 
     constexpr long long kNever = 1LL << 60;
     if (!least.contains(object.name)) return kNever;
     const Json& at = least[object.name];
-    const auto exact =
-        exact_cut(surface, space, design.cut, vector_from(at["rotation_deg"]), vector_from(at["offset_mm"]));
+    const auto exact = exact_cut(surface, space, design.cut, vector_from(at["rotation_deg"]),
+                                 vector_from(at["offset_mm"]), all_blocks(space.blocks));
     return exact ? exact->cut_blocks : kNever;
 }
 
@@ -78,7 +79,7 @@ std::array<long long, kSeconds.size()> searched(const bench::NamedMesh& object, 
                                                 FoundPlacement& best, long long& evaluations) {
     const double begun = processor_seconds();
     const PreparedSurface surface = prepare_surface(object.mesh);
-    auto search = PlacementSearch::start(object.mesh, surface, design, space, seed);
+    auto search = PlacementSearch::start(object.mesh, surface, design, space, seed, all_blocks(space.blocks));
     std::array<long long, kSeconds.size()> cut{};
     std::size_t mark = 0;
     const std::size_t marks = quick ? kSeconds.size() - 1 : kSeconds.size();
@@ -100,8 +101,9 @@ void exhaust(const bench::NamedMesh& object, const Design& design, const DesignS
     long long record = stored_least(least, object, surface, design, space);
     for (int seed = 1; seed <= arguments.seeds; ++seed) {
         const double begun = processor_seconds();
-        auto search = PlacementSearch::start(object.mesh, surface, design, space,
-                                             static_cast<std::uint64_t>(1000 + seed));
+        auto search =
+            PlacementSearch::start(object.mesh, surface, design, space,
+                                   static_cast<std::uint64_t>(1000 + seed), all_blocks(space.blocks));
         while (processor_seconds() - begun < arguments.exhaustive) search->step();
         std::fprintf(stderr, "%s seed %d: %lld (%lld)\n", object.name.c_str(), seed,
                      search->best().cut_blocks, record);

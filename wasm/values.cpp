@@ -75,13 +75,13 @@ void fill_from(const val& array, T* data, std::size_t size) {
     view.call<void>("set", array);
 }
 
-void set_columns(val& result, const FoamPair& foams, const BlockMap& blocks, int nx) {
+void set_columns(val& result, const FoamPair& foams, const BlockMap& blocks) {
     std::vector<std::int16_t> first(blocks.size()), end(blocks.size());
     std::vector<std::int16_t> exists_first(blocks.size()), exists_end(blocks.size());
     for (std::size_t column = 0; column < blocks.size(); ++column) {
         first[column] = blocks[column].first;
         end[column] = blocks[column].end;
-        const Run exists = available_in(foams.available, column, nx);
+        const Run exists = foams.available[column];
         exists_first[column] = exists.first;
         exists_end[column] = exists.end;
     }
@@ -214,8 +214,7 @@ val to_val(const Packing& packing, double library_ms) {
     val result = val::object();
     result.set("blocks", to_val(packing.space.blocks));
     result.set("block_mm", to_val(packing.space.block_mm));
-    set_columns(result, packing.foams.value_or(FoamPair{}), packing.foams ? packing.blocks : BlockMap{},
-                packing.space.blocks.x);
+    set_columns(result, packing.foams.value_or(FoamPair{}), packing.foams ? packing.blocks : BlockMap{});
     result.set("partingLevel", packing.foams ? packing.foams->parting_level : 0);
     result.set("placement", matrix(packing.placement));
     result.set("bounds", bounds);

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "snug/space/available.h"
+
 namespace snug {
 namespace {
 
@@ -27,7 +29,7 @@ std::array<int, 6> thinnest_of(const BlockMap& blocks, Vec3i n) {
 }
 
 /// How many blocks lie between a cut block and the end of those that exist, going by (dj, dk).
-int blocks_to_case(const Available& available, int level, int j, int k, int dj, int dk) {
+int blocks_to_case(const Grid<Run>& available, int level, int j, int k, int dj, int dk) {
     int count = -1;
     for (; available.contains(j, k); j += dj, k += dk, ++count)
         if (level < available(j, k).first || level >= available(j, k).end) break;
@@ -35,7 +37,7 @@ int blocks_to_case(const Available& available, int level, int j, int k, int dj, 
 }
 
 /// The same within a case that shortens columns. It is convex, so its walls are nearest to the ends of a run.
-std::array<int, 6> thinnest_within(const Available& available, const BlockMap& blocks, Vec3i n) {
+std::array<int, 6> thinnest_within(const Grid<Run>& available, const BlockMap& blocks, Vec3i n) {
     std::array<int, 6> thinnest{n.x, n.x, n.y, n.y, n.z, n.z};
     const auto at_most = [&](Side side, int count) { thinnest[side] = std::min(thinnest[side], count); };
     for (int j = 0; j < n.y; ++j) {
@@ -113,7 +115,7 @@ long long blocks_of(const Grid<Run>& runs) {
 }  // namespace
 
 FitReport fit_report(const FoamPair& foams, const BlockMap& blocks, const DesignSpace& space) {
-    const Available& available = foams.available;
+    const Grid<Run>& available = foams.available;
     const Grid<Run> lower = kept_runs(foams, Half::lower, space.blocks.x);
     const Grid<Run> lid = kept_runs(foams, Half::lid, space.blocks.x);
     FitReport report;
@@ -121,7 +123,7 @@ FitReport fit_report(const FoamPair& foams, const BlockMap& blocks, const Design
     report.upper_blocks = blocks_of(lid);
     for (std::size_t column = 0; column < blocks.size(); ++column) {
         const CutRun cut = blocks[column];
-        const Run there = available_in(available, column, space.blocks.x);
+        const Run there = available[column];
         const long long inside = cut.none() ? 0 : cut.common(there).blocks();
         report.cut_blocks += inside;
         report.outside_blocks += cut.blocks() - inside;
@@ -130,8 +132,9 @@ FitReport fit_report(const FoamPair& foams, const BlockMap& blocks, const Design
     report.foam_mm3 = static_cast<double>(report.lower_blocks + report.upper_blocks) * space.block_volume();
     report.fill_ratio = static_cast<double>(report.lower_blocks + report.upper_blocks) /
                         static_cast<double>(space.block_count() - report.shortened_blocks);
-    report.wall_mm = in_millimetres(available.size() == 0 ? thinnest_of(blocks, space.blocks)
-                                                          : thinnest_within(available, blocks, space.blocks),
+    report.wall_mm = in_millimetres(fills_box(available, space.blocks.x)
+                                        ? thinnest_of(blocks, space.blocks)
+                                        : thinnest_within(available, blocks, space.blocks),
                                     space);
     report.lower_pieces = PieceCounter(lower).count();
     report.upper_pieces = PieceCounter(lid).count();

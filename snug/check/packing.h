@@ -4,12 +4,13 @@
 #include <vector>
 
 #include "snug/base/finding.h"
+#include "snug/base/grid.h"
+#include "snug/base/run.h"
 #include "snug/base/vec.h"
 #include "snug/check/fit_report.h"
 #include "snug/foam/block_map.h"
 #include "snug/foam/foam_pair.h"
 #include "snug/foam/notches.h"
-#include "snug/space/available.h"
 #include "snug/space/case_space.h"
 #include "snug/space/design_space.h"
 #include "snug/space/placement.h"
@@ -28,7 +29,7 @@ struct Packing {
     Placement placement;
     DesignSpace space;
     std::optional<CaseSpace> fitted_case;  ///< where the design has a case: what `space` is of
-    Available available;                   ///< blocks that exist in it
+    Grid<Run> available;                   ///< blocks that exist in `space`
     BlockMap blocks;
     std::vector<Notch> notches;     ///< beside the object, where the design wants them and there is room
     long long rib_blocks = 0;       ///< cut because they stood too thin between cavities

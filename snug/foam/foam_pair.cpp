@@ -1,6 +1,9 @@
 #include "snug/foam/foam_pair.h"
 
 #include <algorithm>
+#include <utility>
+
+#include "snug/space/available.h"
 
 namespace snug {
 namespace {
@@ -11,19 +14,14 @@ std::uint16_t height_within(Run exists, int height) {
     return static_cast<std::uint16_t>(top > exists.first ? top : 0);
 }
 
-bool all_exist(const Available& available, int nx) {
-    return std::all_of(available.begin(), available.end(), [&](Run run) { return run.blocks() == nx; });
-}
-
 }  // namespace
 
-FoamPair split(const BlockMap& blocks, const DesignSpace& space, int parting_level,
-               const Available& available) {
+FoamPair split(const BlockMap& blocks, const DesignSpace& space, int parting_level, Grid<Run> available) {
     const int nx = space.blocks.x;
-    FoamPair foams{{blocks.ny(), blocks.nz()}, {blocks.ny(), blocks.nz()}, parting_level};
-    if (!all_exist(available, nx)) foams.available = available;
+    FoamPair foams{
+        {blocks.ny(), blocks.nz()}, {blocks.ny(), blocks.nz()}, parting_level, std::move(available)};
     for (std::size_t column = 0; column < blocks.size(); ++column) {
-        const Run cut = blocks[column], exists = available_in(foams.available, column, nx);
+        const Run cut = blocks[column], exists = foams.available[column];
         const int below = cut.none() ? parting_level : cut.first;
         const int above = nx - (cut.none() ? parting_level : cut.end);
         foams.lower[column] = height_within(exists, below);
@@ -32,8 +30,12 @@ FoamPair split(const BlockMap& blocks, const DesignSpace& space, int parting_lev
     return foams;
 }
 
+FoamPair split(const BlockMap& blocks, const DesignSpace& space, int parting_level) {
+    return split(blocks, space, parting_level, all_blocks(space.blocks));
+}
+
 Run existing_run(const FoamPair& foams, Half half, std::size_t column, int nx) {
-    const Run exists = available_in(foams.available, column, nx);
+    const Run exists = foams.available[column];
     return half == Half::lower ? exists : from_other_end(exists, nx);
 }
 
@@ -48,13 +50,6 @@ Grid<Run> kept_runs(const FoamPair& foams, Half half, int nx) {
     for (std::size_t column = 0; column < runs.size(); ++column)
         runs[column] = kept_run(foams, half, column, nx);
     return runs;
-}
-
-long long missing_below(const FoamPair& foams, Half half, int nx) {
-    long long missing = 0;
-    for (std::size_t column = 0; column < foams.lower.size(); ++column)
-        missing += kept_run(foams, half, column, nx).first;
-    return missing;
 }
 
 }  // namespace snug

@@ -7,7 +7,6 @@
 #include "snug/base/half.h"
 #include "snug/base/run.h"
 #include "snug/foam/block_map.h"
-#include "snug/space/available.h"
 #include "snug/space/design_space.h"
 
 namespace snug {
@@ -19,8 +18,8 @@ namespace snug {
 struct FoamPair {
     Grid<std::uint16_t> lower;
     Grid<std::uint16_t> upper;
-    int parting_level = 0;     ///< lower blocks where the object does not touch the column, 0 to nx
-    Available available = {};  ///< blocks that exist; empty where that is all of them
+    int parting_level = 0;  ///< lower blocks where the object does not touch the column, 0 to nx
+    Grid<Run> available;    ///< blocks that exist in each column, counted from -x
 
     [[nodiscard]] const Grid<std::uint16_t>& heights(Half half) const {
         return half == Half::lower ? lower : upper;
@@ -29,7 +28,9 @@ struct FoamPair {
 
 /// The halves of a block map. No half is higher than the blocks that exist.
 [[nodiscard]] FoamPair split(const BlockMap& blocks, const DesignSpace& space, int parting_level,
-                             const Available& available = {});
+                             Grid<Run> available);
+/// In a plain box, where all blocks exist.
+[[nodiscard]] FoamPair split(const BlockMap& blocks, const DesignSpace& space, int parting_level);
 
 /// The blocks that a half keeps in a column of nx blocks, counted from the half's own side: what every table,
 /// solid and pack is made from. {0, 0} where it keeps none.
@@ -38,8 +39,5 @@ struct FoamPair {
 
 /// The blocks that exist in a column of nx blocks, counted from the half's own side.
 [[nodiscard]] Run existing_run(const FoamPair& foams, Half half, std::size_t column, int nx);
-
-/// Blocks under what a half keeps, on its own side, that do not exist, over all columns.
-[[nodiscard]] long long missing_below(const FoamPair& foams, Half half, int nx);
 
 }  // namespace snug

@@ -6,6 +6,7 @@
 
 #include "snug/base/text.h"
 #include "snug/foam/notches.h"
+#include "snug/space/available.h"
 #include "snug/space/fitted_space.h"
 
 namespace snug {
@@ -35,12 +36,16 @@ Result<DesignSpace> fitted_to(Box3d placed, const Design& design) {
     return DesignSpace{vec_cast<int>(counts), options.block_mm};
 }
 
+PackedSpace plain_box(const DesignSpace& space) {
+    return {space, {}, all_blocks(space.blocks)};
+}
+
 Result<PackedSpace> in_case(const Design& design) {
     auto fitted = case_space(design.case_options, design.space.block_mm);
     if (!fitted) return tl::unexpected(fitted.error());
     if (const auto error = too_squeezed(fitted->space, design.cut)) return tl::unexpected(*error);
     const DesignSpace space = fitted->space;
-    Available available = available_blocks(*fitted);
+    Grid<Run> available = available_blocks(*fitted);
     return PackedSpace{space, std::move(*fitted), std::move(available)};
 }
 
@@ -52,10 +57,10 @@ Vec3d shift_between_walls(const SpaceOptions& space, bool in_case) {
 
 Result<PackedSpace> space_for(const Box3d& placed, const Design& design) {
     if (design.case_options.inside_mm) return in_case(design);
-    if (design.space.blocks) return PackedSpace{{*design.space.blocks, design.space.block_mm}, {}, {}};
+    if (design.space.blocks) return plain_box({*design.space.blocks, design.space.block_mm});
     const auto fitted = fitted_to(placed, design);
     if (!fitted) return tl::unexpected(fitted.error());
-    return PackedSpace{*fitted, {}, {}};
+    return plain_box(*fitted);
 }
 
 }  // namespace snug

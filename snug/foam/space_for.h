@@ -3,9 +3,10 @@
 #include <optional>
 
 #include "snug/base/box.h"
+#include "snug/base/grid.h"
 #include "snug/base/result.h"
+#include "snug/base/run.h"
 #include "snug/design/design.h"
-#include "snug/space/available.h"
 #include "snug/space/case_space.h"
 #include "snug/space/design_space.h"
 
@@ -19,7 +20,7 @@ namespace snug {
 struct PackedSpace {
     DesignSpace space;
     std::optional<CaseSpace> fitted_case;  ///< where the design has a case: what `space` is of
-    Available available;                   ///< blocks that exist in it
+    Grid<Run> available;                   ///< blocks that exist in `space`
 };
 
 /// The space of a design: its case divided into blocks, its own counts, or fitted to the placed object with

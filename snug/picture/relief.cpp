@@ -42,7 +42,7 @@ class FaceCollector {
     /// The levels of a cell that are foam.
     Run foam(int row, int column) const {
         if (!relief_.layers.contains(row, column)) return {};
-        return {static_cast<std::int16_t>(relief_.bottom_of(row, column)),
+        return {static_cast<std::int16_t>(relief_.missing(row, column)),
                 static_cast<std::int16_t>(relief_.layers(row, column))};
     }
 
@@ -131,8 +131,7 @@ Relief relief(const FoamPair& foams, const DesignSpace& space, const OpenedPair&
         return space.face(axis, std::min(cell * per_cell, axis == 1 ? ny : nz));
     };
 
-    Relief relief{{rows, columns}, {}, {}, 0, space.block_mm.x, per_cell, {}};
-    if (foams.available.size() > 0) relief.missing = {rows, columns};
+    Relief relief{{rows, columns}, {}, {}, 0, space.block_mm.x, per_cell, {rows, columns}};
     relief.bottom = in_scene({space.face(0, lower ? 0 : space.blocks.x), 0, 0}).z;
     // The lid's row that is farthest from its BACK edge lies farthest from the viewer.
     for (int row = 0; row <= rows; ++row)
@@ -143,7 +142,7 @@ Relief relief(const FoamPair& foams, const DesignSpace& space, const OpenedPair&
             const Run cell =
                 kept_by_all(kept, (lower ? row : rows - 1 - row) * per_cell, column * per_cell, per_cell);
             relief.layers(row, column) = cell.end;
-            if (relief.missing.size() > 0) relief.missing(row, column) = cell.first;
+            relief.missing(row, column) = cell.first;
         }
     return relief;
 }

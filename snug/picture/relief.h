@@ -20,11 +20,7 @@ struct Relief {
     double bottom = 0;                ///< scene z of the case's inner side
     double layer_mm = 0;
     int blocks_per_cell = 1;  ///< more where the half has more columns than a drawing can show
-    Grid<int> missing = {};   ///< of the layers, from the case's side, that it has no room for; empty: none
-
-    [[nodiscard]] int bottom_of(int row, int column) const {
-        return missing.size() == 0 ? 0 : missing(row, column);
-    }
+    Grid<int> missing;        ///< of the layers, from the case's side, that it has no room for
 
     [[nodiscard]] double height(int row, int column) const { return bottom + layers(row, column) * layer_mm; }
     [[nodiscard]] int fewest_layers() const;

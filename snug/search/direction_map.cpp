@@ -66,7 +66,7 @@ DesignSpace roomy(double longest, Vec3d block_mm, const CutOptions& cut) {
 }  // namespace
 
 DirectionMap::DirectionMap(const Mesh& mesh, const PreparedSurface& surface, const Design& design,
-                           const DesignSpace& space, std::size_t directions, Available available)
+                           const DesignSpace& space, std::size_t directions, Grid<Run> available)
     : surface_(surface), design_(design), space_(space), available_(std::move(available)) {
     fitted_ = !design.space.blocks && !design.case_options.inside_mm;
     const Vec3d size = bounds(mesh).size();
@@ -128,13 +128,14 @@ void DirectionMap::improve(std::size_t direction, const Vec3d& rotation_deg,
 /// What the design makes of the placement; none where it does not fit or a wall is thinner than wanted.
 std::optional<ExactCut> DirectionMap::exact(Vec3d rotation_deg, Vec3d offset_mm) const {
     const Vec3d lies = offset_mm + shift_between_walls(design_.space, !fitted_);
-    DesignSpace space = space_;
+    std::optional<ExactCut> found;
     if (fitted_) {
         const auto own = space_for(place(surface_, rotation_deg, lies).bounds, design_);
         if (!own) return {};
-        space = own->space;
+        found = exact_cut(surface_, own->space, design_.cut, rotation_deg, lies, own->available);
+    } else {
+        found = exact_cut(surface_, space_, design_.cut, rotation_deg, lies, available_);
     }
-    auto found = exact_cut(surface_, space, design_.cut, rotation_deg, lies, available_);
     if (found && !keeps_walls(found->wall_mm, wanted_wall_mm(design_.space))) return {};
     return found;
 }
@@ -153,7 +154,8 @@ Vec3d DirectionMap::offset_when_fitted(Vec3d rotation_deg, Vec3d offset_mm) cons
     const auto own = space_for(place(surface_, rotation_deg, even + shift).bounds, design_);
     if (!own) return even;
     Vec3d result;
-    for (int axis = 0; axis < 3; ++axis) result[axis] = own->space.blocks[axis] % 2 == 0 ? even[axis] : odd[axis];
+    for (int axis = 0; axis < 3; ++axis)
+        result[axis] = own->space.blocks[axis] % 2 == 0 ? even[axis] : odd[axis];
     return result;
 }
 

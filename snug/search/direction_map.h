@@ -35,7 +35,7 @@ class DirectionMap {
     /// the half sphere; 250 to 1000 make a picture. `surface` is prepared from `mesh` and must outlive the
     /// map.
     DirectionMap(const Mesh& mesh, const PreparedSurface& surface, const Design& design,
-                 const DesignSpace& space, std::size_t directions = 500, Available available = {});
+                 const DesignSpace& space, std::size_t directions, Grid<Run> available);
 
     /// Looks at one more spin of some directions: a few milliseconds of work.
     void step();
@@ -52,7 +52,7 @@ class DirectionMap {
     Design design_;
     bool fitted_ = false;  ///< every placement has a space of its own
     DesignSpace space_;    ///< of the offsets: the design's, or one that holds the object however it lies
-    Available available_;
+    Grid<Run> available_;  ///< blocks that exist in the design's space
     std::array<double, 6> least_wall_{};
     double longest_ = 0;
     SurfacePoints points_;

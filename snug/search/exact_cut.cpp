@@ -11,7 +11,7 @@ namespace snug {
 
 std::optional<ExactCut> exact_cut(const PreparedSurface& surface, const DesignSpace& space,
                                   const CutOptions& cut, Vec3d rotation_deg, Vec3d offset_mm,
-                                  const Available& available) {
+                                  const Grid<Run>& available) {
     ExactCut result;
     result.placement = place(surface, rotation_deg, offset_mm);
     const Vec3d least =

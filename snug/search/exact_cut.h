@@ -22,10 +22,11 @@ struct ExactCut {
     std::array<double, 6> wall_mm{};  ///< as FitReport::wall_mm
 };
 
-/// None where the object, grown by its clearance, leaves the space or the blocks that exist in it.
+/// None where the object, grown by its clearance, leaves the space or the blocks that exist in it
+/// (`available`, in each column of the space).
 [[nodiscard]] std::optional<ExactCut> exact_cut(const PreparedSurface& surface, const DesignSpace& space,
                                                 const CutOptions& cut, Vec3d rotation_deg, Vec3d offset_mm,
-                                                const Available& available = {});
+                                                const Grid<Run>& available);
 
 [[nodiscard]] bool keeps_walls(const std::array<double, 6>& wall_mm, const std::array<double, 6>& least_wall);
 

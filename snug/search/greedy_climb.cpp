@@ -9,6 +9,7 @@
 #include "snug/check/fit_report.h"
 #include "snug/foam/foam_pair.h"
 #include "snug/foam/object_cut.h"
+#include "snug/space/available.h"
 #include "snug/space/case_space.h"
 #include "snug/space/fitted_space.h"
 #include "snug/space/placement.h"
@@ -58,6 +59,7 @@ Result<Climb> start_climb(const PreparedSurface& surface, const Design& design, 
     climb.space = space;
     climb.cut = design.cut;
     climb.offset_mm = design.placement.offset_mm;
+    climb.available = all_blocks(space.blocks);
     if (design.case_options.inside_mm)
         if (const auto fitted = case_space(design.case_options, design.space.block_mm))
             climb.available = available_blocks(*fitted);

@@ -23,7 +23,7 @@ struct Climb {
     DesignSpace space;                   ///< stays that of the start, fitted or not
     CutOptions cut;                      ///< as the design has it
     Vec3d offset_mm;                     ///< as the design has it
-    Available available;                 ///< blocks that exist in the design's case
+    Grid<Run> available;                 ///< blocks that exist in the space
     std::array<double, 6> least_wall{};  ///< mm on each side (FitReport::wall_mm): as wanted, or as at the
                                          ///< start where that was thinner
 

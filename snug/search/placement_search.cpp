@@ -16,6 +16,7 @@
 #include "snug/search/quick_cut.h"
 #include "snug/search/surface_points.h"
 #include "snug/search/turn.h"
+#include "snug/space/case_space.h"
 
 namespace snug {
 namespace {
@@ -50,7 +51,7 @@ struct PlacementSearch::State {
     const PreparedSurface* surface = nullptr;
     DesignSpace space;
     CutOptions cut;
-    Available available;
+    Grid<Run> available;
     std::array<double, 6> least_wall{};
     std::uint64_t seed = 0;
     double longest = 0;
@@ -258,7 +259,7 @@ void State::decide(const Candidate& candidate) {
 
 Result<PlacementSearch> PlacementSearch::start(const Mesh& mesh, const PreparedSurface& surface,
                                                const Design& design, const DesignSpace& space,
-                                               std::uint64_t seed, Available available) {
+                                               std::uint64_t seed, Grid<Run> available) {
     auto state = std::make_unique<State>();
     state->surface = &surface;
     state->space = space;
@@ -271,7 +272,7 @@ Result<PlacementSearch> PlacementSearch::start(const Mesh& mesh, const PreparedS
                     "the object leaves the design space of " + dimensions(space.size()) +
                         " mm as it stands: make the space larger or turn the object before optimizing");
     const Walls wanted = wanted_wall_mm(design.space);
-    bool alike = available.size() == 0;
+    bool alike = !design.case_options.inside_mm || !has_shape(design.case_options);
     for (std::size_t side = 0; side < 6; ++side) {
         state->least_wall[side] = std::min(wanted[side], exact->wall_mm[side]);
         alike = alike && (side % 2 == 0 || state->least_wall[side] == state->least_wall[side - 1]);

@@ -42,7 +42,7 @@ class PlacementSearch {
     /// clearance, leaves the space already, or the blocks that exist in it.
     [[nodiscard]] static Result<PlacementSearch> start(const Mesh& mesh, const PreparedSurface& surface,
                                                        const Design& design, const DesignSpace& space,
-                                                       std::uint64_t seed, Available available = {});
+                                                       std::uint64_t seed, Grid<Run> available);
     PlacementSearch(PlacementSearch&&) noexcept;
     PlacementSearch& operator=(PlacementSearch&&) noexcept;
     ~PlacementSearch();

@@ -8,6 +8,7 @@
 #include "snug/search/fit_case.h"
 #include "snug/search/placement_search.h"
 #include "snug/search/turn.h"
+#include "snug/space/available.h"
 #include "snug/space/case_space.h"
 #include "snug/space/fitted_space.h"
 
@@ -17,11 +18,12 @@ namespace {
 /// The space that is searched, and the blocks that exist in it.
 struct Room {
     DesignSpace space;
-    Available available;
+    Grid<Run> available;
 };
 
 Result<Room> room_of(const Design& design) {
-    if (!design.case_options.inside_mm) return Room{{*design.space.blocks, design.space.block_mm}, {}};
+    if (!design.case_options.inside_mm)
+        return Room{{*design.space.blocks, design.space.block_mm}, all_blocks(*design.space.blocks)};
     const auto fitted = case_space(design.case_options, design.space.block_mm);
     if (!fitted) return tl::unexpected(fitted.error());
     return Room{fitted->space, available_blocks(*fitted)};

@@ -1,20 +1,24 @@
 #pragma once
 
-#include <cstddef>
+#include <algorithm>
 #include <cstdint>
 
 #include "snug/base/grid.h"
 #include "snug/base/run.h"
+#include "snug/base/vec.h"
+
+// Which blocks of a design space exist: in each column one run, counted from -x.
 
 namespace snug {
 
-/// The run of blocks that exist in each column, counted from -x: all but those that would stick out of a case
-/// with rounded corners or leaning walls. An empty grid stands for all blocks of the space.
-using Available = Grid<Run>;
+/// In a plain box all of them do.
+[[nodiscard]] inline Grid<Run> all_blocks(Vec3i blocks) {
+    return {blocks.y, blocks.z, {0, static_cast<std::int16_t>(blocks.x)}};
+}
 
-/// The blocks of the column that exist, of nx.
-[[nodiscard]] inline Run available_in(const Available& available, std::size_t column, int nx) {
-    return available.size() == 0 ? Run{0, static_cast<std::int16_t>(nx)} : available[column];
+/// Whether no column of nx blocks is shortened by a case with rounded corners or leaning walls.
+[[nodiscard]] inline bool fills_box(const Grid<Run>& available, int nx) {
+    return std::all_of(available.begin(), available.end(), [&](Run run) { return run.blocks() == nx; });
 }
 
 }  // namespace snug

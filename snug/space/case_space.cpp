@@ -7,16 +7,13 @@
 
 #include "snug/base/text.h"
 #include "snug/design/design.h"
+#include "snug/space/available.h"
 
 namespace snug {
 namespace {
 
 constexpr double kRounding = 1e-6;   // mm: faces that coincide with the case's are inside
 constexpr double kLeastRest = 0.01;  // mm: what is thinner is no strip
-
-bool has_shape(const CaseOptions& options) {
-    return options.corner_radius_mm > options.play_mm || options.base_mm || options.top_mm;
-}
 
 bool divided_freely(Division division, int axis) {
     return division == Division::all || (division == Division::across && axis > 0);
@@ -150,11 +147,15 @@ std::vector<Filler> fillers(const CaseSpace& fitted, int parting_level) {
     return list;
 }
 
-Available available_blocks(const CaseSpace& fitted) {
-    if (!has_shape(fitted.options)) return {};
+bool has_shape(const CaseOptions& options) {
+    return options.corner_radius_mm > options.play_mm || options.base_mm || options.top_mm;
+}
+
+Grid<Run> available_blocks(const CaseSpace& fitted) {
     const DesignSpace& space = fitted.space;
+    if (!has_shape(fitted.options)) return all_blocks(space.blocks);
     const Vec3d middle = fitted.free.centre();
-    Available available(space.blocks.y, space.blocks.z);
+    Grid<Run> available(space.blocks.y, space.blocks.z);
     for (int j = 0; j < space.blocks.y; ++j) {
         const double far_y = farthest(space.face(1, j), space.face(1, j + 1), middle.y);
         for (int k = 0; k < space.blocks.z; ++k)

@@ -4,10 +4,11 @@
 #include <vector>
 
 #include "snug/base/box.h"
+#include "snug/base/grid.h"
 #include "snug/base/result.h"
+#include "snug/base/run.h"
 #include "snug/base/side.h"
 #include "snug/design/case_options.h"
-#include "snug/space/available.h"
 #include "snug/space/design_space.h"
 
 namespace snug {
@@ -40,9 +41,11 @@ struct Filler {
 /// play, and each belongs to one half. Where the case is rounded or leans, they are trimmed to it.
 [[nodiscard]] std::vector<Filler> fillers(const CaseSpace& fitted, int parting_level);
 
-/// The blocks that lie wholly inside the case, for each column; empty where that is all of them (a case with
-/// upright walls and sharp corners).
-[[nodiscard]] Available available_blocks(const CaseSpace& fitted);
+/// Whether rounded corners or leaning walls may keep blocks out of the case.
+[[nodiscard]] bool has_shape(const CaseOptions& options);
+
+/// The blocks that lie wholly inside the case, for each column.
+[[nodiscard]] Grid<Run> available_blocks(const CaseSpace& fitted);
 
 /// Whether a block from `low` to `high` (design coordinates) lies inside the case and its play.
 [[nodiscard]] bool lies_inside(const CaseSpace& fitted, Vec3d low, Vec3d high);

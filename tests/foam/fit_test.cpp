@@ -12,6 +12,7 @@
 #include "snug/make.h"
 #include "snug/samples/samples.h"
 #include "snug/solid/solid.h"
+#include "snug/space/available.h"
 
 #include "tests/support/brute_force.h"
 #include "tests/support/random_design.h"
@@ -115,7 +116,7 @@ Broken broken_by(const Packing& packing, const Blocks& below, const Blocks& abov
             int lowest = n.x, highest = -1;
             for (int i = 0; i < n.x; ++i) {
                 const auto column = packing.blocks.index(j, k);
-                const CutRun exists = available_in(packing.available, column, n.x);
+                const CutRun exists = packing.available[column];
                 const bool there = i >= exists.first && i < exists.end;
                 const bool lower = there && i < packing.foams->lower[column];
                 const bool upper = there && i >= n.x - packing.foams->upper[column];
@@ -173,7 +174,7 @@ TEST(Clearance, OfEachHalfHoldsInEveryDesignWhateverElseIsCut) {
         unlike += !clearance.same_in_both();
         squeezed += clearance.least() < 0;
         crossed += broken.crossed > 0;
-        in_cases += packing->available.size() > 0;
+        in_cases += !fills_box(packing->available, packing->space.blocks.x);
     }
     EXPECT_GT(unlike, designs / 3);
     EXPECT_GT(squeezed, designs / 6);
@@ -465,7 +466,7 @@ void expect_comes_out_and_is_whole(const Packing& packing) {
         ASSERT_LE(foams.lower[i], run.first);
         ASSERT_LE(foams.upper[i], nx - run.end);
     }
-    if (packing.available.size() > 0) return;
+    if (!fills_box(packing.available, nx)) return;
     EXPECT_EQ(packing.fit.lower_blocks + packing.fit.upper_blocks + packing.fit.cut_blocks,
               packing.space.block_count());
     test::expect_solid_of(lower_solid(foams, packing.space), foams.lower, packing.space);
@@ -486,7 +487,7 @@ TEST(Fit, OfAnyKindComesOutIsClosedAndNeverAddsFoam) {
         expect_comes_out_and_is_whole(*packing);
         notched += !packing->notches.empty();
         ribbed += packing->rib_blocks > 0;
-        tapered += packing->available.size() > 0;
+        tapered += !fills_box(packing->available, packing->space.blocks.x);
         Design plain = design;
         plain.fit = {};
         plain.parting.level = packing->foams->parting_level;

@@ -11,6 +11,7 @@
 #include "snug/picture/object_outlines.h"
 #include "snug/picture/outline.h"
 #include "snug/picture/relief.h"
+#include "snug/space/available.h"
 
 #include "tests/support/random.h"
 #include "tests/support/random_available.h"
@@ -87,10 +88,11 @@ TEST(Isometric, ProjectionKeepsLengths) {
     }
 }
 
+const DesignSpace kSpaceOfL{{8, 4, 5}, {10, 10, 10}};
 // An L: its long leg along z, its foot towards +y at the leg's +z end.
 const FoamPair kL{grid({{5, 5, 5, 5, 5}, {5, 2, 2, 2, 5}, {5, 5, 5, 2, 5}, {5, 5, 5, 5, 5}}),
-                  grid({{3, 3, 3, 3, 3}, {3, 1, 1, 1, 3}, {3, 3, 3, 1, 3}, {3, 3, 3, 3, 3}}), 5};
-const DesignSpace kSpaceOfL{{8, 4, 5}, {10, 10, 10}};
+                  grid({{3, 3, 3, 3, 3}, {3, 1, 1, 1, 3}, {3, 3, 3, 1, 3}, {3, 3, 3, 3, 3}}), 5,
+                  all_blocks(kSpaceOfL.blocks)};
 
 TEST(Relief, AnLIsSeenUnmirroredInTheLowerHalfAndTurnedOverInTheLid) {
     const OpenedPair pair = opened(kSpaceOfL, kL.parting_level);
@@ -112,7 +114,7 @@ TEST(Relief, AnLIsSeenUnmirroredInTheLowerHalfAndTurnedOverInTheLid) {
 
 TEST(Relief, ManyColumnsAreDrawnTogetherAndNoCavityIsLost) {
     const DesignSpace space{{9, 3, 500}, {1, 1, 1}};
-    FoamPair foams{{3, 500, 9}, {3, 500, 0}, 9};
+    FoamPair foams{{3, 500, 9}, {3, 500, 0}, 9, all_blocks(space.blocks)};
     foams.lower(1, 333) = 4;
     const Relief lower = relief(foams, space, opened(space, 9), Half::lower);
     EXPECT_LE(lower.layers.nz(), 120);
@@ -131,7 +133,8 @@ struct RandomRelief {
         space.block_mm = {random.between(1, 9), random.between(1, 9), random.between(1, 9)};
         foams = {{space.blocks.y, space.blocks.z},
                  {space.blocks.y, space.blocks.z},
-                 random.integer(0, space.blocks.x)};
+                 random.integer(0, space.blocks.x),
+                 all_blocks(space.blocks)};
         for (std::size_t i = 0; i < foams.lower.size(); ++i) {
             foams.lower[i] = static_cast<std::uint16_t>(random.integer(0, space.blocks.x));
             foams.upper[i] = static_cast<std::uint16_t>(random.integer(0, space.blocks.x - foams.lower[i]));

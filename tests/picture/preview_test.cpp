@@ -11,6 +11,7 @@
 #include "snug/depth/depth_map.h"
 #include "snug/foam/block_map.h"
 #include "snug/picture/gap_maps.h"
+#include "snug/space/available.h"
 
 #include "tests/support/random.h"
 
@@ -92,7 +93,8 @@ std::string preview_of(const Mesh& mesh, const DesignSpace& space, Vec3d rotatio
 FoamPair flat(const DesignSpace& space, int lower, int upper) {
     return {{space.blocks.y, space.blocks.z, static_cast<std::uint16_t>(lower)},
             {space.blocks.y, space.blocks.z, static_cast<std::uint16_t>(upper)},
-            lower};
+            lower,
+            all_blocks(space.blocks)};
 }
 
 TEST(Preview, SaysWhatIsWhat) {

@@ -9,6 +9,7 @@
 #include "snug/search/placement_search.h"
 #include "snug/search/search_design.h"
 #include "snug/search/turn.h"
+#include "snug/space/available.h"
 
 #include "tests/support/random.h"
 #include "tests/support/search_designs.h"
@@ -25,7 +26,8 @@ FoundPlacement found_with(const Mesh& mesh, Design design, Objective objective, 
     design.search.weight.fill(0);
     design.search.weight[static_cast<std::size_t>(objective)] = 1;
     const PreparedSurface surface = prepare_surface(mesh);
-    auto search = PlacementSearch::start(mesh, surface, design, space_of(design), 2);
+    auto search = PlacementSearch::start(mesh, surface, design, space_of(design), 2,
+                                         all_blocks(space_of(design).blocks));
     EXPECT_TRUE(search);
     run(*search, evaluations);
     EXPECT_LE(search->best().score, search->origin().score);
@@ -33,8 +35,8 @@ FoundPlacement found_with(const Mesh& mesh, Design design, Objective objective, 
 }
 
 PlacementMeasures measured(const Mesh& mesh, const Design& design, const FoundPlacement& at) {
-    const auto exact =
-        exact_cut(prepare_surface(mesh), space_of(design), design.cut, at.rotation_deg, at.offset_mm);
+    const auto exact = exact_cut(prepare_surface(mesh), space_of(design), design.cut, at.rotation_deg,
+                                 at.offset_mm, all_blocks(space_of(design).blocks));
     EXPECT_TRUE(exact);
     return exact ? measures(*exact, space_of(design)) : PlacementMeasures{};
 }
@@ -117,7 +119,7 @@ TEST(SearchObjective, ASearchInAFittedCaseKeepsItsWalls) {
     ASSERT_TRUE(report);
     ASSERT_TRUE(design.space.blocks);
     const auto exact = exact_cut(surface, space_of(design), design.cut, design.placement.rotation_deg,
-                                 design.placement.offset_mm);
+                                 design.placement.offset_mm, all_blocks(space_of(design).blocks));
     ASSERT_TRUE(exact);
     EXPECT_EQ(exact->cut_blocks, report->cut_blocks);
     for (const double wall : exact->wall_mm) EXPECT_GE(wall, 30);
@@ -128,7 +130,8 @@ TEST(SearchObjective, DistinctPlacementsDifferByMoreThanTwentyDegreesAndAreWhatT
     const PreparedSurface surface = prepare_surface(mesh);
     Design design;
     design.object.units = Unit::mm;
-    auto search = PlacementSearch::start(mesh, surface, design, DesignSpace{}, 1);
+    auto search =
+        PlacementSearch::start(mesh, surface, design, DesignSpace{}, 1, all_blocks(DesignSpace{}.blocks));
     ASSERT_TRUE(search);
     run(*search, 2500);
     const auto placements = search->distinct();
@@ -139,7 +142,7 @@ TEST(SearchObjective, DistinctPlacementsDifferByMoreThanTwentyDegreesAndAreWhatT
     const double twenty = sine_cosine_degrees(10).cosine;
     for (std::size_t i = 0; i < placements.size(); ++i) {
         const auto exact = exact_cut(surface, DesignSpace{}, design.cut, placements[i].rotation_deg,
-                                     placements[i].offset_mm);
+                                     placements[i].offset_mm, all_blocks(DesignSpace{}.blocks));
         ASSERT_TRUE(exact);
         EXPECT_EQ(exact->cut_blocks, placements[i].cut_blocks);
         for (std::size_t j = 0; j < i; ++j)
@@ -152,7 +155,7 @@ TEST(SearchObjective, DistinctPlacementsDifferByMoreThanTwentyDegreesAndAreWhatT
 TEST(DirectionMap, EqualAreasFaceEqualShares) {
     const Mesh box = test::box_mesh({0, 0, 0}, {50, 40, 30});
     const PreparedSurface surface = prepare_surface(box);
-    const DirectionMap map(box, surface, Design{}, DesignSpace{}, 600);
+    const DirectionMap map(box, surface, Design{}, DesignSpace{}, 600, all_blocks(DesignSpace{}.blocks));
     int polar = 0;
     Vec3d sum;
     for (const DirectionCut& cut : map.cuts()) {

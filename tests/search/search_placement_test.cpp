@@ -10,6 +10,7 @@
 #include "snug/search/exact_cut.h"
 #include "snug/search/greedy_climb.h"
 #include "snug/search/placement_search.h"
+#include "snug/space/available.h"
 
 #include "tests/support/random.h"
 #include "tests/support/random_design.h"
@@ -35,7 +36,8 @@ FitReport packed(const Mesh& mesh, Design design, const FoundPlacement& at) {
 
 FoundPlacement found(const Mesh& mesh, const Design& design, std::uint64_t seed, long long evaluations) {
     const PreparedSurface surface = prepare_surface(mesh);
-    auto search = PlacementSearch::start(mesh, surface, design, space_of(design), seed);
+    auto search = PlacementSearch::start(mesh, surface, design, space_of(design), seed,
+                                         all_blocks(space_of(design).blocks));
     EXPECT_TRUE(search);
     run(*search, evaluations);
     return search->best();
@@ -127,7 +129,8 @@ TEST(PlacementSearch, NeverCutsMoreThanTheStartKeepsItsWallsAndIsWhatThePipeline
         }
         design.space.wall_mm = equal_walls(random.between(0, 4) * design.space.block_mm.x);
         const PreparedSurface surface = prepare_surface(soup.mesh);
-        const auto started = PlacementSearch::start(soup.mesh, surface, design, space_of(design), seed);
+        const auto started = PlacementSearch::start(soup.mesh, surface, design, space_of(design), seed,
+                                                    all_blocks(space_of(design).blocks));
         if (!started) continue;
         const FitReport before = packed(soup.mesh, design, started->origin());
         EXPECT_EQ(before.cut_blocks, started->origin().cut_blocks);
@@ -171,7 +174,8 @@ TEST(PlacementSearch, CancelledAtAnyStepItHoldsAPlacementThatIsNoWorse) {
     const PreparedSurface surface = prepare_surface(mesh);
     for (int after = 1; after < 40; after += 13) {
         SCOPED_TRACE(after);
-        auto search = PlacementSearch::start(mesh, surface, design, DesignSpace{}, 1);
+        auto search =
+            PlacementSearch::start(mesh, surface, design, DesignSpace{}, 1, all_blocks(DesignSpace{}.blocks));
         ASSERT_TRUE(search);
         int steps = 0;
         long long last = search->origin().cut_blocks;
@@ -182,7 +186,7 @@ TEST(PlacementSearch, CancelledAtAnyStepItHoldsAPlacementThatIsNoWorse) {
         }));
         EXPECT_EQ(steps, after);
         const auto exact = exact_cut(surface, DesignSpace{}, design.cut, search->best().rotation_deg,
-                                     search->best().offset_mm);
+                                     search->best().offset_mm, all_blocks(DesignSpace{}.blocks));
         ASSERT_TRUE(exact);
         EXPECT_EQ(exact->cut_blocks, last);
     }
@@ -207,7 +211,8 @@ TEST(PlacementSearch, AnObjectThatLeavesTheSpaceIsRefused) {
     design.space.blocks = Vec3i{10, 10, 10};
     design.space.block_mm = {5, 5, 5};
     const PreparedSurface surface = prepare_surface(box);
-    const auto search = PlacementSearch::start(box, surface, design, space_of(design), 1);
+    const auto search = PlacementSearch::start(box, surface, design, space_of(design), 1,
+                                               all_blocks(space_of(design).blocks));
     ASSERT_FALSE(search);
     EXPECT_EQ(search.error().kind, ErrorKind::does_not_fit);
     EXPECT_NE(search.error().message.find("50 x 50 x 50 mm"), std::string::npos) << search.error().message;

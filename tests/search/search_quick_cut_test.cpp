@@ -8,6 +8,7 @@
 #include "snug/search/exact_cut.h"
 #include "snug/search/quick_cut.h"
 #include "snug/search/turn.h"
+#include "snug/space/available.h"
 
 #include "tests/support/random.h"
 #include "tests/support/search_designs.h"
@@ -42,7 +43,8 @@ TEST(QuickCut, IsJustBelowWhatTheExactKernelCountsAtEveryOffsetItNames) {
             const auto right = quick.least(points, centred.rotation, turned, 4000);
             ASSERT_EQ(right.size(), 1024u);
             for (std::size_t at = 0; at < right.size(); at += 93) {
-                const auto exact = exact_cut(surface, space, design.cut, rotation_deg, right[at].offset_mm);
+                const auto exact = exact_cut(surface, space, design.cut, rotation_deg, right[at].offset_mm,
+                                             all_blocks(space.blocks));
                 ASSERT_TRUE(exact);
                 EXPECT_LE(static_cast<double>(right[at].blocks),
                           1.02 * static_cast<double>(exact->cut_blocks));

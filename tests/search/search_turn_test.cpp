@@ -7,6 +7,7 @@
 #include "snug/samples/samples.h"
 #include "snug/search/exact_cut.h"
 #include "snug/search/turn.h"
+#include "snug/space/available.h"
 
 #include "tests/support/random.h"
 #include "tests/support/search_designs.h"
@@ -86,11 +87,12 @@ TEST(SearchTurn, PlacementsThatSymmetryCallsEqualCutEquallyManyBlocks) {
         for (int i = 0; i < 20; ++i) {
             const Turn turn = test::random_turn(random);
             const Vec3d offset{random.between(-7, 7), random.between(-7, 7), random.between(-11, 11)};
-            const auto first = exact_cut(surface, space, design.cut, euler_of(rotation_of(turn)), offset);
+            const auto first = exact_cut(surface, space, design.cut, euler_of(rotation_of(turn)), offset,
+                                         all_blocks(space.blocks));
             ASSERT_TRUE(first);
             for (const Turn& equal : symmetry.turns()) {
                 const auto other = exact_cut(surface, space, design.cut, euler_of(rotation_of(equal * turn)),
-                                             rotation_of(equal)(offset));
+                                             rotation_of(equal)(offset), all_blocks(space.blocks));
                 ASSERT_TRUE(other);
                 EXPECT_EQ(other->cut_blocks, first->cut_blocks);
             }

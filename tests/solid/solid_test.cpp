@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "snug/space/available.h"
+
 #include "tests/support/closedness.h"
 #include "tests/support/random.h"
 #include "tests/support/voxels.h"
@@ -24,10 +26,6 @@ Grid<Run> from_the_ground(const Heights& heights) {
     return runs;
 }
 
-FoamPair pair_of(const Heights& heights) {
-    return {heights, heights, 0};
-}
-
 Heights literal(std::initializer_list<std::initializer_list<int>> rows) {
     Heights heights(static_cast<int>(rows.size()), static_cast<int>(rows.begin()->size()));
     int j = 0;
@@ -43,8 +41,8 @@ void expect_sound(const Heights& heights) {
     const int highest = *std::max_element(heights.begin(), heights.end());
     const int levels = highest + 1;
     const Grid<Run> runs = from_the_ground(heights);
-    const Solid lower = lower_solid(pair_of(heights), whole_space(runs, levels));
-    const Solid upper = upper_solid(pair_of(heights), whole_space(runs, levels));
+    const Solid lower = solid_of(runs, whole_space(runs, levels), Half::lower);
+    const Solid upper = solid_of(runs, whole_space(runs, levels), Half::lid);
     if (highest == 0) {
         ASSERT_TRUE(lower.vertices.empty() && lower.triangles.empty());
         ASSERT_TRUE(upper.vertices.empty() && upper.triangles.empty());
@@ -76,7 +74,8 @@ TEST(Solid, SmallHeightFieldsHaveTheirCornersAndNoMore) {
     };
     for (const Count& c : cases) {
         SCOPED_TRACE(::testing::PrintToString(std::vector<int>(c.heights.begin(), c.heights.end())));
-        const Solid solid = lower_solid(pair_of(c.heights), whole_space(from_the_ground(c.heights), 8));
+        const Solid solid =
+            solid_of(from_the_ground(c.heights), whole_space(from_the_ground(c.heights), 8), Half::lower);
         EXPECT_EQ(solid.vertices.size(), c.vertices);
         EXPECT_EQ(solid.triangles.size(), c.triangles);
         expect_sound(c.heights);
@@ -86,7 +85,7 @@ TEST(Solid, SmallHeightFieldsHaveTheirCornersAndNoMore) {
 TEST(Solid, HalvesMeetInTheSamePlane) {
     // Lower 2 of 5 blocks, upper 1 of 5: the space in between is cut away.
     const DesignSpace space{{5, 1, 1}, {10, 3, 4}};
-    const FoamPair foams{Heights(1, 1, 2), Heights(1, 1, 1), 2};
+    const FoamPair foams{Heights(1, 1, 2), Heights(1, 1, 1), 2, all_blocks(space.blocks)};
     const auto range = [](const Solid& solid) {
         float low = 1e9f, high = -1e9f;
         for (const Vec3f v : solid.vertices) {
@@ -106,7 +105,7 @@ TEST(Solid, CoordinatesAreTheBlockFacesOfTheSpace) {
     Heights heights(2, 3, 4095);
     heights(1, 1) = 4096;
     heights(0, 2) = 0;
-    const Solid solid = upper_solid({heights, heights, 0}, space);
+    const Solid solid = solid_of(from_the_ground(heights), space, Half::lid);
     for (const Vec3f v : solid.vertices) {
         bool found[3] = {};
         for (int axis = 0; axis < 3; ++axis)
@@ -185,7 +184,7 @@ TEST(Solid, ALargeNoisyFieldIsSound) {
     Heights heights(300, 180);
     for (auto& height : heights) height = static_cast<std::uint16_t>(random.integer(0, 3));
     const DesignSpace space = whole_space(from_the_ground(heights), 4);
-    const Solid solid = lower_solid(pair_of(heights), space);
+    const Solid solid = solid_of(from_the_ground(heights), space, Half::lower);
     EXPECT_TRUE(test::every_edge_has_two_triangles(solid.triangles));
     EXPECT_TRUE(test::closed_when_welded(solid.vertices, solid.triangles));
     const double blocks = std::accumulate(heights.begin(), heights.end(), 0.0);

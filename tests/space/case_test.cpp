@@ -145,7 +145,7 @@ TEST(Case, ShortenedColumnsHoldEveryBlockInsideTheCaseAndNoPointOutside) {
         if (problem_of(options)) continue;
         const auto fitted = case_space(options, {15, 15, 22});
         ASSERT_TRUE(fitted);
-        const Available available = available_blocks(*fitted);
+        const auto available = available_blocks(*fitted);
         const DesignSpace& space = fitted->space;
         const Vec3d inside = *options.inside_mm;
         // Independent of the code: a point by its height, in a rectangle whose corners are cut off.
@@ -172,8 +172,7 @@ TEST(Case, ShortenedColumnsHoldEveryBlockInsideTheCaseAndNoPointOutside) {
         };
         for (int j = 0; j < space.blocks.y; ++j) {
             for (int k = 0; k < space.blocks.z; ++k) {
-                const CutRun run =
-                    available_in(available, static_cast<std::size_t>(j * space.blocks.z + k), space.blocks.x);
+                const CutRun run = available(j, k);
                 for (int i = 0; i < space.blocks.x; ++i) {
                     const Vec3d low{space.face(0, i), space.face(1, j), space.face(2, k)};
                     bool corners = true, points = true;

@@ -18,7 +18,6 @@ namespace snug::test {
 inline void round_corners(Random& random, PrintDesign& design) {
     const int ny = design.foams.lower.ny(), nz = design.foams.lower.nz();
     const int nx = design.space.blocks.x;
-    design.foams.available = {ny, nz, {0, static_cast<std::int16_t>(nx)}};
     for (int j = 0; j < ny; ++j)
         for (int k = 0; k < nz; ++k) {
             const bool corner = (j == 0 || j == ny - 1) && (k == 0 || k == nz - 1);

@@ -6,6 +6,7 @@
 
 #include "snug/design/print_options.h"
 #include "snug/fabricate/kit/workshop_pack.h"
+#include "snug/space/available.h"
 
 #include "tests/support/random.h"
 
@@ -49,7 +50,7 @@ struct PrintDesign {
         for (std::size_t i = 0; i < lower.size(); ++i)
             upper[i] = std::min(upper[i], static_cast<std::uint16_t>(space.blocks.x - lower[i]));
         blocks = blocks_between(lower, upper, space.blocks.x);
-        foams = {std::move(lower), std::move(upper), space.blocks.x / 2};
+        foams = {std::move(lower), std::move(upper), space.blocks.x / 2, all_blocks(space.blocks)};
     }
     [[nodiscard]] FoamDesign view() const { return {space, blocks, foams, "L & co"}; }
 };

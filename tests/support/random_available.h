@@ -11,11 +11,11 @@ namespace snug::test {
 
 /// The blocks that exist in a random case whose walls lean towards its floor and its roof and whose corners
 /// are rounded; at least one block does.
-[[nodiscard]] inline Available random_available(Random& random, Vec3i n) {
+[[nodiscard]] inline Grid<Run> random_available(Random& random, Vec3i n) {
     const double line = random.between(0, n.x), lean_below = random.between(0, 1.2),
                  lean_above = random.chance(0.5) ? 0 : random.between(0, 1.2);
     const int corner = random.integer(0, std::min(n.y, n.z) / 2);
-    Available available(n.y, n.z);
+    Grid<Run> available(n.y, n.z);
     for (int j = 0; j < n.y; ++j)
         for (int k = 0; k < n.z; ++k) {
             const int in = std::min({j, k, n.y - 1 - j, n.z - 1 - k});
@@ -34,7 +34,7 @@ namespace snug::test {
 }
 
 /// Foams cut down to what exists.
-inline void shorten(FoamPair& foams, Available available, int nx) {
+inline void shorten(FoamPair& foams, Grid<Run> available, int nx) {
     for (std::size_t column = 0; column < available.size(); ++column) {
         const auto within = [](std::uint16_t height, Run exists) {
             const int top = std::min<int>(height, exists.end);

@@ -101,8 +101,7 @@ std::optional<FitTest> fit_test(const FoamDesign& design, double least_ring_mm) 
     test.ring = spread(spread(test.opening, cells_for(least_ring_mm, block.y), true),
                        cells_for(least_ring_mm, block.z), false);
     for (std::size_t column = 0; column < test.ring.size(); ++column)
-        if (test.opening[column] ||
-            !available_in(design.foams.available, column, design.space.blocks.x).contains(test.level))
+        if (test.opening[column] || !design.foams.available[column].contains(test.level))
             test.ring[column] = 0;
     for_each_piece(test.ring, [&](const std::vector<Place>&) { ++test.pieces; });
     return test;

@@ -8,6 +8,7 @@
 #include "snug/formats/mesh_files.h"
 #include "snug/picture/preview.h"
 #include "snug/solid/solid.h"
+#include "snug/space/available.h"
 
 namespace snug {
 namespace {
@@ -29,7 +30,7 @@ std::string caption(const Packing& packing, const std::string& object_name) {
 }  // namespace
 
 std::string depths_csv(const FoamPair& foams, int nx) {
-    const bool shortened = foams.available.size() > 0;
+    const bool shortened = !fills_box(foams.available, nx);
     std::string text = "j,k,lower_blocks,upper_blocks";
     text += shortened ? ",lower_first,upper_first\n" : "\n";
     const auto add = [&](int value) { text += "," + std::to_string(value); };

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "snug/foam/object_cut.h"
+#include "snug/space/available.h"
 
 namespace snug {
 namespace {
@@ -28,30 +29,18 @@ DesignSpace fine_space(DesignSpace space, const CarvedStock& stock) {
     return space;
 }
 
-/// What of each fine column lies within the case, in blocks counted from the half's own side: all of it where
-/// the case has no shape of its own.
-class CaseColumns {
-  public:
-    CaseColumns(const std::optional<MilledObject>& object, const DesignSpace& fine, Half half)
-        : half_(half), nx_(fine.blocks.x) {
-        if (!object || !object->fitted_case) return;
-        CaseSpace fitted = *object->fitted_case;
-        fitted.space = fine;
-        available_ = available_blocks(fitted);
-    }
-
-    [[nodiscard]] Run at(int j, int k) const {
-        if (available_.size() == 0) return {0, static_cast<std::int16_t>(nx_)};
-        const Run run = available_(j, k);
-        if (run.none()) return {};
-        return half_ == Half::lower ? run : from_other_end(run, nx_);
-    }
-
-  private:
-    Half half_;
-    int nx_;
-    Available available_;
-};
+/// What of each fine column lies within the case, if there is one, in blocks counted from the half's own
+/// side.
+Grid<Run> columns_within(const std::optional<MilledObject>& object, const DesignSpace& fine, Half half) {
+    if (!object || !object->fitted_case) return all_blocks(fine.blocks);
+    CaseSpace fitted = *object->fitted_case;
+    fitted.space = fine;
+    Grid<Run> within = available_blocks(fitted);
+    if (half == Half::lid)
+        for (Run& run : within)
+            if (!run.none()) run = from_other_end(run, fine.blocks.x);
+    return within;
+}
 
 }  // namespace
 
@@ -68,7 +57,7 @@ Grid<int> allowed_heights(const FoamDesign& design, Half half, const MillField& 
     Grid<int> allowed = field_heights(field, stock);
     if (!object) return allowed;
     const DesignSpace fine = fine_space(design.space, stock);
-    const CaseColumns within(object, fine, half);
+    const Grid<Run> within = columns_within(object, fine, half);
     const ObjectDepths depths = object_depths(object->mesh, object->placement, fine, object->cut);
     const HalfDepths& own = half == Half::lower || !depths.upper ? depths.lower : *depths.upper;
     for (int j = 0; j < fine.blocks.y; ++j)
@@ -77,7 +66,7 @@ Grid<int> allowed_heights(const FoamDesign& design, Half half, const MillField& 
             // A column never stands higher than its object and its case allow; what is cut for other reasons
             // may stay.
             steps = std::max(steps, std::min(steps_below(own.depths(j, k), own.reach, fine, half, field),
-                                             within.at(j, k).end * field.steps_a_block));
+                                             within(j, k).end * field.steps_a_block));
         }
     return allowed;
 }
@@ -86,13 +75,13 @@ Grid<int> allowed_outside(const FoamDesign& design, Half half, const MillField& 
                           const CarvedStock& stock, const std::optional<MilledObject>& object) {
     Grid<int> allowed = field_heights(field, stock);
     const DesignSpace fine = fine_space(design.space, stock);
-    const CaseColumns columns(object, fine, half);
+    const Grid<Run> columns = columns_within(object, fine, half);
     const bool any_case = object && object->fitted_case;
     const Grid<std::uint16_t>& kept = design.foams.heights(half);
     for (int j = 0; j < fine.blocks.y; ++j)
         for (int k = 0; k < fine.blocks.z; ++k) {
             int& steps = allowed(outside_row(half, j, fine.blocks.y), k);
-            const Run within = columns.at(j, k);
+            const Run within = columns(j, k);
             if (kept(j / stock.rows_a_cell(), k / stock.columns_a_cell()) == 0 &&
                 (!any_case || within.none()))
                 steps = field.top;

@@ -97,14 +97,13 @@ Result<MillPlans> mill_plans(const FoamDesign& design, const std::optional<Mille
         plan.field = mill_field(design, half, step_down(options));
         plans.push_back(std::move(plan));
     }
-    if (design.foams.available.size() > 0)
-        for (const Half half : {Half::lower, Half::lid}) {
-            MillPlan plan;
-            plan.half = half;
-            plan.outside = true;
-            plan.field = mill_outside(design, half, step_down(options));
-            if (cuts_outside(plan.field)) plans.push_back(std::move(plan));
-        }
+    for (const Half half : {Half::lower, Half::lid}) {
+        MillPlan plan;
+        plan.half = half;
+        plan.outside = true;
+        plan.field = mill_outside(design, half, step_down(options));
+        if (cuts_outside(plan.field)) plans.push_back(std::move(plan));
+    }
     if (auto error = too_wide(plans, options)) return tl::unexpected(std::move(*error));
     if (auto error = too_deep(plans, options)) return tl::unexpected(std::move(*error));
     if (options.pin_mm >= options.cutter_mm - kPinFit) {

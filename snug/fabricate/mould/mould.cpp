@@ -111,7 +111,8 @@ void tell_draft(const FoamDesign& design, const std::vector<Mould>& moulds, doub
 }
 
 void tell_missing(const FoamDesign& design, Half half, WorkshopPack& pack) {
-    const long long missing = missing_below(design.foams, half, design.space.blocks.x);
+    long long missing = 0;
+    for (const Run kept : kept_runs(design.foams, half, design.space.blocks.x)) missing += kept.first;
     if (missing == 0) return;
     pack.findings.push_back(
         {Severity::warning,

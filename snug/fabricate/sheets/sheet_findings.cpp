@@ -63,7 +63,6 @@ void add_islands(std::vector<Finding>& findings, const SheetStack& stack) {
 
 /// Sheets that are wider than the one before, as the case is.
 void add_overhang(std::vector<Finding>& findings, const SheetStack& stack) {
-    if (stack.missing.size() == 0) return;
     std::vector<char> wider(static_cast<std::size_t>(stack.count) + 1, 0);
     for (std::size_t i = 0; i < stack.missing.size(); ++i)
         if (stack.kept[i] > 0 && stack.missing[i] > 0) wider[static_cast<std::size_t>(stack.missing[i])] = 1;

@@ -31,6 +31,7 @@ std::optional<Drawing> sheet_fit_test(const FoamDesign& design, const SheetOptio
     SheetStack stack;
     stack.cell_mm = {design.space.block_mm.z, design.space.block_mm.y};
     stack.kept = Grid<int>(test->ring.ny(), test->ring.nz(), 0);
+    stack.missing = stack.kept;
     for (std::size_t i = 0; i < stack.kept.size(); ++i) stack.kept[i] = test->ring[i] != 0;
     stack.count = 1;
     const std::vector<SheetPiece> pieces = sheet_pieces(stack, 0, "FIT");

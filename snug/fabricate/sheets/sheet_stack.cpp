@@ -107,7 +107,7 @@ std::string island_letters(std::size_t number) {
 void count_sheets(const FoamDesign& design, const SheetMeasure& measure, SheetStack& stack) {
     const Grid<Run> runs = kept_runs(design.foams, stack.half, design.space.blocks.x);
     stack.kept = Grid<int>(runs.ny(), runs.nz(), 0);
-    if (design.foams.available.size() > 0) stack.missing = stack.kept;
+    stack.missing = stack.kept;
     for (int row = 0; row < stack.rows(); ++row) {
         const int j = stack.half == Half::lower ? row : stack.rows() - 1 - row;
         for (int k = 0; k < stack.columns(); ++k) {
@@ -117,7 +117,7 @@ void count_sheets(const FoamDesign& design, const SheetMeasure& measure, SheetSt
             if (first < end) {
                 stack.kept(row, k) = end * measure.parts;
                 stack.count = std::max(stack.count, end * measure.parts);
-                if (stack.missing.size() > 0) stack.missing(row, k) = first * measure.parts;
+                stack.missing(row, k) = first * measure.parts;
             }
             stack.lost_blocks += blocks.blocks() - std::max(0, end - first) * measure.levels;
         }

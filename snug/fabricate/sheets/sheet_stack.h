@@ -40,17 +40,17 @@ struct SheetPiece {
 struct SheetStack {
     Half half = Half::lower;
     Vec2d cell_mm;
-    Grid<int> kept;          ///< sheets up to the cavity in each column: (row, column)
-    Grid<int> missing = {};  ///< of them, those next to the case that it leaves no room for; empty: none
-    int count = 0;           ///< sheets with foam
-    int levels = 1;          ///< of blocks in a sheet
+    Grid<int> kept;     ///< sheets up to the cavity in each column: (row, column)
+    Grid<int> missing;  ///< of them, those next to the case that it leaves no room for
+    int count = 0;      ///< sheets with foam
+    int levels = 1;     ///< of blocks in a sheet
     std::vector<SheetPiece> pieces;
     long long lost_blocks = 0;  ///< foam that the design keeps and sheets of this thickness do not
 
     [[nodiscard]] int rows() const { return kept.ny(); }
     [[nodiscard]] int columns() const { return kept.nz(); }
     [[nodiscard]] bool has(int row, int column, int sheet) const {
-        return kept(row, column) > sheet && (missing.size() == 0 || missing(row, column) <= sheet);
+        return kept(row, column) > sheet && missing(row, column) <= sheet;
     }
     [[nodiscard]] Vec2d size_mm() const { return {columns() * cell_mm.x, rows() * cell_mm.y}; }
     [[nodiscard]] char letter() const { return half == Half::lower ? 'L' : 'U'; }

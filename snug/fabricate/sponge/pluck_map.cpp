@@ -101,7 +101,7 @@ void draw_depths(PageBuilder& page, const BlockGrid& grid, const PluckPlan& plan
                 shade(plan, static_cast<int>(removed)));
     if (plan.cut_off > 0)  // what keeps a block is white
         draw_cells(
-            page, grid, [&](int row, int column) { return plan.exists_in(row, column).none(); },
+            page, grid, [&](int row, int column) { return plan.exists(row, column).none(); },
             mixed(kSoftInk, kPaper, 0.35));
     draw_grid(page, grid);
     draw_borders(page, grid, [&](int row, int column) { return plan.removed(row, column) > 0; },

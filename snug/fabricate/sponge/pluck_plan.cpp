@@ -61,7 +61,7 @@ PluckPlan pluck_plan(const FoamDesign& design, Half half) {
     plan.half = half;
     for (const Run run : kept) plan.layers = std::max<int>(plan.layers, run.end);
     plan.removed = Grid<std::uint16_t>(kept.ny(), kept.nz());
-    if (foams.available.size() > 0) plan.exists = Grid<Run>(kept.ny(), kept.nz());
+    plan.exists = Grid<Run>(kept.ny(), kept.nz());
     plan.row_mm = design.space.block_mm.y;
     plan.column_mm = design.space.block_mm.z;
     plan.layer_mm = design.space.block_mm.x;
@@ -73,7 +73,7 @@ PluckPlan pluck_plan(const FoamDesign& design, Half half) {
             Run exists = existing_run(foams, half, at, nx).common(all);
             if (exists.none()) exists = {};
             const int removed = exists.blocks() - kept[at].blocks();
-            if (plan.exists.size() > 0) plan.exists(row, column) = exists;
+            plan.exists(row, column) = exists;
             plan.removed(row, column) = static_cast<std::uint16_t>(removed);
             plan.plucked += removed;
             plan.cut_off += plan.layers - exists.blocks();

@@ -30,7 +30,7 @@ struct PluckPlan {
     Half half = Half::lower;
     int layers = 0;               ///< of the whole block: as many as the half's highest column keeps
     Grid<std::uint16_t> removed;  ///< blocks to pluck in each column: (row, column) as seen
-    Grid<Run> exists = {};        ///< blocks of each column, from the case's side, of `layers`; empty: all
+    Grid<Run> exists;             ///< blocks of each column, from the case's side, of `layers`
     double row_mm = 0;
     double column_mm = 0;
     double layer_mm = 0;
@@ -43,14 +43,11 @@ struct PluckPlan {
         return half == Half::lower ? row : removed.ny() - 1 - row;
     }
     [[nodiscard]] bool plucked_at(int row, int column, int layer) const {
-        const int end = exists_in(row, column).end, level = layers - layer;
+        const int end = exists(row, column).end, level = layers - layer;
         return level < end && level >= end - removed(row, column);
     }
     [[nodiscard]] bool cut_off_at(int row, int column, int layer) const {
-        return !exists_in(row, column).contains(layers - layer);
-    }
-    [[nodiscard]] Run exists_in(int row, int column) const {
-        return exists.size() == 0 ? Run{0, static_cast<std::int16_t>(layers)} : exists(row, column);
+        return !exists(row, column).contains(layers - layer);
     }
     [[nodiscard]] int deepest() const;
 };

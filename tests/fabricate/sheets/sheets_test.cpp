@@ -15,6 +15,7 @@
 #include "snug/formats/read.h"
 #include "snug/make.h"
 #include "snug/samples/samples.h"
+#include "snug/space/available.h"
 
 #include "tests/support/models.h"
 #include "tests/support/random.h"
@@ -35,10 +36,13 @@ struct Foam {
     [[nodiscard]] FoamDesign design() const { return {space, blocks, foams, "a test"}; }
 };
 
-Foam foam_of(Vec3i blocks, Vec3d block_mm, BlockMap map, int parting, const Available& available = {}) {
+Foam foam_of(Vec3i blocks, Vec3d block_mm, BlockMap map, int parting, Grid<Run> available) {
     Foam foam{{blocks, block_mm}, std::move(map), {}};
-    foam.foams = split(foam.blocks, foam.space, parting, available);
+    foam.foams = split(foam.blocks, foam.space, parting, std::move(available));
     return foam;
+}
+Foam foam_of(Vec3i blocks, Vec3d block_mm, BlockMap map, int parting) {
+    return foam_of(blocks, block_mm, std::move(map), parting, all_blocks(blocks));
 }
 
 /// Hills, pits, lone columns and untouched ground.
@@ -54,7 +58,7 @@ Foam random_foam(Random& random, bool in_a_case = false) {
     }
     const int parting = random.integer(0, blocks.x);
     return foam_of(blocks, size, std::move(map), parting,
-                   in_a_case ? test::random_available(random, blocks) : Available{});
+                   in_a_case ? test::random_available(random, blocks) : all_blocks(blocks));
 }
 
 /// An L seen from +x: its long stroke along z at low y, the short one downward at low z; deeper at its foot.

@@ -16,6 +16,7 @@
 #include "snug/fabricate/sponge/pluck_map.h"
 #include "snug/fabricate/sponge/pluck_plan.h"
 #include "snug/fabricate/sponge/sponge_plan.h"
+#include "snug/space/available.h"
 
 #include "tests/support/drawing_cells.h"
 #include "tests/support/random.h"
@@ -43,9 +44,12 @@ struct Foams {
     }
 };
 
-Foams foams_of(const DesignSpace& space, BlockMap blocks, int parting, const Available& available = {}) {
-    FoamPair pair = split(blocks, space, parting, available);
+Foams foams_of(const DesignSpace& space, BlockMap blocks, int parting, Grid<Run> available) {
+    FoamPair pair = split(blocks, space, parting, std::move(available));
     return {space, std::move(blocks), std::move(pair)};
+}
+Foams foams_of(const DesignSpace& space, BlockMap blocks, int parting) {
+    return foams_of(space, std::move(blocks), parting, all_blocks(space.blocks));
 }
 
 Foams random_foams(Random& random, bool in_a_case = false) {
@@ -59,7 +63,7 @@ Foams random_foams(Random& random, bool in_a_case = false) {
     }
     const int parting = random.integer(0, space.blocks.x);
     return foams_of(space, std::move(blocks), parting,
-                    in_a_case ? test::random_available(random, space.blocks) : Available{});
+                    in_a_case ? test::random_available(random, space.blocks) : all_blocks(space.blocks));
 }
 
 /// What is left of each column (j, k) of a half, level by level from the case's side ('#' foam, '.' none), as
@@ -117,7 +121,7 @@ TEST(SpongeTest, WhoPlucksWhatTheMapsShowHasTheFoams) {
 
 TEST(SpongeTest, WhatACaseHasNoRoomForIsCutOffAndNeverCountedAsPlucked) {
     // A column beside a leaning wall keeps two of four levels; the lid's is whole.
-    Available available(1, 2, {0, 6});
+    auto available = all_blocks({6, 1, 2});
     available(0, 1).first = 2;
     const Foams foams = foams_of({{6, 1, 2}, {10, 10, 10}}, BlockMap(1, 2), 4, available);
     const PluckPlan plan = pluck_plan(foams.design(), Half::lower);
