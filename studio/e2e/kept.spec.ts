@@ -97,7 +97,7 @@ test('the work that an earlier version kept is offered, too', async ({page}) => 
   await page.route('**/nothing', (route) => route.fulfill({contentType: 'text/html', body: '<p>nothing</p>'}));
   await page.goto('./nothing');
   await page.evaluate(
-    async ({design, bytes}) => {
+    async ({design, base64}) => {
       const opening = indexedDB.open('snug', 1);
       opening.onupgradeneeded = () => {
         opening.result.createObjectStore('work');
@@ -107,11 +107,11 @@ test('the work that an earlier version kept is offered, too', async ({page}) => 
       const change = opening.result.transaction(['work', 'objects'], 'readwrite');
       const moments = [{design, object: null}, {design, object: 'a'}];
       change.objectStore('work').put({history: {moments, at: 1, control: '', time: 0}}, 'last');
-      change.objectStore('objects').put({id: 'a', name: 'ring.stl', content: new Blob([new Uint8Array(bytes)]), converted: false});
+      change.objectStore('objects').put({id: 'a', name: 'ring.stl', content: new Blob([Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0))]), converted: false});
       await new Promise((resolve) => (change.oncomplete = resolve));
       opening.result.close();
     },
-    {design, bytes: [...readFileSync(torus)]},
+    {design, base64: readFileSync(torus, 'base64')},
   );
   await page.goto('./');
   await page.getByRole('button', {name: /^Continue ring.stl/}).click();
