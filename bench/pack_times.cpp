@@ -59,7 +59,7 @@ json pack_time(const Design& chosen) {
             for (const DrawingDocument& document : made->documents) pages += document.pages.size();
         }));
     }
-    return {{"pack", workshop_name(design.workshop.work)},
+    return {{"pack", name_of(design.workshop.work)},
             {"blocks", {packing.space.blocks.x, packing.space.blocks.y, packing.space.blocks.z}},
             {"time", summary(times)},
             {"files", files},

@@ -1,5 +1,6 @@
 #include "snug/design/cases.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <optional>
@@ -14,11 +15,10 @@
 #include "snug/space/placement.h"
 #include "snug/search/rank_cases.h"
 
-#include "cli/commands.h"
+#include "cli/arguments.h"
 #include "cli/console.h"
 #include "cli/files.h"
 #include "cli/object_file.h"
-#include "cli/option_values.h"
 #include "cli/scene_file.h"
 #include "cli/user_cases.h"
 #include "cli/user_presets.h"
@@ -29,8 +29,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct CasesArguments {
-    std::optional<std::string> object, units, preset, wall, rotate;
-    std::optional<double> mass, clearance, play;
+    std::optional<std::string> object;
+    std::vector<TypedFlag> typed;  ///< about the design
+    std::optional<double> mass;
     double divisor = 5000;
     bool json = false, csv = false;
 };
@@ -151,32 +152,18 @@ Json ranking_json(const CaseRanking& ranking, const Design& design) {
 }
 
 Result<Design> design_for(const CasesArguments& a, Design design, bool is_project) {
-    if (a.preset) {
-        const auto presets = known_presets();
-        if (!presets) return tl::unexpected(presets.error());
-        const auto preset = find_preset(*presets, *a.preset);
-        if (!preset) return tl::unexpected(preset.error());
-        apply(*preset, design);
-    }
-    if (a.units) {
-        design.object.units = unit_from_name(*a.units);
-        if (!design.object.units)
-            return fail(ErrorKind::usage, fmt::format("--units takes mm, cm, m or in, not \"{}\"", *a.units));
-    }
-    if (a.rotate) {
-        const auto angles = parse_vector("--rotate", *a.rotate);
-        if (!angles) return tl::unexpected(angles.error());
-        design.placement.rotation_deg = *angles;
-    }
-    if (a.clearance) design.cut.clearance_mm = *a.clearance;
-    if (a.play) design.case_options.play_mm = *a.play;
     if (!is_project) design.space.wall_mm = equal_walls(50);
-    if (a.wall) {
-        const auto walls = parse_walls("--wall", *a.wall);
-        if (!walls) return tl::unexpected(walls.error());
-        design.space.wall_mm = *walls;
+    const auto is_preset = [](const TypedFlag& typed) { return typed.flag == "--preset"; };
+    const auto preset = std::find_if(a.typed.begin(), a.typed.end(), is_preset);
+    if (preset != a.typed.end()) {
+        auto result = with_flags({&*preset, 1}, std::move(design), true, {known_presets, known_cases});
+        if (!result) return result;
+        design = std::move(*result);
     }
-    return checked(design);
+    for (const TypedFlag& each : a.typed)
+        if (!is_preset(each))
+            if (auto done = take_flag(each, design); !done) return tl::unexpected(done.error());
+    return checked(std::move(design));
 }
 
 int rank_for(const std::vector<KnownCase>& cases, const CasesArguments& arguments) {
@@ -190,7 +177,7 @@ int rank_for(const std::vector<KnownCase>& cases, const CasesArguments& argument
     if (!bytes) return report(bytes.error());
     auto mesh = read_object(*bytes, path);
     if (!mesh) return report({mesh.error().kind, fmt::format("{}: {}", path, mesh.error().message)});
-    if (const auto error = unwanted_units(*mesh, arguments.units.has_value()))
+    if (const auto error = unwanted_units(*mesh, was_typed(arguments.typed, "--units")))
         return report({error->kind, fmt::format("{}: {}", path, error->message)});
     const auto object = prepare(std::move(*mesh), *design);
     if (!object) return report({object.error().kind, fmt::format("{}: {}", path, object.error().message)});
@@ -215,36 +202,39 @@ int cases(const CasesArguments& arguments) {
     return arguments.object ? rank_for(*known, arguments) : list_cases(*known, arguments);
 }
 
-void add_options(CLI::App& command, CasesArguments& a) {
-    CLI::Option* object =
-        command.add_option("--for", a.object, "Only cases that fit this object (or project), best first")
-            ->type_name("OBJECT|PROJECT");
-    const auto add = [&](const char* name, auto& target, const char* text, const char* type) {
-        return command.add_option(name, target, text)->type_name(type)->needs(object);
-    };
-    add("--mass", a.mass, "The object's mass", "KG")->check(CLI::Range(0.0, 1e6));
-    add("--wall", a.wall, "Least foam on each side, as `snug make` takes it (50, or the project's)",
-        "MM|X,Y,Z|SIX");
-    add("--preset", a.preset, "The foam (paper, or the project's)", "NAME");
-    add("--clearance", a.clearance, "Grow the object by this (0, or the preset's)", "MM");
-    add("--rotate", a.rotate, "How the object lies (0,0,0); its axes are exchanged too", "PSI,THETA,PHI");
-    add("--units", a.units, "The unit of the file (mm)", "mm|cm|m|in");
-    add("--case-play", a.play, "Air between foam and case on each side (3)", "MM");
-    add("--divisor", a.divisor, "cm3 for one kg of volumetric weight (5000)", "CM3")
-        ->check(CLI::Range(1.0, 1e6));
-    CLI::Option* json = command.add_flag("--json", a.json, "Print JSON instead of a table");
-    command.add_flag("--csv", a.csv, "Print the list as CSV, to extend")->excludes(object)->excludes(json);
-    command.footer("Examples:\n  snug cases\n  snug cases --for camera.stl --wall 25 --mass 1.2");
+/// Flags of `snug make`, with what they mean here.
+Argument of_the_design(CasesArguments& a, const char* name, const char* takes, const char* help) {
+    return {name, takes, help, DesignFlag{&a.typed}, false, {}, {"--for"}};
 }
 
 }  // namespace
 
-void add_cases(CLI::App& program, Command& chosen) {
-    CLI::App* command =
-        program.add_subcommand("cases", "List cartons and cases, or those that fit an object");
-    const auto arguments = std::make_shared<CasesArguments>();
-    add_options(*command, *arguments);
-    command->callback([arguments, &chosen] { chosen = [arguments] { return cases(*arguments); }; });
+CommandSpec cases_command() {
+    const auto a = std::make_shared<CasesArguments>();
+    return {
+        "cases",
+        "List cartons and cases, or those that fit an object",
+        "Examples:\n  snug cases\n  snug cases --for camera.stl --wall 25 --mass 1.2",
+        {{"--for", "OBJECT|PROJECT", "Only cases that fit this object (or project), best first", &a->object},
+         {"--mass", "KG", "The object's mass", &a->mass, false, {{0, 1e6}}, {"--for"}},
+         of_the_design(*a, "--wall", "MM|X,Y,Z|SIX",
+                       "Least foam on each side, as `snug make` takes it (50, or the project's)"),
+         of_the_design(*a, "--preset", "NAME", "The foam (paper, or the project's)"),
+         of_the_design(*a, "--clearance", "MM|X,Y,Z|SIX", "Grow the object by this (0, or the preset's)"),
+         of_the_design(*a, "--rotate", "PSI,THETA,PHI",
+                       "How the object lies (0,0,0); its axes are exchanged too"),
+         of_the_design(*a, "--units", "mm|cm|m|in", "The unit of the file (mm)"),
+         of_the_design(*a, "--case-play", "MM", "Air between foam and case on each side (3)"),
+         {"--divisor",
+          "CM3",
+          "cm3 for one kg of volumetric weight (5000)",
+          &a->divisor,
+          false,
+          {{1, 1e6}},
+          {"--for"}},
+         {"--json", "", "Print JSON instead of a table", &a->json},
+         {"--csv", "", "Print the list as CSV, to extend", &a->csv, false, {}, {}, {"--for", "--json"}}},
+        [a] { return cases(*a); }};
 }
 
 }  // namespace snug::cli

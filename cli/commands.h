@@ -2,8 +2,6 @@
 
 #include <functional>
 
-#include <CLI/CLI.hpp>
-
 namespace snug::cli {
 
 /// Exit statuses, fixed because scripts rely on them.
@@ -19,12 +17,14 @@ enum ExitStatus {
 /// A command that was parsed and is ready to run; gives the exit status.
 using Command = std::function<int()>;
 
-// Each adds its subcommand to the program and sets `chosen` when that subcommand is the one that was called.
-void add_make(CLI::App& program, Command& chosen);
-void add_inspect(CLI::App& program, Command& chosen);
-void add_sample(CLI::App& program, Command& chosen);
-void add_presets(CLI::App& program, Command& chosen);
-void add_cases(CLI::App& program, Command& chosen);
-void add_studio(CLI::App& program, Command& chosen);
+struct CommandSpec;  // arguments.h
+
+// Each describes its command.
+[[nodiscard]] CommandSpec make_command();
+[[nodiscard]] CommandSpec inspect_command();
+[[nodiscard]] CommandSpec sample_command();
+[[nodiscard]] CommandSpec presets_command();
+[[nodiscard]] CommandSpec cases_command();
+[[nodiscard]] CommandSpec studio_command();
 
 }  // namespace snug::cli

@@ -15,7 +15,7 @@
 #include "snug/mesh/measure.h"
 #include "snug/object/read_findings.h"
 
-#include "cli/commands.h"
+#include "cli/arguments.h"
 #include "cli/console.h"
 #include "cli/files.h"
 #include "cli/scene_file.h"
@@ -49,7 +49,7 @@ std::string size_lines(Vec3d size, bool in_mm) {
     const Unit* best = likely_unit(longest);
     std::string text = "Size, if the file is in\n";
     for (const Unit& unit : kUnits)
-        text += fmt::format("  {:<4}{} mm{}\n", unit_name(unit), dimensions(size * millimetres(unit), 2),
+        text += fmt::format("  {:<4}{} mm{}\n", name_of(unit), dimensions(size * millimetres(unit), 2),
                             &unit == best ? "   <- likely" : "");
     return text;
 }
@@ -60,7 +60,7 @@ std::string volume_lines(const std::optional<double>& volume, bool in_mm) {
     std::string text = "Volume, if the file is in\n";
     for (const Unit unit : kUnits) {
         const double mm = millimetres(unit);
-        text += fmt::format("  {:<4}{} litres\n", unit_name(unit), number(*volume * mm * mm * mm * 1e-6, 4));
+        text += fmt::format("  {:<4}{} litres\n", name_of(unit), number(*volume * mm * mm * mm * 1e-6, 4));
     }
     return text;
 }
@@ -127,7 +127,7 @@ std::string described_json(const std::string& name, const Mesh& mesh, const Mesh
               {"watertight", measure.watertight},
               {"holes", measure.holes.size()},
               {"volume", measure.volume ? Json(*measure.volume) : Json(nullptr)},
-              {"likely_unit", best ? Json(std::string(unit_name(*best))) : Json(nullptr)},
+              {"likely_unit", best ? Json(std::string(name_of(*best))) : Json(nullptr)},
               {"stated_unit", mesh.read.in_mm ? Json("mm") : Json(nullptr)},
               {"left_out_faces", mesh.read.left_out_faces},
               {"left_out_points", mesh.read.left_out_points}};
@@ -160,20 +160,15 @@ int inspect(const InspectArguments& arguments) {
 
 }  // namespace
 
-void add_inspect(CLI::App& program, Command& chosen) {
-    CLI::App* command = program.add_subcommand("inspect", "Tell size, holes, parts, volume and likely units");
-    const auto arguments = std::make_shared<InspectArguments>();
-    command
-        ->add_option("OBJECT", arguments->object,
-                     "A mesh (STL, OBJ, PLY, OFF, glTF, 3MF) or a point cloud (PLY, XYZ, PTS)")
-        ->required();
-    command->add_flag("--json", arguments->json, "Print it as JSON");
-    command->footer("Example: snug inspect scan.ply");
-    command->callback([arguments, &chosen] {
-        chosen = [arguments] {
-            return within_memory(arguments->object, [&] { return inspect(*arguments); });
-        };
-    });
+CommandSpec inspect_command() {
+    const auto a = std::make_shared<InspectArguments>();
+    return {"inspect",
+            "Tell size, holes, parts, volume and likely units",
+            "Example: snug inspect scan.ply",
+            {{"OBJECT", "", "A mesh (STL, OBJ, PLY, OFF, glTF, 3MF) or a point cloud (PLY, XYZ, PTS)",
+              &a->object, true},
+             {"--json", "", "Print it as JSON", &a->json}},
+            [a] { return within_memory(a->object, [&] { return inspect(*a); }); }};
 }
 
 }  // namespace snug::cli

@@ -14,20 +14,17 @@
 #include "snug/base/stopwatch.h"
 #include "snug/design/project.h"
 
+#include "cli/arguments.h"
 #include "cli/clp_solver.h"
-#include "cli/commands.h"
 #include "cli/console.h"
 #include "cli/folder_run.h"
 #include "cli/interrupt.h"
-#include "cli/make_case.h"
-#include "cli/make_clean.h"
-#include "cli/make_fit.h"
 #include "cli/make_object.h"
 #include "cli/make_search.h"
 #include "cli/make_workshop.h"
 #include "cli/object_file.h"
-#include "cli/option_values.h"
 #include "cli/summary.h"
+#include "cli/user_cases.h"
 #include "cli/user_presets.h"
 
 namespace snug::cli {
@@ -35,153 +32,68 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The options as they were typed; none where they were not.
+/// What was typed.
 struct MakeArguments {
     std::string object;
     std::string folder;
-    std::optional<std::string> units, preset, blocks, block_size, rotate, move, parting, wall,
-        replacement_object;
-    std::optional<double> scale, longest;
-    std::vector<std::string> formats;
+    std::vector<TypedFlag> design;
+    std::optional<std::string> replacement_object;
     SearchArguments search;
-    WorkshopArguments workshop;
-    FitArguments fit;
-    CleanArguments clean;
-    std::optional<double> point_radius;
-    bool cap = false, quiet = false, json = false;
+    bool dry_run = false, quiet = false, json = false;
     bool stream = false, no_stream = false;
     int threads = 0;
-    CaseArguments case_arguments;
 };
 
-void add_options(CLI::App& make, MakeArguments& arguments) {
-    auto& a = arguments;
-    make.add_option("OBJECT", a.object,
-                    "A mesh (STL, OBJ, PLY, OFF, glTF, 3MF), a point cloud (PLY, XYZ, PTS) or a project "
-                    "(*.snug.json)")
-        ->required();
-    make.add_option(
-            "-o,--output", a.folder,
-            "The folder for the files that are made; what an earlier run made there and this one does not "
-            "goes, unless somebody changed it")
-        ->required()
-        ->type_name("DIR");
-    make.add_option("--units", a.units, "The unit of the file (mm)")->type_name("mm|cm|m|in");
-    make.add_option("--scale", a.scale, "Multiply every length by this (1)")->type_name("S");
-    make.add_option("--longest", a.longest, "Scale the object's longest side to this")->type_name("MM");
-    make.add_option("--preset", a.preset,
-                    "A foam that `snug presets` lists: block size and clearance (paper)")
-        ->type_name("NAME");
-    make.add_option("--blocks", a.blocks, "Blocks along x, y, z, or auto: the object plus walls (30x18x18)")
-        ->type_name("30x18x18|auto");
-    make.add_option("--block-size", a.block_size, "Size of a block in mm (15x15x22)")->type_name("15x15x22");
-    make.add_option("--rotate", a.rotate, "Degrees about the fixed axes x, then y, then z (0,0,0)")
-        ->type_name("PSI,THETA,PHI");
-    make.add_option("--move", a.move, "Shift from the centre of the space, mm (0,0,0)")->type_name("X,Y,Z");
-    make.add_option(
-            "--wall", a.wall,
-            "Least foam between object and case: all sides, or X,Y,Z, or floor,roof,back,front,left,right "
-            "(0; 50 with --blocks auto)")
-        ->type_name("MM|X,Y,Z|SIX");
-    add_case_options(make, a.case_arguments);
-    make.add_option("--parting", a.parting, "Blocks of the lower foam where the object does not touch (auto)")
-        ->type_name("auto|LEVEL");
-    make.add_flag("--cap", a.cap, "Close the holes of an open object before cutting");
-    make.add_option("--point-radius", a.point_radius,
-                    "Point clouds: each point counts as a ball of this radius (0: from the spacing)")
-        ->type_name("MM");
-    CLI::Option* whole = make.add_flag("--no-stream", a.no_stream, "Read even a large file whole");
-    make.add_flag(
-            "--stream", a.stream,
-            "Read the object in pieces, so that it need not fit into memory (chosen by itself for large "
-            "files)")
-        ->excludes(whole);
-    add_clean_options(make, a.clean);
-    add_fit_options(make, a.fit);
-    add_search_options(make, a.search);
-    make.add_option("--object", a.replacement_object,
-                    "The object's file, for a project that does not lie beside it")
-        ->type_name("FILE");
-    make.add_option("--formats", a.formats, "Formats of the foams: stl, ply (both)")
-        ->type_name("stl,ply")
-        ->delimiter(',');
-    add_workshop_options(make, a.workshop);
-    make.add_option("--threads", a.threads, "Threads to use at most; the files are the same for any number")
-        ->type_name("N")
-        ->check(CLI::Range(1, 1024));
-    make.add_flag("--quiet", a.quiet, "Print nothing but errors");
-    make.add_flag("--json", a.json, "Print the report to standard output instead of the summary");
-    make.footer(
-        "Examples:\n"
-        "  snug make vase.stl -o vase-foam\n"
-        "  snug make scan.ply --units m --preset slit-10 --blocks auto --clearance 1 -o scan-foam\n"
-        "  snug make scan-foam/project.snug.json --object scan.ply --rotate 0,90,0 -o turned");
+std::vector<Argument> arguments_of(MakeArguments& a) {
+    std::vector<Argument> all{
+        {"OBJECT", "",
+         "A mesh (STL, OBJ, PLY, OFF, glTF, 3MF), a point cloud (PLY, XYZ, PTS) or a project (*.snug.json)",
+         &a.object, true},
+        {"-o,--output", "DIR",
+         "The folder for the files that are made; what an earlier run made there and this one does not goes, "
+         "unless somebody changed it",
+         &a.folder, true}};
+    for (const Flag& flag : design_flags())
+        all.push_back({flag.name, flag.takes, flag.help, DesignFlag{&a.design, flag.many, flag.repeats}});
+    const std::vector<Argument> rest{
+        {"--optimize", "", "Search the rotation and offset that are best; Ctrl-C keeps the best so far",
+         &a.search.optimize},
+        {"--fit-case", "", "Choose the smallest block counts that hold the object and its walls (50)",
+         &a.search.fit_case},
+        {"--search-seconds",
+         "S",
+         "Search this long instead of a fixed amount of work; results then depend on the machine",
+         &a.search.seconds,
+         false,
+         {{0.01, 86400}}},
+        {"--no-stream", "", "Read even a large file whole", &a.no_stream},
+        {"--stream",
+         "",
+         "Read the object in pieces, so that it need not fit into memory (chosen by itself for large files)",
+         &a.stream,
+         false,
+         {},
+         {},
+         {"--no-stream"}},
+        {"--object", "FILE", "The object's file, for a project that does not lie beside it",
+         &a.replacement_object},
+        {"--dry-run", "", "Say what would be made and what it takes; write nothing", &a.dry_run},
+        {"--threads",
+         "N",
+         "Threads to use at most; the files are the same for any number",
+         &a.threads,
+         false,
+         {{1, 1024}}},
+        {"--quiet", "", "Print nothing but errors", &a.quiet},
+        {"--json", "", "Print the report to standard output instead of the summary", &a.json}};
+    all.insert(all.end(), rest.begin(), rest.end());
+    return all;
 }
 
-/// Applies what was typed to the design, presets first so that explicit sizes win.
+/// The design with what was typed.
 Result<Design> design_from(const MakeArguments& a, Design design, bool from_project) {
-    const auto implied = implied_preset(a.workshop, {a.preset.has_value(), from_project});
-    if (!implied) return tl::unexpected(implied.error());
-    if (const auto& name = a.preset ? a.preset : *implied) {
-        const auto presets = known_presets();
-        if (!presets) return tl::unexpected(presets.error());
-        const auto preset = find_preset(*presets, *name);
-        if (!preset) return tl::unexpected(preset.error());
-        apply(*preset, design);
-        design.workshop.density_kg_m3 = preset->density_kg_m3;
-        // The default count of blocks belongs to the default foam.
-        if (*implied) design.space.blocks.reset();
-    }
-    if (auto done = apply_workshop(a.workshop, design); !done) return tl::unexpected(done.error());
-    if (a.units) {
-        design.object.units = unit_from_name(*a.units);
-        if (!design.object.units)
-            return fail(ErrorKind::usage, fmt::format("--units takes mm, cm, m or in, not \"{}\"", *a.units));
-    }
-    if (a.scale) design.object.scale = *a.scale;
-    if (a.longest) design.object.longest_mm = *a.longest;
-    if (a.cap) design.object.cap = true;
-    if (auto done = take_clean(a.clean, design.object.clean); !done) return tl::unexpected(done.error());
-    if (a.point_radius) design.object.point_radius_mm = *a.point_radius;
-    if (a.blocks && *a.blocks == "auto") {
-        design.space.blocks.reset();
-    } else if (a.blocks) {
-        const auto counts = parse_counts("--blocks", *a.blocks);
-        if (!counts) return tl::unexpected(counts.error());
-        design.space.blocks = *counts;
-    }
-    const auto take = [](const char* option, const std::optional<std::string>& text, auto parse,
-                         Vec3d& target) {
-        if (!text) return std::optional<Error>();
-        const auto value = parse(option, *text);
-        if (!value) return std::optional<Error>(value.error());
-        target = *value;
-        return std::optional<Error>();
-    };
-    if (auto error = take("--block-size", a.block_size, parse_sizes, design.space.block_mm))
-        return tl::unexpected(*error);
-    if (auto error = take("--rotate", a.rotate, parse_vector, design.placement.rotation_deg))
-        return tl::unexpected(*error);
-    if (auto error = take("--move", a.move, parse_vector, design.placement.offset_mm))
-        return tl::unexpected(*error);
-    if (auto done = take_fit(a.fit, design); !done) return tl::unexpected(done.error());
-    if (a.wall) {
-        const auto walls = parse_walls("--wall", *a.wall);
-        if (!walls) return tl::unexpected(walls.error());
-        design.space.wall_mm = *walls;
-    }
-    if (auto done = take_case(a.case_arguments, a.blocks.has_value(), design); !done)
-        return tl::unexpected(done.error());
-    if (a.parting && *a.parting == "auto") {
-        design.parting.level.reset();
-    } else if (a.parting) {
-        const auto level = parse_integer("--parting", *a.parting);
-        if (!level) return tl::unexpected(level.error());
-        design.parting.level = *level;
-    }
-    if (!a.formats.empty()) design.output.formats = a.formats;
-    if (auto done = apply(a.search, design.search); !done) return tl::unexpected(done.error());
-    return checked(design);
+    auto typed = with_flags(a.design, std::move(design), from_project, {known_presets, known_cases});
+    return typed ? checked(std::move(*typed)) : typed;
 }
 
 Result<Task> task_from(const MakeArguments& arguments) {
@@ -189,7 +101,7 @@ Result<Task> task_from(const MakeArguments& arguments) {
     if (!source) return tl::unexpected(source.error());
     Task task;
     if (arguments.stream || arguments.no_stream) task.stream = arguments.stream;
-    task.units_typed = arguments.units.has_value();
+    task.units_typed = was_typed(arguments.design, "--units");
     task.object_path = source->object;
     if (source->project) {
         task.project = std::move(*source->project);
@@ -295,7 +207,7 @@ int make(const MakeArguments& arguments) {
     if (made->pack && !arguments.quiet && !arguments.json)
         if (auto done = print(workshop_summary(*made->pack, project.design)); !done)
             return report(done.error());
-    const bool dry = arguments.workshop.dry_run;
+    const bool dry = arguments.dry_run;
     status.emplace(arguments.quiet || dry);
     status->show("Writing");
     const auto report_text =
@@ -315,13 +227,14 @@ int make(const MakeArguments& arguments) {
 
 }  // namespace
 
-void add_make(CLI::App& program, Command& chosen) {
-    CLI::App* command = program.add_subcommand("make", "Make foams from an object, or from a project file");
-    const auto arguments = std::make_shared<MakeArguments>();
-    add_options(*command, *arguments);
-    command->callback([arguments, &chosen] {
-        chosen = [arguments] { return within_memory(arguments->object, [&] { return make(*arguments); }); };
-    });
+CommandSpec make_command() {
+    const auto a = std::make_shared<MakeArguments>();
+    return {"make", "Make foams from an object, or from a project file",
+            "Examples:\n"
+            "  snug make vase.stl -o vase-foam\n"
+            "  snug make scan.ply --units m --preset slit-10 --blocks auto --clearance 1 -o scan-foam\n"
+            "  snug make scan-foam/project.snug.json --object scan.ply --rotate 0,90,0 -o turned",
+            arguments_of(*a), [a] { return within_memory(a->object, [&] { return make(*a); }); }};
 }
 
 }  // namespace snug::cli

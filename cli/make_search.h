@@ -1,9 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
-
-#include <CLI/CLI.hpp>
 
 #include "snug/base/result.h"
 #include "snug/design/design.h"
@@ -14,19 +11,13 @@
 
 namespace snug::cli {
 
-/// The options of the search as they were typed.
+/// What is searched, and for how long.
 struct SearchArguments {
-    bool optimize = false, fit_case = false, billed_weight = false;
-    std::optional<std::string> objective, upright, seed;
+    bool optimize = false, fit_case = false;
     std::optional<double> seconds;
 
     [[nodiscard]] bool asked() const { return optimize || fit_case; }
 };
-
-void add_search_options(CLI::App& make, SearchArguments& arguments);
-
-/// Applies what was typed to the design. Fails with kind `usage`.
-[[nodiscard]] Result<void> apply(const SearchArguments& arguments, SearchOptions& search);
 
 /// Searches from the design's placement and writes what was found into the design. Ctrl-C ends the search and
 /// keeps the best so far.

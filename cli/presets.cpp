@@ -6,7 +6,7 @@
 
 #include "snug/base/text.h"
 
-#include "cli/commands.h"
+#include "cli/arguments.h"
 #include "cli/console.h"
 #include "cli/user_presets.h"
 
@@ -38,11 +38,12 @@ int list_presets() {
 
 }  // namespace
 
-void add_presets(CLI::App& program, Command& chosen) {
-    CLI::App* command =
-        program.add_subcommand("presets", "List the foams that Snug knows, and where to add your own");
-    command->footer("Example: snug presets");
-    command->callback([&chosen] { chosen = list_presets; });
+CommandSpec presets_command() {
+    return {"presets",
+            "List the foams that Snug knows, and where to add your own",
+            "Example: snug presets",
+            {},
+            list_presets};
 }
 
 }  // namespace snug::cli

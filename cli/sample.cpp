@@ -10,7 +10,7 @@
 #include "snug/formats/mesh_files.h"
 #include "snug/samples/samples.h"
 
-#include "cli/commands.h"
+#include "cli/arguments.h"
 #include "cli/console.h"
 #include "cli/files.h"
 
@@ -48,18 +48,15 @@ int write_sample(const SampleArguments& arguments) {
 
 }  // namespace
 
-void add_sample(CLI::App& program, Command& chosen) {
-    CLI::App* command =
-        program.add_subcommand("sample", "Write an object that Snug generates, to try things with");
-    const auto arguments = std::make_shared<SampleArguments>();
-    command->add_option("NAME", arguments->name, "torus, vase, figurine or camera")->required();
-    command
-        ->add_option("-o,--output", arguments->file,
-                     "The file; its ending says the format: .stl .ply .obj .off")
-        ->required()
-        ->type_name("FILE");
-    command->footer("Example: snug sample vase -o vase.stl");
-    command->callback([arguments, &chosen] { chosen = [arguments] { return write_sample(*arguments); }; });
+CommandSpec sample_command() {
+    const auto a = std::make_shared<SampleArguments>();
+    return {"sample",
+            "Write an object that Snug generates, to try things with",
+            "Example: snug sample vase -o vase.stl",
+            {{"NAME", "", "torus, vase, figurine or camera", &a->name, true},
+             {"-o,--output", "FILE", "The file; its ending says the format: .stl .ply .obj .off", &a->file,
+              true}},
+            [a] { return write_sample(*a); }};
 }
 
 }  // namespace snug::cli

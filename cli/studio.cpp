@@ -19,7 +19,7 @@
 #include "snug/formats/read_object.h"
 #include "snug/mesh/thin.h"
 
-#include "cli/commands.h"
+#include "cli/arguments.h"
 #include "cli/console.h"
 #include "cli/files.h"
 #include "cli/object_file.h"
@@ -149,28 +149,25 @@ int studio(const StudioArguments& arguments) {
 
 }  // namespace
 
-void add_studio(CLI::App& program, Command& chosen) {
-    CLI::App* command = program.add_subcommand("studio", "Serve the studio to a browser on this machine");
-    const auto arguments = std::make_shared<StudioArguments>();
-    CLI::Option* object =
-        command->add_option("OBJECT", arguments->object, "A mesh or a project (*.snug.json) to open in it");
-    command
-        ->add_option("--object", arguments->replacement_object,
-                     "The object's file, for a project that does not lie beside it")
-        ->type_name("FILE")
-        ->needs(object);
-    command->add_option("--port", arguments->port, "Port of 127.0.0.1 (0: 8737, or the next free one)")
-        ->type_name("N")
-        ->check(CLI::Range(0, 65535));
-    command->add_option("--files", arguments->files, "The built studio, if it is elsewhere")
-        ->type_name("DIR");
-    command
-        ->add_option("--most-bytes", arguments->most_bytes,
-                     "Larger files are shown as a thinned copy (200,000,000)")
-        ->type_name("N");
-    command->add_flag("--quiet", arguments->quiet, "Print the address and nothing else");
-    command->footer("Examples:\n  snug studio\n  snug studio vase.stl");
-    command->callback([arguments, &chosen] { chosen = [arguments] { return studio(*arguments); }; });
+CommandSpec studio_command() {
+    const auto a = std::make_shared<StudioArguments>();
+    return {
+        "studio",
+        "Serve the studio to a browser on this machine",
+        "Examples:\n  snug studio\n  snug studio vase.stl",
+        {{"OBJECT", "", "A mesh or a project (*.snug.json) to open in it", &a->object},
+         {"--object",
+          "FILE",
+          "The object's file, for a project that does not lie beside it",
+          &a->replacement_object,
+          false,
+          {},
+          {"OBJECT"}},
+         {"--port", "N", "Port of 127.0.0.1 (0: 8737, or the next free one)", &a->port, false, {{0, 65535}}},
+         {"--files", "DIR", "The built studio, if it is elsewhere", &a->files},
+         {"--most-bytes", "N", "Larger files are shown as a thinned copy (200,000,000)", &a->most_bytes},
+         {"--quiet", "", "Print the address and nothing else", &a->quiet}},
+        [a] { return studio(*a); }};
 }
 
 }  // namespace snug::cli

@@ -141,7 +141,7 @@ val to_val(const Preset& preset) {
     result.set("creep_kpa", or_null(preset.creep_kpa));
     result.set("rigid", preset.rigid);
     result.set("worked", preset.worked);
-    result.set("division", std::string(division_name(preset.division)));
+    result.set("division", std::string(name_of(preset.division)));
     return result;
 }
 

@@ -10,6 +10,7 @@ struct Vec2d {
     friend constexpr Vec2d operator+(Vec2d a, Vec2d b) { return {a.x + b.x, a.y + b.y}; }
     friend constexpr Vec2d operator-(Vec2d a, Vec2d b) { return {a.x - b.x, a.y - b.y}; }
     friend constexpr Vec2d operator*(Vec2d a, double s) { return {a.x * s, a.y * s}; }
+    friend constexpr bool operator==(const Vec2d&, const Vec2d&) = default;
 };
 
 [[nodiscard]] inline double length(Vec2d v) {

@@ -1,14 +1,11 @@
 #include "snug/design/brick_options.h"
 
-#include <algorithm>
-
 #include "snug/base/text.h"
 #include "snug/design/brick_parts.h"
+#include "snug/design/option_list.h"
 
 namespace snug {
 namespace {
-
-constexpr int kMostPieces = 10'000'000;
 
 std::string known_colors() {
     std::string names;
@@ -33,49 +30,36 @@ std::optional<std::string> problem_of_size(const std::string& size) {
 
 }  // namespace
 
-std::string_view brick_unit_name(BrickUnit unit) {
-    switch (unit) {
-        case BrickUnit::brick:
-            return "brick";
-        case BrickUnit::plate:
-            return "plate";
-        case BrickUnit::automatic:
-            break;
-    }
-    return "auto";
+SharedFlag<BrickOptions> brick_color_flag() {
+    return {.flag = "--brick-colors",
+            .takes = "LOWER,LID",
+            .help = "Bricks: of the lower half and the lid",
+            .take =
+                [](std::string_view text, BrickOptions& bricks) {
+                    const std::size_t comma = text.find(',');
+                    bricks.lower_color = text.substr(0, comma);
+                    bricks.lid_color =
+                        comma == std::string_view::npos ? bricks.lower_color : text.substr(comma + 1);
+                    return Result<void>();
+                },
+            .say =
+                [](const BrickOptions& bricks) {
+                    return std::optional<std::string>(bricks.lower_color + "," + bricks.lid_color);
+                },
+            .usual = "blue,orange"};
 }
 
-std::optional<BrickUnit> brick_unit_from_name(std::string_view name) {
-    for (const BrickUnit unit : {BrickUnit::automatic, BrickUnit::brick, BrickUnit::plate})
-        if (brick_unit_name(unit) == name) return unit;
-    return {};
-}
-
-std::string_view brick_rim_name(BrickRim rim) {
-    return rim == BrickRim::tiles ? "tiles" : "studs";
-}
-
-std::optional<BrickRim> brick_rim_from_name(std::string_view name) {
-    for (const BrickRim rim : {BrickRim::studs, BrickRim::tiles})
-        if (brick_rim_name(rim) == name) return rim;
-    return {};
-}
-
-std::optional<std::string> problem_of(const BrickOptions& o) {
+std::optional<OptionProblem> problem_of(const BrickOptions& o) {
+    if (auto found = out_of_range(o)) return found;
     for (const std::string& size : o.family)
-        if (auto found = problem_of_size(size)) return found;
-    for (const BrickStock& stock : o.stock) {
-        if (auto found = problem_of_size(stock.size)) return found;
-        if (stock.pieces < 0 || stock.pieces > kMostPieces)
-            return "the stock of " + stock.size + " must be from 0 to " + grouped(kMostPieces) +
-                   " pieces, not " + std::to_string(stock.pieces);
-    }
-    for (const std::string& color : {o.lower_color, o.lid_color})
-        if (!brick_color(color))
-            return "no bricks are known in " + quoted(color) + ": take " + known_colors();
-    if (!(o.capacity_n >= 0.01 && o.capacity_n <= 100))
-        return "what a contact point of a stud holds must be from 0.01 to 100 newtons, not " +
-               number(o.capacity_n, 4);
+        if (auto found = problem_of_size(size)) return OptionProblem{"family", *found};
+    for (const BrickStock& stock : o.stock)
+        if (auto found = problem_of_size(stock.size)) return OptionProblem{"stock", *found};
+    const auto unknown = [](const std::string& color) {
+        return "no bricks are known in " + quoted(color) + ": take " + known_colors();
+    };
+    if (!brick_color(o.lower_color)) return OptionProblem{"lower_color", unknown(o.lower_color)};
+    if (!brick_color(o.lid_color)) return OptionProblem{"lid_color", unknown(o.lid_color)};
     return {};
 }
 

@@ -5,17 +5,23 @@
 #include <string_view>
 #include <vector>
 
+#include "snug/design/option.h"
+
 namespace snug {
 
 /// How high a layer is: bricks of 9.6 mm or plates of 3.2; automatic: bricks where the blocks allow it.
 enum class BrickUnit { automatic, brick, plate };
-[[nodiscard]] std::string_view brick_unit_name(BrickUnit unit);  ///< auto, brick, plate
-[[nodiscard]] std::optional<BrickUnit> brick_unit_from_name(std::string_view name);
+template <>
+struct Names<BrickUnit> {
+    static constexpr std::string_view list[] = {"auto", "brick", "plate"};
+};
 
 /// Where the halves meet: studs against studs, which hold the lid off, or tiles, which have none.
 enum class BrickRim { studs, tiles };
-[[nodiscard]] std::string_view brick_rim_name(BrickRim rim);  ///< studs, tiles
-[[nodiscard]] std::optional<BrickRim> brick_rim_from_name(std::string_view name);
+template <>
+struct Names<BrickRim> {
+    static constexpr std::string_view list[] = {"studs", "tiles"};
+};
 
 /// Pieces of one size that there are, in both halves together. Plates and tiles count as pieces of their own.
 struct BrickStock {
@@ -39,7 +45,55 @@ struct BrickOptions {
 /// Height of a stud, which stands into the cavity of either half, in mm.
 constexpr double kStudHeight = 1.8;
 
-/// What is out of range whatever the foam is, as a sentence; none where all is well.
-[[nodiscard]] std::optional<std::string> problem_of(const BrickOptions& options);
+/// --brick-colors
+[[nodiscard]] SharedFlag<BrickOptions> brick_color_flag();
+
+template <class Visit>
+void visit_options(Visit& visit, BrickOptions& bricks) {
+    visit.option(bricks.unit, {.json = "unit",
+                               .flag = "--brick-unit",
+                               .takes = "auto|brick|plate",
+                               .label = "the height of a layer",
+                               .help = "Bricks: layers of bricks or of plates"});
+    visit.option(bricks.family, {.json = "family",
+                                 .flag = "--brick-sizes",
+                                 .takes = "2x4,1x2,...",
+                                 .label = "the sizes of bricks",
+                                 .help = "Bricks: the sizes to build with",
+                                 .usual = "all"});
+    visit.option(bricks.lower_color, {.json = "lower_color",
+                                      .flag = "--brick-colors",
+                                      .label = "the lower half's colour",
+                                      .help = "Colour of the lower half's bricks"});
+    visit.option(bricks.lid_color, {.json = "lid_color",
+                                    .flag = "--brick-colors",
+                                    .label = "the lid's colour",
+                                    .help = "Colour of the lid's bricks"});
+    visit.flag(bricks, brick_color_flag());
+    visit.option(bricks.stock, {.json = "stock",
+                                .flag = "--brick-stock",
+                                .takes = "2x4=100,1x1=40",
+                                .unit = "pieces",
+                                .range = {0, 10'000'000},
+                                .label = "the stock of a brick",
+                                .help = "Bricks: pieces that there are",
+                                .usual = "no limit"});
+    visit.option(bricks.rim, {.json = "rim",
+                              .flag = "--brick-rim",
+                              .takes = "studs|tiles",
+                              .label = "the rim",
+                              .help = "Bricks: what the halves meet with"});
+    visit.option(bricks.capacity_n, {.json = "capacity_n",
+                                     .flag = "--brick-capacity",
+                                     .takes = "N",
+                                     .unit = "newtons",
+                                     .range = {0.01, 100},
+                                     .step = 0.1,
+                                     .label = "what a contact point of a stud holds",
+                                     .help = "Bricks: newtons that a contact point of a stud holds"});
+}
+
+/// What is out of range whatever the foam is; none where all is well.
+[[nodiscard]] std::optional<OptionProblem> problem_of(const BrickOptions& options);
 
 }  // namespace snug

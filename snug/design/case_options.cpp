@@ -1,19 +1,14 @@
 #include "snug/design/case_options.h"
 
 #include <algorithm>
-#include <array>
 
+#include "snug/base/range.h"
 #include "snug/base/text.h"
+#include "snug/design/option_list.h"
+#include "snug/design/option_text.h"
 
 namespace snug {
 namespace {
-
-constexpr std::array<std::string_view, 3> kDivisions{"none", "across", "all"};  // as in Division
-constexpr double kGreatestCase = 20000;                                         // mm
-
-bool within(double value, double least, double most) {
-    return value >= least && value <= most;
-}
 
 std::string mm(double value) {
     return number(value, 2) + " mm";
@@ -31,53 +26,75 @@ std::optional<std::string> problem_of_taper(const CrossSection& section, Vec3d i
     return {};
 }
 
-}  // namespace
-
-std::string_view division_name(Division division) {
-    return kDivisions[static_cast<std::size_t>(division)];
+Result<void> take_sizes(std::string_view text, CaseOptions& options) {
+    const std::size_t colon = std::min(text.find(':'), text.size());
+    const std::vector<double> sizes = typed_numbers(text.substr(0, colon), 'x');
+    const auto lid = colon < text.size() ? typed_number(text.substr(colon + 1)) : std::nullopt;
+    if (sizes.size() != 3 || (colon < text.size() && !lid))
+        return not_what_it_takes("--case",
+                                 "length, width and height inside in mm, with the lid's part of the height "
+                                 "if it is known, such as 425x284x155:45, or a name that `snug cases` lists",
+                                 text);
+    options.name.clear();
+    options.inside_mm = Vec3d{sizes[2], sizes[1], sizes[0]};
+    options.lid_mm = lid;
+    options.divisor = CaseOptions{}.divisor;
+    return {};
 }
 
-std::optional<Division> division_from_name(std::string_view name) {
-    const auto found = std::find(kDivisions.begin(), kDivisions.end(), name);
-    if (found == kDivisions.end()) return {};
-    return static_cast<Division>(found - kDivisions.begin());
+std::optional<std::string> say_sizes(const CaseOptions& options) {
+    if (!options.inside_mm || !options.name.empty()) return {};
+    const auto& [height, width, length] = *options.inside_mm;
+    return exact({length, width, height}, 'x') + (options.lid_mm ? ":" + exact(*options.lid_mm) : "");
 }
 
-std::optional<std::string> problem_of(const CaseOptions& options) {
-    if (!within(options.play_mm, 0, kGreatestCase))
-        return "the play must be 0 mm or more, not " + mm(options.play_mm);
-    if (options.divisor && !within(*options.divisor, 1, 1e6))
-        return "the divisor of the volumetric weight must be 1 to 1000000 cm3 for one kg, not " +
-               number(*options.divisor, 4);
-    if (!options.inside_mm) return {};
-    const Vec3d inside = *options.inside_mm;
+/// What is wrong with the case beyond each size by itself.
+std::optional<OptionProblem> problem_of_inside(const CaseOptions& options, Vec3d inside) {
     const double least = std::min({inside.x, inside.y, inside.z});
-    if (!within(least, 1, kGreatestCase) ||
-        !within(std::max({inside.x, inside.y, inside.z}), 1, kGreatestCase))
-        return "a case measures 1 to 20000 mm inside on each side, not " +
-               dimensions({inside.z, inside.y, inside.x}, 2);
     if (least <= 2 * options.play_mm)
-        return "nothing of the case of " + dimensions({inside.z, inside.y, inside.x}) +
-               " mm is left within its play of " + mm(options.play_mm) + " on each side";
-    if (options.lid_mm && !(*options.lid_mm >= 0 && *options.lid_mm < inside.x))
-        return "the lid must be 0 mm or more and less than the case's height of " + mm(inside.x) + ", not " +
-               mm(*options.lid_mm);
+        return OptionProblem{"play_mm",
+                             "nothing of the case of " + dimensions({inside.z, inside.y, inside.x}) +
+                                 " mm is left within its play of " + mm(options.play_mm) + " on each side"};
+    if (options.lid_mm && *options.lid_mm >= inside.x)
+        return OptionProblem{"lid_mm", "the lid must be 0 mm or more and less than the case's height of " +
+                                           mm(inside.x) + ", not " + mm(*options.lid_mm)};
     if (options.top_mm && options.lid_mm.value_or(0) <= 0)
-        return "what the case measures at the roof of its lid needs the lid's height: give both (--case "
-               "LxWxH:LID with --case-top), or leave it out";
+        return OptionProblem{
+            "top_mm",
+            "what the case measures at the roof of its lid needs the lid's height: give both (--case "
+            "LxWxH:LID with --case-top), or leave it out"};
     double narrowest = std::min(inside.y, inside.z);
     for (const auto& section : {options.base_mm, options.top_mm})
         if (section) narrowest = std::min({narrowest, section->width, section->length});
     if (options.base_mm)
         if (auto problem = problem_of_taper(*options.base_mm, inside, options.play_mm, "at its floor"))
-            return problem;
+            return OptionProblem{"base_mm", *problem};
     if (options.top_mm)
         if (auto problem = problem_of_taper(*options.top_mm, inside, options.play_mm, "at its roof"))
-            return problem;
+            return OptionProblem{"top_mm", *problem};
     if (!within(options.corner_radius_mm, 0, narrowest / 2))
-        return "the corner radius must be 0 to " + mm(narrowest / 2) + " (half of the narrowest side), not " +
-               mm(options.corner_radius_mm);
+        return OptionProblem{"corner_radius_mm", "the corner radius must be 0 to " + mm(narrowest / 2) +
+                                                     " (half of the narrowest side), not " +
+                                                     mm(options.corner_radius_mm)};
     return {};
+}
+
+}  // namespace
+
+SharedFlag<CaseOptions> case_size_flag() {
+    return {.flag = "--case",
+            .takes = "LxWxH[:LID]|NAME",
+            .help =
+                "Fill a case: its inside in mm and, after a colon, what of the height belongs to the lid; "
+                "or a name from `snug cases`. The length lies along z, the width along y, the height "
+                "along x",
+            .take = take_sizes,
+            .say = say_sizes};
+}
+
+std::optional<OptionProblem> problem_of(const CaseOptions& options) {
+    if (auto found = out_of_range(options)) return found;
+    return options.inside_mm ? problem_of_inside(options, *options.inside_mm) : std::nullopt;
 }
 
 }  // namespace snug

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "snug/base/vec.h"
+#include "snug/design/option.h"
 
 // The case that the foam is made for. Its height runs along x, its width along y and its length along z, as
 // the foam lies in it: floor at -x, lid at +x, BACK at -y.
@@ -18,9 +19,10 @@ enum class Division {
     all,     ///< printed, milled or moulded to any size
 };
 
-/// "none", "across", "all"
-[[nodiscard]] std::string_view division_name(Division division);
-[[nodiscard]] std::optional<Division> division_from_name(std::string_view name);
+template <>
+struct Names<Division> {
+    static constexpr std::string_view list[] = {"none", "across", "all"};
+};
 
 /// Width (y) and length (z) of a cross-section, mm.
 struct CrossSection {
@@ -42,8 +44,79 @@ struct CaseOptions {
     friend bool operator==(const CaseOptions&, const CaseOptions&) = default;
 };
 
-/// What is out of range, as a sentence: sizes that are not above the play, a lid as high as the case, corners
+/// --case with sizes, "425x284x155:45"; names are for who knows the cases (flags.h).
+[[nodiscard]] SharedFlag<CaseOptions> case_size_flag();
+
+template <class Visit>
+void visit_options(Visit& visit, CaseOptions& options) {
+    constexpr Range kCase{0, 20000};
+    visit.option(options.name, {.json = "name",
+                                .flag = "--case",
+                                .label = "the case's name",
+                                .help = "Name of the case in `snug cases`, for people"});
+    visit.option(options.inside_mm, {.json = "inside_mm",
+                                     .flag = "--case",
+                                     .unit = "mm",
+                                     .range = {1, 20000},
+                                     .step = 1,
+                                     .label = "a side of the case's inside",
+                                     .help = "Height, width and length inside the case"});
+    visit.flag(options, case_size_flag());
+    visit.option(options.play_mm, {.json = "play_mm",
+                                   .flag = "--case-play",
+                                   .takes = "MM",
+                                   .unit = "mm",
+                                   .range = kCase,
+                                   .step = 0.5,
+                                   .label = "the play",
+                                   .help = "Air between foam and case on each side"});
+    visit.option(options.lid_mm, {.json = "lid_mm",
+                                  .flag = "--case",
+                                  .unit = "mm",
+                                  .range = kCase,
+                                  .step = 1,
+                                  .label = "the lid's height",
+                                  .help = "What of the height inside belongs to the lid"});
+    visit.option(options.corner_radius_mm, {.json = "corner_radius_mm",
+                                            .flag = "--case-radius",
+                                            .takes = "MM",
+                                            .unit = "mm",
+                                            .range = kCase,
+                                            .step = 1,
+                                            .label = "the corner radius",
+                                            .help = "Radius of the case's upright edges"});
+    visit.option(options.base_mm, {.json = "base_mm",
+                                   .flag = "--case-base",
+                                   .takes = "LxW",
+                                   .unit = "mm",
+                                   .range = kCase,
+                                   .step = 1,
+                                   .label = "a side of the case's floor",
+                                   .help = "Inside at the floor, where the walls lean"});
+    visit.option(options.top_mm, {.json = "top_mm",
+                                  .flag = "--case-top",
+                                  .takes = "LxW",
+                                  .unit = "mm",
+                                  .range = kCase,
+                                  .step = 1,
+                                  .label = "a side of the case's roof",
+                                  .help = "Inside at the roof of the lid, where its walls lean"});
+    visit.option(options.divisor, {.json = "divisor",
+                                   .flag = "--case-divisor",
+                                   .takes = "CM3",
+                                   .unit = "cm3",
+                                   .range = {1, 1e6},
+                                   .step = 100,
+                                   .label = "the divisor of the volumetric weight",
+                                   .help = "cm3 for one kg of volumetric weight; none: a flat rate"});
+    visit.option(options.division, {.json = "division",
+                                    .label = "the division",
+                                    .help = "How the foam may be divided to fill a case",
+                                    .usual = "the preset's"});
+}
+
+/// What is out of range: sizes that are not above the play, a lid as high as the case, corners
 /// rounder than the case is wide, a case that widens away from the parting line.
-[[nodiscard]] std::optional<std::string> problem_of(const CaseOptions& options);
+[[nodiscard]] std::optional<OptionProblem> problem_of(const CaseOptions& options);
 
 }  // namespace snug

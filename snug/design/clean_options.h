@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "snug/base/vec.h"
+#include "snug/design/option.h"
 
 namespace snug {
 
@@ -22,7 +22,37 @@ struct CleanOptions {
     [[nodiscard]] bool none() const { return drop_parts.empty() && drop_below_mm == 0 && !cut_plane; }
 };
 
-/// What is out of range, as a sentence; none where all is well.
-[[nodiscard]] std::optional<std::string> problem_of(const CleanOptions& options);
+template <class Visit>
+void visit_options(Visit& visit, CleanOptions& clean) {
+    visit.option(clean.drop_parts, {.json = "drop_parts",
+                                    .flag = "--drop",
+                                    .takes = "2,5-9",
+                                    .range = {1, 2147483647},
+                                    .label = "the number of a part",
+                                    .help = "Leave out separate parts, by their numbers in `snug inspect`",
+                                    .scope = Scope::object});
+    visit.option(clean.drop_below_mm, {.json = "drop_below_mm",
+                                       .flag = "--drop-below",
+                                       .takes = "MM",
+                                       .unit = "mm",
+                                       .range = {0, 1e6},
+                                       .step = 0.5,
+                                       .label = "the size below which parts are dropped",
+                                       .help = "Leave out separate parts that are shorter than this",
+                                       .usual = "0: none",
+                                       .scope = Scope::object});
+    visit.option(clean.cut_plane,
+                 {.json = "cut_plane",
+                  .flag = "--cut-plane",
+                  .takes = "X,Y,Z,MM",
+                  .label = "the cutting plane",
+                  .help = "Cut off what lies behind a plane, such as a table: the direction to keep, and how "
+                          "far the plane lies along it (0,0,1,12 keeps what is above z = 12 mm)",
+                  .separator = ',',
+                  .scope = Scope::object});
+}
+
+/// What is out of range; none where all is well.
+[[nodiscard]] std::optional<OptionProblem> problem_of(const CleanOptions& options);
 
 }  // namespace snug

@@ -11,6 +11,7 @@
 #include "snug/design/clean_options.h"
 #include "snug/design/clearance.h"
 #include "snug/design/fit_options.h"
+#include "snug/design/option.h"
 #include "snug/design/search_options.h"
 #include "snug/design/walls.h"
 #include "snug/design/workshop_options.h"
@@ -29,8 +30,10 @@ constexpr double kGreatestLength = 1e6;        // mm: offsets, walls, clearances
 
 enum class Unit { mm, cm, m, in };
 [[nodiscard]] double millimetres(Unit unit);
-[[nodiscard]] std::string_view unit_name(Unit unit);
-[[nodiscard]] std::optional<Unit> unit_from_name(std::string_view name);
+template <>
+struct Names<Unit> {
+    static constexpr std::string_view list[] = {"mm", "cm", "m", "in"};
+};
 
 struct ObjectOptions {
     std::optional<Unit> units;         ///< of the file; not chosen: mm, if the size is plausible
@@ -42,6 +45,50 @@ struct ObjectOptions {
     friend bool operator==(const ObjectOptions&, const ObjectOptions&) = default;
 };
 
+template <class Visit>
+void visit_options(Visit& visit, ObjectOptions& object) {
+    visit.option(object.units, {.json = "units",
+                                .flag = "--units",
+                                .takes = "mm|cm|m|in",
+                                .label = "the unit",
+                                .help = "The unit of the file",
+                                .usual = "mm",
+                                .none = "auto",
+                                .scope = Scope::object});
+    visit.option(object.scale, {.json = "scale",
+                                .flag = "--scale",
+                                .takes = "S",
+                                .range = {1e-9, 1e9},
+                                .label = "the scale",
+                                .help = "Multiply every length by this",
+                                .scope = Scope::object});
+    visit.option(object.longest_mm, {.json = "longest_mm",
+                                     .flag = "--longest",
+                                     .takes = "MM",
+                                     .unit = "mm",
+                                     .range = {1e-3, kGreatestLength},
+                                     .step = 1,
+                                     .label = "the longest side",
+                                     .help = "Scale the object's longest side to this",
+                                     .scope = Scope::object});
+    visit.option(object.cap, {.json = "cap",
+                              .flag = "--cap",
+                              .label = "the cap",
+                              .help = "Close the holes of an open object before cutting",
+                              .scope = Scope::object});
+    visit.option(object.point_radius_mm, {.json = "point_radius_mm",
+                                          .flag = "--point-radius",
+                                          .takes = "MM",
+                                          .unit = "mm",
+                                          .range = {.least = 1e-6, .most = kGreatestLength, .or_zero = true},
+                                          .step = 0.1,
+                                          .label = "the radius of a point",
+                                          .help = "Point clouds: each point counts as a ball of this radius",
+                                          .usual = "0: from the spacing",
+                                          .scope = Scope::object});
+    visit.group(object.clean, {.json = "clean", .title = "What is no part of the object"});
+}
+
 struct SpaceOptions {
     std::string preset = "paper";                     ///< the foam's name, see presets.h
     std::optional<Vec3i> blocks = Vec3i{30, 18, 18};  ///< 1 to 4096 an axis; none: the object plus walls
@@ -50,11 +97,69 @@ struct SpaceOptions {
     friend bool operator==(const SpaceOptions&, const SpaceOptions&) = default;
 };
 
+template <class Visit>
+void visit_options(Visit& visit, SpaceOptions& space) {
+    visit.option(space.preset, {.json = "preset",
+                                .flag = "--preset",
+                                .takes = "NAME",
+                                .label = "the preset",
+                                .help = "A foam that `snug presets` lists: block size and clearance"});
+    visit.option(space.blocks, {.json = "blocks",
+                                .flag = "--blocks",
+                                .takes = "30x18x18|auto",
+                                .range = {1, kMostBlocks},
+                                .step = 1,
+                                .label = "a count of blocks",
+                                .help = "Blocks along x, y, z, or auto: the object plus walls",
+                                .none = "auto"});
+    visit.option(space.block_mm, {.json = "block_mm",
+                                  .flag = "--block-size",
+                                  .takes = "15x15x22",
+                                  .unit = "mm",
+                                  .range = {kLeastBlockSize, kGreatestBlockSize},
+                                  .label = "a side of a block",
+                                  .help = "Size of a block in mm"});
+    visit.option(space.wall_mm, {.json = "wall_mm",
+                                 .flag = "--wall",
+                                 .takes = "MM|X,Y,Z|SIX",
+                                 .unit = "mm",
+                                 .range = {0, kGreatestLength},
+                                 .step = 1,
+                                 .label = "the wall",
+                                 .help = "Least foam between object and case: all sides, or X,Y,Z, or "
+                                         "floor,roof,back,front,left,right",
+                                 .usual = "0; 50 with --blocks auto"});
+}
+
 struct PlacementOptions {
     Vec3d rotation_deg;  ///< Euler angles psi, theta, phi about the fixed axes x, then y, then z
     Vec3d offset_mm;     ///< from the centre of the space
     friend bool operator==(const PlacementOptions&, const PlacementOptions&) = default;
 };
+
+template <class Visit>
+void visit_options(Visit& visit, PlacementOptions& placement) {
+    visit.option(placement.rotation_deg, {.json = "rotation_deg",
+                                          .flag = "--rotate",
+                                          .takes = "PSI,THETA,PHI",
+                                          .unit = "degrees",
+                                          .range = {-1e6, 1e6},
+                                          .step = 1,
+                                          .label = "an angle",
+                                          .help = "Degrees about the fixed axes x, then y, then z",
+                                          .separator = ',',
+                                          .scope = Scope::item});
+    visit.option(placement.offset_mm, {.json = "offset_mm",
+                                       .flag = "--move",
+                                       .takes = "X,Y,Z",
+                                       .unit = "mm",
+                                       .range = {-kGreatestLength, kGreatestLength},
+                                       .step = 1,
+                                       .label = "an offset",
+                                       .help = "Shift from the centre of the space, mm",
+                                       .separator = ',',
+                                       .scope = Scope::item});
+}
 
 struct CutOptions {
     Clearance clearance_mm;  ///< the object is grown by this
@@ -74,15 +179,72 @@ struct CutOptions {
     friend bool operator==(const CutOptions&, const CutOptions&) = default;
 };
 
+template <class Visit>
+void visit_options(Visit& visit, CutOptions& cut) {
+    visit.option(
+        cut.clearance_mm,
+        {.json = "clearance_mm",
+         .flag = "--clearance",
+         .takes = "MM|X,Y,Z|SIX",
+         .unit = "mm",
+         .range = {-kGreatestLength, kGreatestLength},
+         .step = 0.1,
+         .label = "the clearance",
+         .help = "Grow the object by this on every side: one number, or X,Y,Z, or six: X,Y,Z for the "
+                 "lower foam, then for the upper; negative squeezes it, down to -0.4 of the smallest "
+                 "side of a block",
+         .scope = Scope::item});
+    visit.option(cut.liner_mm, {.json = "liner_mm",
+                                .flag = "--liner",
+                                .takes = "MM",
+                                .unit = "mm",
+                                .range = {0, kGreatestLength},
+                                .step = 0.1,
+                                .label = "the liner",
+                                .help = "Thickness of a cloth between object and foam, on top"});
+    visit.option(cut.cut_on_touch, {.json = "cut_on_touch",
+                                    .flag = "--cut-on-touch",
+                                    .label = "the cut on touch",
+                                    .help = "Also cut blocks that the object merely touches"});
+}
+
 struct PartingOptions {
     std::optional<int> level;  ///< lower blocks where the object does not touch, 0 to nx; none: chosen
     friend bool operator==(const PartingOptions&, const PartingOptions&) = default;
 };
 
+template <class Visit>
+void visit_options(Visit& visit, PartingOptions& parting) {
+    visit.option(parting.level, {.json = "level",
+                                 .flag = "--parting",
+                                 .takes = "auto|LEVEL",
+                                 .unit = "blocks",
+                                 .range = {0, kMostBlocks},
+                                 .step = 1,
+                                 .label = "the parting level",
+                                 .help = "Blocks of the lower foam where the object does not touch",
+                                 .usual = "auto",
+                                 .none = "auto"});
+}
+
+/// Files that foams are written as.
+constexpr std::string_view kFormats[] = {"stl", "ply"};
+
 struct OutputOptions {
     std::vector<std::string> formats{"stl", "ply"};  ///< of the foams
     friend bool operator==(const OutputOptions&, const OutputOptions&) = default;
 };
+
+template <class Visit>
+void visit_options(Visit& visit, OutputOptions& output) {
+    visit.option(output.formats, {.json = "formats",
+                                  .flag = "--formats",
+                                  .takes = "stl,ply",
+                                  .label = "a format",
+                                  .help = "Formats of the foams: stl, ply",
+                                  .usual = "both",
+                                  .words = kFormats});
+}
 
 struct Design {
     ObjectOptions object;
@@ -98,9 +260,26 @@ struct Design {
     friend bool operator==(const Design&, const Design&) = default;
 };
 
+template <class Visit>
+void visit_options(Visit& visit, Design& design) {
+    visit.group(design.object, {.json = "object", .title = "The object"});
+    visit.group(design.space, {.json = "space", .title = "The design space"});
+    visit.group(design.placement, {.json = "placement", .title = "How the object lies"});
+    visit.group(design.cut, {.json = "cut", .title = "What is cut away"});
+    visit.group(design.fit, {.json = "fit", .title = "A foam to work and live with"});
+    visit.group(design.parting, {.json = "parting", .title = "Where the halves part"});
+    visit.group(design.output, {.json = "output", .title = "The files of the foams"});
+    visit.group(design.case_options, {.json = "case", .title = "The case"});
+    visit.group(design.search, {.json = "search", .title = "The search"});
+    visit.group(design.workshop, {.json = "workshop", .title = "The workshop"});
+}
+
 /// The walls that the design asks for: the chosen ones, or 50 mm (the usual least for parcels) where the
 /// space is fitted to the object, or none.
 [[nodiscard]] Walls wanted_wall_mm(const SpaceOptions& space);
+
+/// The first thing that is out of range; none where all is well. Paths are those of a project's design.
+[[nodiscard]] std::optional<OptionProblem> problem_of(const Design& design);
 
 /// The design with what follows from its other choices filled in, or the first thing that is out of range, as
 /// an Error of kind `usage`.

@@ -1,34 +1,69 @@
 #include "snug/design/fit_options.h"
 
-#include <initializer_list>
-
-#include "snug/base/text.h"
+#include "snug/design/option_list.h"
+#include "snug/design/option_text.h"
 
 namespace snug {
 namespace {
 
-constexpr double kLongest = 10000;  // mm
+Result<void> take_sizes(std::string_view text, FitOptions& fit) {
+    if (text == "none") {
+        fit.notches.reset();
+        return {};
+    }
+    const std::vector<double> sizes = typed_numbers(text, 'x');
+    if (sizes.size() != 2 && (sizes.size() != 3 || sizes[2] <= 0))
+        return not_what_it_takes("--notches",
+                                 "width x depth in mm, and the room outwards if you like, such as 80x40 or "
+                                 "80x40x25",
+                                 text);
+    if (!fit.notches) fit.notches.emplace();
+    fit.notches->width_mm = sizes[0];
+    fit.notches->depth_mm = sizes[1];
+    fit.notches->room_mm = sizes.size() == 3 ? sizes[2] : NotchOptions{}.room_mm;
+    return {};
+}
+
+std::optional<std::string> say_sizes(const FitOptions& fit) {
+    if (!fit.notches) return "none";
+    return exact({fit.notches->width_mm, fit.notches->depth_mm, fit.notches->room_mm}, 'x');
+}
+
+Result<void> take_places(std::string_view text, NotchOptions& notches) {
+    const std::vector<double> places = typed_numbers(text, ',');
+    if (places.empty() || places.size() > 2)
+        return not_what_it_takes("--notch-at", "one or two numbers of mm such as 0 or -20,10", text);
+    notches.first_mm = places.front();
+    notches.second_mm = places.back();
+    return {};
+}
+
+std::optional<std::string> say_places(const NotchOptions& notches) {
+    if (!notches.first_mm || !notches.second_mm) return {};
+    return exact({*notches.first_mm, *notches.second_mm}, ',');
+}
 
 }  // namespace
 
-std::optional<std::string> problem_of(const FitOptions& options) {
-    const auto sized = [](double mm) { return mm > 0 && mm <= kLongest; };
-    if (options.least_rib_mm != 0 && !sized(options.least_rib_mm))
-        return "the least rib must be 0 to 10000 mm, not " + number(options.least_rib_mm, 4);
-    if (options.creep_kpa && !(*options.creep_kpa > 0 && *options.creep_kpa <= 1e6))
-        return "the pressure that the foam bears for long must be above 0 kPa, not " +
-               number(*options.creep_kpa, 4);
-    if (!options.notches) return {};
-    const NotchOptions& notches = *options.notches;
-    for (const double mm : {notches.width_mm, notches.depth_mm, notches.room_mm})
-        if (!sized(mm))
-            return "a notch's width, depth and room must be above 0 and at most 10000 mm, not " +
-                   number(mm, 4);
-    if (notches.axis && *notches.axis != 1 && *notches.axis != 2)
-        return "notches lie opposite each other along y or z";
-    for (const auto& at : {notches.first_mm, notches.second_mm})
-        if (at && !(*at >= -1e6 && *at <= 1e6)) return "a notch's place must be a number of mm in the space";
-    return {};
+SharedFlag<FitOptions> notch_size_flag() {
+    return {.flag = "--notches",
+            .takes = "80x40[x25]|none",
+            .help = "Two recesses beside the object for the fingers: width x depth, and room outwards (25)",
+            .take = take_sizes,
+            .say = say_sizes};
+}
+
+SharedFlag<NotchOptions> notch_place_flag() {
+    return {.flag = "--notch-at",
+            .takes = "MM[,MM]",
+            .help = "Their middles along the object's sides, from the middle of the space",
+            .take = take_places,
+            .say = say_places,
+            .usual = "auto"};
+}
+
+std::optional<OptionProblem> problem_of(const FitOptions& options) {
+    return out_of_range(options);
 }
 
 }  // namespace snug

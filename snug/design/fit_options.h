@@ -4,9 +4,16 @@
 #include <string>
 #include <string_view>
 
-#include "snug/base/vec.h"
+#include "snug/design/option.h"
 
 namespace snug {
+
+/// The axis that leads from one notch to the other.
+enum class NotchAxis { y, z };
+template <>
+struct Names<NotchAxis> {
+    static constexpr std::string_view list[] = {"y", "z"};
+};
 
 /// Two opposite recesses of the lower foam beside the object, for the fingers that lift it. Lengths in mm,
 /// cut in whole blocks.
@@ -14,7 +21,7 @@ struct NotchOptions {
     double width_mm = 80;             ///< along the object's side
     double depth_mm = 40;             ///< below the parting level
     double room_mm = 25;              ///< from the object outwards
-    std::optional<int> axis;          ///< that leads from one to the other: 1 (y), 2 (z); none: chosen
+    std::optional<NotchAxis> axis;    ///< none: chosen
     std::optional<double> first_mm;   ///< middle of the one at -y or -z along the other axis; none: chosen
     std::optional<double> second_mm;  ///< middle of the opposite one; none: chosen
     friend bool operator==(const NotchOptions&, const NotchOptions&) = default;
@@ -28,7 +35,92 @@ struct FitOptions {
     friend bool operator==(const FitOptions&, const FitOptions&) = default;
 };
 
-/// What is out of range, as a sentence; none where all is well.
-[[nodiscard]] std::optional<std::string> problem_of(const FitOptions& options);
+/// --notches and --notch-at.
+[[nodiscard]] SharedFlag<FitOptions> notch_size_flag();
+[[nodiscard]] SharedFlag<NotchOptions> notch_place_flag();
+
+template <class Visit>
+void visit_options(Visit& visit, NotchOptions& notches) {
+    constexpr Range kSize{.least = 0, .most = 10000, .above = true};
+    constexpr Range kPlace{.least = -1e6, .most = 1e6};
+    visit.option(notches.width_mm, {.json = "width_mm",
+                                    .flag = "--notches",
+                                    .unit = "mm",
+                                    .range = kSize,
+                                    .step = 1,
+                                    .label = "the notches' width",
+                                    .help = "How wide a recess is along the object's side",
+                                    .scope = Scope::item});
+    visit.option(notches.depth_mm, {.json = "depth_mm",
+                                    .flag = "--notches",
+                                    .unit = "mm",
+                                    .range = kSize,
+                                    .step = 1,
+                                    .label = "the notches' depth",
+                                    .help = "How far it goes down below the parting level",
+                                    .scope = Scope::item});
+    visit.option(notches.room_mm, {.json = "room_mm",
+                                   .flag = "--notches",
+                                   .unit = "mm",
+                                   .range = kSize,
+                                   .step = 1,
+                                   .label = "the notches' room",
+                                   .help = "How far it reaches outwards from the object",
+                                   .scope = Scope::item});
+    visit.option(notches.axis, {.json = "axis",
+                                .flag = "--notch-axis",
+                                .takes = "y|z|auto",
+                                .label = "the notches' axis",
+                                .help = "The axis along which they lie opposite each other",
+                                .usual = "auto",
+                                .none = "auto",
+                                .scope = Scope::item});
+    visit.option(notches.first_mm,
+                 {.json = "first_mm",
+                  .flag = "--notch-at",
+                  .unit = "mm",
+                  .range = kPlace,
+                  .step = 1,
+                  .label = "the first notch's place",
+                  .help = "The middle of the recess at -y or -z, from the middle of the space",
+                  .usual = "auto",
+                  .scope = Scope::item});
+    visit.option(notches.second_mm, {.json = "second_mm",
+                                     .flag = "--notch-at",
+                                     .unit = "mm",
+                                     .range = kPlace,
+                                     .step = 1,
+                                     .label = "the second notch's place",
+                                     .help = "The middle of the opposite one",
+                                     .usual = "auto",
+                                     .scope = Scope::item});
+    visit.flag(notches, notch_place_flag());
+}
+
+template <class Visit>
+void visit_options(Visit& visit, FitOptions& fit) {
+    visit.option(fit.least_rib_mm, {.json = "least_rib_mm",
+                                    .flag = "--least-rib",
+                                    .takes = "MM",
+                                    .unit = "mm",
+                                    .range = {.least = 0, .most = 10000},
+                                    .step = 1,
+                                    .label = "the least rib",
+                                    .help = "Cut away foam between cavities that is thinner than this",
+                                    .usual = "0: none"});
+    visit.flag(fit, notch_size_flag());
+    visit.group(fit.notches, {.json = "notches", .title = "Notches", .flag = "--notches"});
+    visit.option(fit.creep_kpa, {.json = "creep_kpa",
+                                 .flag = "--creep",
+                                 .takes = "KPA",
+                                 .unit = "kPa",
+                                 .range = {.least = 0, .most = 1e6, .above = true},
+                                 .label = "the pressure that the foam bears for long",
+                                 .help = "Pressure that the foam bears for long",
+                                 .usual = "the preset's"});
+}
+
+/// What is out of range; none where all is well.
+[[nodiscard]] std::optional<OptionProblem> problem_of(const FitOptions& options);
 
 }  // namespace snug

@@ -51,15 +51,6 @@ bool get(const Json& value, Vec3<T>& target) {
            get(value[2], target.z);
 }
 
-template <class T>
-bool get(const Json& value, std::vector<T>& target) {
-    if (!value.is_array()) return false;
-    target.assign(value.size(), {});
-    for (std::size_t i = 0; i < value.size(); ++i)
-        if (!get(value[i], target[i])) return false;
-    return true;
-}
-
 }  // namespace
 
 JsonReader::JsonReader(const Json& value, std::string path) : value_(value), path_(std::move(path)) {
@@ -98,48 +89,6 @@ JsonReader& JsonReader::read(const char* name, Vec3d& target) {
     if (const Json* field = find(name); field && !get(*field, target))
         refuse(name, "three numbers in brackets");
     return *this;
-}
-JsonReader& JsonReader::read(const char* name, Vec3i& target) {
-    if (const Json* field = find(name); field && !get(*field, target))
-        refuse(name, "three whole numbers in brackets");
-    return *this;
-}
-JsonReader& JsonReader::read(const char* name, std::vector<std::string>& target) {
-    if (const Json* field = find(name); field && !get(*field, target)) refuse(name, "a list of texts");
-    return *this;
-}
-
-JsonReader& JsonReader::read(const char* name, std::vector<int>& target) {
-    if (const Json* field = find(name); field && !get(*field, target))
-        refuse(name, "a list of whole numbers");
-    return *this;
-}
-
-JsonReader& JsonReader::read(const char* name, std::map<std::string, int>& target) {
-    const Json* field = find(name);
-    if (!field) return *this;
-    target.clear();
-    if (!field->is_object()) refuse(name, "names with a whole number each");
-    if (field->is_object())
-        for (const auto& [key, value] : field->items())
-            if (!get(value, target[key])) refuse(name, "names with a whole number each");
-    return *this;
-}
-
-JsonReader::Numbers JsonReader::read_numbers(const char* name, std::span<double> values, bool one_for_all) {
-    const Json* field = find(name);
-    if (!field) return Numbers::missing;
-    if (field->is_null()) return Numbers::null;
-    const bool list = field->is_array();
-    if (list ? field->size() != values.size() : !one_for_all) return Numbers::wrong;
-    for (std::size_t i = 0; i < values.size(); ++i)
-        if (!get(list ? (*field)[i] : *field, values[i])) return Numbers::wrong;
-    return Numbers::good;
-}
-
-bool JsonReader::is_null(const char* name) {
-    const Json* field = find(name);
-    return field && field->is_null();
 }
 
 void JsonReader::refuse(const char* name, std::string_view expected) {

@@ -1,9 +1,6 @@
 #pragma once
 
-#include <array>
-#include <map>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,31 +27,6 @@ class JsonReader {
     JsonReader& read(const char* name, double& target);
     JsonReader& read(const char* name, std::string& target);
     JsonReader& read(const char* name, Vec3d& target);
-    JsonReader& read(const char* name, Vec3i& target);
-    JsonReader& read(const char* name, std::vector<std::string>& target);
-    JsonReader& read(const char* name, std::vector<int>& target);
-    JsonReader& read(const char* name, std::map<std::string, int>& target);
-
-    /// null, a list of N numbers, or (with `one_for_all`) one number that stands for all.
-    template <std::size_t N>
-    JsonReader& read_list(const char* name, std::optional<std::array<double, N>>& target,
-                          std::string_view expected, bool one_for_all = false) {
-        std::array<double, N> values{};
-        switch (read_numbers(name, values, one_for_all)) {
-            case Numbers::missing:
-                break;
-            case Numbers::null:
-                target.reset();
-                break;
-            case Numbers::good:
-                target = values;
-                break;
-            case Numbers::wrong:
-                refuse(name, expected);
-                break;
-        }
-        return *this;
-    }
 
     /// null or a value.
     template <class T>
@@ -73,7 +45,6 @@ class JsonReader {
     /// Says that `name` must be what `expected` names ("a positive number").
     void refuse(const char* name, std::string_view expected);
     void require(const char* name);
-    [[nodiscard]] bool is_null(const char* name);
     [[nodiscard]] bool has(const char* name) const { return value_.is_object() && value_.contains(name); }
 
     /// The first problem, or that of a field that was never asked for.
@@ -82,10 +53,7 @@ class JsonReader {
     void adopt(const JsonReader& nested);
 
   private:
-    enum class Numbers { missing, null, good, wrong };
-
     const nlohmann::json* find(const char* name);
-    Numbers read_numbers(const char* name, std::span<double> values, bool one_for_all);
 
     nlohmann::json value_;
     std::string path_;

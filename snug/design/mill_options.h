@@ -4,12 +4,16 @@
 #include <string>
 #include <string_view>
 
+#include "snug/design/option.h"
+
 namespace snug {
 
 /// Where the program's X0 Y0 lies on the stock; Z0 is always its top.
 enum class MillOrigin { corner, centre };
-[[nodiscard]] std::string_view mill_origin_name(MillOrigin origin);  ///< corner, centre
-[[nodiscard]] std::optional<MillOrigin> mill_origin_from_name(std::string_view name);
+template <>
+struct Names<MillOrigin> {
+    static constexpr std::string_view list[] = {"corner", "centre"};
+};
 
 /// Foam milled with a flat cutter. Lengths in mm. Feeds and speeds are starting values: no maker's table
 /// covers soft foams.
@@ -27,7 +31,88 @@ struct MillOptions {
     friend bool operator==(const MillOptions&, const MillOptions&) = default;
 };
 
-/// What is out of range whatever the foam is, as a sentence; none where all is well.
-[[nodiscard]] std::optional<std::string> problem_of(const MillOptions& options);
+template <class Visit>
+void visit_options(Visit& visit, MillOptions& mill) {
+    visit.option(mill.cutter_mm, {.json = "cutter_mm",
+                                  .flag = "--cutter",
+                                  .takes = "MM",
+                                  .unit = "mm",
+                                  .range = {0.5, 100},
+                                  .step = 0.5,
+                                  .label = "the cutter's diameter",
+                                  .help = "Mill: the flat cutter's diameter"});
+    visit.option(mill.flute_mm, {.json = "flute_mm",
+                                 .flag = "--flute",
+                                 .takes = "MM",
+                                 .unit = "mm",
+                                 .range = {1, 1000},
+                                 .step = 1,
+                                 .label = "the flute's length",
+                                 .help = "Mill: how deep the cutter can go"});
+    visit.option(mill.step_down_mm, {.json = "step_down_mm",
+                                     .flag = "--step-down",
+                                     .takes = "MM",
+                                     .unit = "mm",
+                                     .range = {0.05, 1000},
+                                     .step = 0.5,
+                                     .label = "the depth of a pass",
+                                     .help = "Mill: the most that a pass goes down",
+                                     .usual = "half the cutter"});
+    visit.option(mill.stepover, {.json = "stepover",
+                                 .flag = "--stepover",
+                                 .takes = "SHARE",
+                                 .range = {0.05, 0.9},
+                                 .step = 0.05,
+                                 .label = "the stepover (a share of the cutter's diameter)",
+                                 .help = "Mill: between paths, in diameters"});
+    visit.option(mill.feed_mm_min, {.json = "feed_mm_min",
+                                    .flag = "--feed",
+                                    .takes = "MM/MIN",
+                                    .unit = "mm/min",
+                                    .range = {1, 50000},
+                                    .step = 50,
+                                    .label = "the feed",
+                                    .help = "Mill: feed"});
+    visit.option(mill.plunge_mm_min, {.json = "plunge_mm_min",
+                                      .flag = "--plunge",
+                                      .takes = "MM/MIN",
+                                      .unit = "mm/min",
+                                      .range = {1, 50000},
+                                      .step = 50,
+                                      .label = "the plunge feed",
+                                      .help = "Mill: feed downwards"});
+    visit.option(mill.spindle_rpm, {.json = "spindle_rpm",
+                                    .flag = "--spindle",
+                                    .takes = "RPM",
+                                    .unit = "rpm",
+                                    .range = {1, 100000},
+                                    .step = 500,
+                                    .label = "the spindle's speed",
+                                    .help = "Mill: the spindle's speed"});
+    visit.option(mill.safe_mm, {.json = "safe_mm",
+                                .flag = "--safe-height",
+                                .takes = "MM",
+                                .unit = "mm",
+                                .range = {0.5, 200},
+                                .step = 0.5,
+                                .label = "the safe height above the stock",
+                                .help = "Mill: of rapid moves above the stock"});
+    visit.option(mill.pin_mm, {.json = "pin_mm",
+                               .flag = "--pin",
+                               .takes = "MM",
+                               .unit = "mm",
+                               .range = {.least = 1, .most = 50, .or_zero = true},
+                               .step = 0.5,
+                               .label = "the registration pins' diameter",
+                               .help = "Mill: diameter of the registration pins; 0: none"});
+    visit.option(mill.origin, {.json = "origin",
+                               .flag = "--origin",
+                               .takes = "corner|centre",
+                               .label = "the origin",
+                               .help = "Mill: where X0 Y0 lies on the stock"});
+}
+
+/// What is out of range whatever the foam is; none where all is well.
+[[nodiscard]] std::optional<OptionProblem> problem_of(const MillOptions& options);
 
 }  // namespace snug

@@ -3,6 +3,8 @@
 #include <optional>
 #include <string>
 
+#include "snug/design/option.h"
+
 namespace snug {
 
 /// Printed boxes to pour foam or silicone into. The printer's bed and dowels are those of PrintOptions.
@@ -13,7 +15,35 @@ struct MouldOptions {
     friend bool operator==(const MouldOptions&, const MouldOptions&) = default;
 };
 
-/// What is out of range whatever the foam is, as a sentence; none where all is well.
-[[nodiscard]] std::optional<std::string> problem_of(const MouldOptions& options);
+template <class Visit>
+void visit_options(Visit& visit, MouldOptions& mould) {
+    visit.option(mould.wall_mm, {.json = "wall_mm",
+                                 .flag = "--mould-wall",
+                                 .takes = "MM",
+                                 .unit = "mm",
+                                 .range = {0.4, 100},
+                                 .step = 0.5,
+                                 .label = "the mould's wall",
+                                 .help = "Mould: thickness of walls and floor"});
+    visit.option(mould.rim_mm, {.json = "rim_mm",
+                                .flag = "--mould-rim",
+                                .takes = "MM",
+                                .unit = "mm",
+                                .range = {0, 200},
+                                .step = 1,
+                                .label = "the mould's rim",
+                                .help = "Mould: height of the walls above what is poured"});
+    visit.option(mould.draft_deg, {.json = "draft_deg",
+                                   .flag = "--draft",
+                                   .takes = "DEGREES",
+                                   .unit = "degrees",
+                                   .range = {0, 15},
+                                   .step = 0.5,
+                                   .label = "the mould's draft",
+                                   .help = "Mould: lean of upright faces, so that the foam lets go"});
+}
+
+/// What is out of range whatever the foam is; none where all is well.
+[[nodiscard]] std::optional<OptionProblem> problem_of(const MouldOptions& options);
 
 }  // namespace snug

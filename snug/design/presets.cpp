@@ -15,7 +15,7 @@ constexpr double kPolyethyleneCreep = 17.2;
 Result<Preset> preset_from(const nlohmann::json& json, const std::string& path) {
     JsonReader reader(json, path);
     Preset preset;
-    std::string division(division_name(preset.division));
+    std::string division(name_of(preset.division));
     reader.require("name");
     reader.require("block_mm");
     reader.read("name", preset.name)
@@ -27,7 +27,7 @@ Result<Preset> preset_from(const nlohmann::json& json, const std::string& path) 
         .read("rigid", preset.rigid)
         .read("worked", preset.worked)
         .read("division", division);
-    if (const auto known = division_from_name(division))
+    if (const auto known = value_named<Division>(division))
         preset.division = *known;
     else
         reader.refuse("division", "none, across or all");

@@ -4,15 +4,13 @@
 #include <string>
 
 #include "snug/base/vec.h"
+#include "snug/design/option.h"
 
 namespace snug {
 
-/// What holds the parts of a half together that is larger than the bed.
-enum class PrintJoint { none, dowels };
-
 struct PrintOptions {
-    Vec3d bed_mm{250, 210, 210};  ///< of the printer: to the right, to the back, upwards; 10 to 2000
-    PrintJoint joint = PrintJoint::dowels;
+    Vec3d bed_mm{250, 210, 210};       ///< of the printer: to the right, to the back, upwards; 10 to 2000
+    bool dowels = true;                ///< hold the parts of a half together that is larger than the bed
     double dowel_diameter_mm = 6;      ///< 1 to 100
     double dowel_length_mm = 24;       ///< from its diameter to 1000
     double joint_clearance_mm = 0.15;  ///< left around a dowel on every side, 0 to 5
@@ -20,7 +18,48 @@ struct PrintOptions {
     friend bool operator==(const PrintOptions&, const PrintOptions&) = default;
 };
 
-/// What is out of range, as a sentence; none where all is well.
-[[nodiscard]] std::optional<std::string> problem_of(const PrintOptions& options);
+template <class Visit>
+void visit_options(Visit& visit, PrintOptions& print) {
+    visit.option(print.bed_mm, {.json = "bed_mm",
+                                .flag = "--bed",
+                                .takes = "XxYxZ",
+                                .unit = "mm",
+                                .range = {10, 2000},
+                                .step = 10,
+                                .label = "the bed's width, depth or height",
+                                .help = "Print, mould: the printer's bed and height"});
+    visit.option(print.dowels,
+                 {.json = "dowels",
+                  .flag = "--dowel",
+                  .label = "the print's dowels",
+                  .help = "Whether dowels hold the parts of a half that is larger than the bed"});
+    visit.option(print.dowel_diameter_mm, {.json = "dowel_diameter_mm",
+                                           .flag = "--dowel",
+                                           .unit = "mm",
+                                           .range = {1, 100},
+                                           .step = 0.5,
+                                           .label = "the dowel's diameter",
+                                           .help = "Diameter of the dowels of prints and moulds"});
+    visit.option(print.dowel_length_mm,
+                 {.json = "dowel_length_mm",
+                  .flag = "--dowel-length",
+                  .takes = "MM",
+                  .unit = "mm",
+                  .range = {1, 1000},
+                  .step = 1,
+                  .label = "the dowel's length",
+                  .help = "Print, mould: length of the dowels, at least their diameter"});
+    visit.option(print.joint_clearance_mm, {.json = "joint_clearance_mm",
+                                            .flag = "--dowel-clearance",
+                                            .takes = "MM",
+                                            .unit = "mm",
+                                            .range = {0, 5},
+                                            .step = 0.05,
+                                            .label = "the clearance around a dowel",
+                                            .help = "Print, mould: left around a dowel on every side"});
+}
+
+/// What is out of range; none where all is well.
+[[nodiscard]] std::optional<OptionProblem> problem_of(const PrintOptions& options);
 
 }  // namespace snug

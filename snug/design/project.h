@@ -27,10 +27,12 @@ struct Project {
 /// gives the same bytes.
 [[nodiscard]] std::string project_json(const Project& project);
 
-/// Fails (kind input) with the field that is wrong; a project of a newer version is refused.
+/// Fails (kind input) with the path of the field that is wrong, unknown or out of range
+/// ("design.fit.least_rib_mm"); a project of a newer version is refused.
 [[nodiscard]] Result<Project> parse_project(std::string_view json);
 
-/// The design alone, as it stands in a project.
+/// The design alone, as it stands in a project. Ranges are told without a path: whoever holds a design alone
+/// sees its fields.
 [[nodiscard]] std::string design_json(const Design& design);
 [[nodiscard]] Result<Design> parse_design(std::string_view json);
 

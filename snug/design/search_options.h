@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "snug/base/vec.h"
+#include "snug/design/option.h"
 
 namespace snug {
 
@@ -19,18 +20,24 @@ enum class Objective {
     flat,     ///< lies flat and stable: low over its wide base
 };
 constexpr std::size_t kObjectives = 5;
-[[nodiscard]] std::string_view objective_name(Objective objective);
-[[nodiscard]] std::optional<Objective> objective_from_name(std::string_view name);
+template <>
+struct Names<Objective> {
+    static constexpr std::string_view list[] = {"cut", "gap", "depth", "bearing", "flat"};
+};
 
 /// A direction along one of the object's own axes.
 enum class Upright { plus_x, plus_y, plus_z, minus_x, minus_y, minus_z };
-[[nodiscard]] std::string_view upright_name(Upright upright);  ///< x, y, z, -x, -y, -z
-[[nodiscard]] std::optional<Upright> upright_from_name(std::string_view name);
+template <>
+struct Names<Upright> {
+    static constexpr std::string_view list[] = {"x", "y", "z", "-x", "-y", "-z"};
+};
 [[nodiscard]] Vec3d direction(Upright upright);
 
 enum class CaseGoal { volume, billed_weight };
-[[nodiscard]] std::string_view case_goal_name(CaseGoal goal);
-[[nodiscard]] std::optional<CaseGoal> case_goal_from_name(std::string_view name);
+template <>
+struct Names<CaseGoal> {
+    static constexpr std::string_view list[] = {"volume", "billed-weight"};
+};
 
 /// How the best placement and the smallest case are searched.
 struct SearchOptions {
@@ -41,5 +48,50 @@ struct SearchOptions {
     std::uint32_t seed = 1;
     friend bool operator==(const SearchOptions&, const SearchOptions&) = default;
 };
+
+/// --billed-weight
+[[nodiscard]] SharedFlag<SearchOptions> billed_weight_flag();
+
+template <class Visit>
+void visit_options(Visit& visit, SearchOptions& search) {
+    visit.option(search.weight, {.json = "weights",
+                                 .flag = "--objective",
+                                 .takes = "NAME[=WEIGHT],...",
+                                 .range = {0, 1000},
+                                 .step = 0.1,
+                                 .label = "the weight of an objective",
+                                 .help = "What --optimize weighs: cut, gap, depth, bearing, flat",
+                                 .usual = "cut"});
+    visit.option(search.upright, {.json = "upright",
+                                  .flag = "--upright",
+                                  .takes = "x|y|z|-x|-y|-z",
+                                  .label = "the axis that stays upward",
+                                  .help = "Keep this axis of the object upward",
+                                  .scope = Scope::item});
+    visit.option(search.case_goal,
+                 {.json = "case",
+                  .flag = "--billed-weight",
+                  .label = "what the smallest case is measured by",
+                  .help = "What --fit-case makes small: the volume, or the weight that a carrier bills"});
+    visit.flag(search, billed_weight_flag());
+    visit.option(search.billed_divisor, {.json = "billed_divisor",
+                                         .flag = "--billed-divisor",
+                                         .takes = "CM3",
+                                         .unit = "cm3",
+                                         .range = {100, 100000},
+                                         .step = 100,
+                                         .label = "the divisor of the billed weight",
+                                         .help = "With --billed-weight: cm3 that are billed as a kilogram"});
+    visit.option(search.seed, {.json = "seed",
+                               .flag = "--seed",
+                               .takes = "N",
+                               .range = {0, 2147483647},
+                               .step = 1,
+                               .label = "the seed",
+                               .help = "Another search; the same seed finds the same"});
+}
+
+/// What is out of range; none where all is well.
+[[nodiscard]] std::optional<OptionProblem> problem_of(const SearchOptions& options);
 
 }  // namespace snug

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "snug/base/vec2.h"
+#include "snug/design/option.h"
 
 namespace snug {
 
@@ -19,15 +20,81 @@ struct SheetOptions {
     double dowel_edge_mm = 6;            ///< least foam between a dowel hole and an edge
     bool svg = true;
     bool dxf = true;
-    friend bool operator==(const SheetOptions& a, const SheetOptions& b) {
-        return a.thickness_mm == b.thickness_mm && a.stock_mm.x == b.stock_mm.x &&
-               a.stock_mm.y == b.stock_mm.y && a.margin_mm == b.margin_mm && a.spacing_mm == b.spacing_mm &&
-               a.kerf_mm == b.kerf_mm && a.dowel_mm == b.dowel_mm && a.dowels == b.dowels &&
-               a.dowel_edge_mm == b.dowel_edge_mm && a.svg == b.svg && a.dxf == b.dxf;
-    }
+    friend bool operator==(const SheetOptions&, const SheetOptions&) = default;
 };
 
-/// What is out of range whatever the foam is, as a sentence; none where all is well.
-[[nodiscard]] std::optional<std::string> problem_of(const SheetOptions& options);
+template <class Visit>
+void visit_options(Visit& visit, SheetOptions& sheets) {
+    constexpr Range kLength{0, 1e5};
+    visit.option(sheets.thickness_mm, {.json = "thickness_mm",
+                                       .flag = "--sheet",
+                                       .takes = "MM",
+                                       .unit = "mm",
+                                       .range = {0.1, 1e5},
+                                       .step = 0.5,
+                                       .label = "a sheet's thickness",
+                                       .help = "Sheets: their thickness",
+                                       .usual = "a block's depth"});
+    visit.option(sheets.stock_mm, {.json = "stock_mm",
+                                   .flag = "--stock",
+                                   .takes = "LxW",
+                                   .unit = "mm",
+                                   .range = {1, 1e5},
+                                   .step = 10,
+                                   .label = "a side of the stock",
+                                   .help = "Sheets: a sheet as it is sold"});
+    visit.option(sheets.margin_mm, {.json = "margin_mm",
+                                    .flag = "--sheet-margin",
+                                    .takes = "MM",
+                                    .unit = "mm",
+                                    .range = kLength,
+                                    .step = 1,
+                                    .label = "the stock's margin",
+                                    .help = "Sheets: left uncut along the edges of the stock"});
+    visit.option(sheets.spacing_mm, {.json = "spacing_mm",
+                                     .flag = "--sheet-spacing",
+                                     .takes = "MM",
+                                     .unit = "mm",
+                                     .range = kLength,
+                                     .step = 0.5,
+                                     .label = "the spacing between pieces",
+                                     .help = "Sheets: between two cuts of different pieces"});
+    visit.option(sheets.kerf_mm,
+                 {.json = "kerf_mm",
+                  .flag = "--kerf",
+                  .takes = "MM",
+                  .unit = "mm",
+                  .range = kLength,
+                  .step = 0.05,
+                  .label = "the kerf (lasers take 0.1 to 0.3 mm; 0: the cutter makes up for it)",
+                  .help = "Sheets: width that a cut takes away"});
+    visit.option(sheets.dowel_mm, {.json = "dowel_mm",
+                                   .flag = "--dowel",
+                                   .unit = "mm",
+                                   .range = {.least = 0.5, .most = 1000, .or_zero = true},
+                                   .step = 0.5,
+                                   .label = "a dowel's diameter",
+                                   .help = "Diameter of the dowels that hold sheets in place"});
+    visit.option(sheets.dowels, {.json = "dowels",
+                                 .flag = "--dowels",
+                                 .takes = "N",
+                                 .range = {.least = 2, .most = 8, .or_zero = true},
+                                 .step = 1,
+                                 .label = "the number of dowels in a half's sheets",
+                                 .help = "Sheets: how many dowels a half has; 0: none"});
+    visit.option(sheets.dowel_edge_mm, {.json = "dowel_edge_mm",
+                                        .flag = "--dowel-edge",
+                                        .takes = "MM",
+                                        .unit = "mm",
+                                        .range = kLength,
+                                        .step = 0.5,
+                                        .label = "the foam between a dowel hole and an edge",
+                                        .help = "Sheets: least foam between a dowel hole and an edge"});
+    visit.option(sheets.svg, {.json = "svg", .label = "SVG", .help = "Whether sheets are written as SVG"});
+    visit.option(sheets.dxf, {.json = "dxf", .label = "DXF", .help = "Whether sheets are written as DXF"});
+}
+
+/// What is out of range whatever the foam is; none where all is well.
+[[nodiscard]] std::optional<OptionProblem> problem_of(const SheetOptions& options);
 
 }  // namespace snug

@@ -1,99 +1,102 @@
 #include "snug/design/workshop_options.h"
 
 #include <algorithm>
-#include <array>
+#include <iterator>
 
 #include "snug/base/text.h"
+#include "snug/design/option_list.h"
+#include "snug/design/option_text.h"
 
 namespace snug {
 namespace {
 
-struct Way {
-    Workshop work;
-    std::string_view name, preset;
-};
-constexpr std::array<Way, 6> kWays{{{Workshop::sponge, "sponge", "slit-15"},
-                                    {Workshop::sheets, "sheets", "sheet-10"},
-                                    {Workshop::print, "print", "print"},
-                                    {Workshop::bricks, "bricks", "lego-brick"},
-                                    {Workshop::mill, "mill", "mill"},
-                                    {Workshop::mould, "mould", "cast"}}};
-struct Paper {
-    std::string_view name;
-    Vec2d mm;
-};
-constexpr std::array<Paper, 3> kPapers{{{"a4", {210, 297}}, {"letter", {215.9, 279.4}}, {"a3", {297, 420}}}};
-constexpr double kMost = 1e6;  // of any price, mass or density
+/// In the order of Workshop.
+constexpr std::string_view kUsualPresets[] = {"paper",      "slit-15", "sheet-10", "print",
+                                              "lego-brick", "mill",    "cast"};
+/// In the order of kPapers.
+constexpr Vec2d kPaperSizes[] = {{210, 297}, {215.9, 279.4}, {297, 420}};
 constexpr std::size_t kLongestCurrency = 12;
 
-const Way* way(Workshop workshop) {
-    const auto found =
-        std::find_if(kWays.begin(), kWays.end(), [&](const Way& each) { return each.work == workshop; });
-    return found == kWays.end() ? nullptr : found;
+/// "12.50", "12.50EUR", "12.50 EUR"
+Result<void> take_price(std::string_view text, WorkshopOptions& workshop) {
+    const std::size_t end = std::min(text.find_first_not_of("+-.0123456789"), text.size());
+    std::string_view currency = text.substr(end);
+    while (!currency.empty() && currency.front() == ' ') currency.remove_prefix(1);
+    const bool word = currency.find_first_of("0123456789.,;") == std::string_view::npos;
+    const auto amount = typed_number(text.substr(0, end));
+    if (!word || !amount)
+        return not_what_it_takes("--price",
+                                 "the price of a litre as a number, with the currency behind it if you like, "
+                                 "such as 12.50 or 12.50EUR",
+                                 text);
+    workshop.price_per_litre = *amount;
+    workshop.currency = currency;
+    return {};
 }
 
-const Paper* paper_of(std::string_view name) {
-    const auto found =
-        std::find_if(kPapers.begin(), kPapers.end(), [&](const Paper& each) { return each.name == name; });
-    return found == kPapers.end() ? nullptr : found;
+std::optional<std::string> say_price(const WorkshopOptions& workshop) {
+    if (!workshop.price_per_litre) return {};
+    return exact(*workshop.price_per_litre) + workshop.currency;
 }
 
-bool positive(const std::optional<double>& value) {
-    return !value || (*value > 0 && *value <= kMost);
+Result<void> take_dowel(std::string_view text, WorkshopOptions& workshop) {
+    const auto diameter = typed_number(text);
+    if (!diameter) return not_what_it_takes("--dowel", "a number of mm", text);
+    workshop.print.dowels = *diameter > 0;
+    if (*diameter == 0)
+        workshop.sheets.dowels = 0;
+    else
+        workshop.sheets.dowel_mm = workshop.print.dowel_diameter_mm = *diameter;
+    return {};
+}
+
+std::optional<std::string> say_dowel(const WorkshopOptions& workshop) {
+    const double diameter = workshop.print.dowel_diameter_mm;
+    if (!workshop.print.dowels && workshop.sheets.dowels == 0) return "0";
+    if (workshop.print.dowels && workshop.sheets.dowel_mm == diameter) return exact(diameter);
+    return {};
 }
 
 }  // namespace
 
-std::string_view workshop_name(Workshop workshop) {
-    const Way* found = way(workshop);
-    return found ? found->name : std::string_view();
+SharedFlag<WorkshopOptions> price_flag() {
+    return {.flag = "--price",
+            .takes = "12.50EUR",
+            .help = "Price of a litre of the material, for the cost",
+            .take = take_price,
+            .say = say_price};
 }
 
-std::optional<Workshop> workshop_from_name(std::string_view name) {
-    for (const Way& each : kWays)
-        if (each.name == name) return each.work;
-    return {};
-}
-
-std::string workshop_names() {
-    std::string names;
-    for (const Way& each : kWays)
-        names += (names.empty()                    ? ""
-                  : each.work == kWays.back().work ? " or "
-                                                   : ", ") +
-                 std::string(each.name);
-    return names;
-}
-
-std::string unknown_workshop(std::string_view name) {
-    return "unknown pack " + quoted(name) + ": take " + workshop_names();
+SharedFlag<WorkshopOptions> dowel_flag() {
+    return {.flag = "--dowel",
+            .takes = "MM",
+            .help = "Sheets, print, mould: diameter of the dowels; 0: none",
+            .take = take_dowel,
+            .say = say_dowel,
+            .usual = "6"};
 }
 
 std::string_view usual_preset(Workshop workshop) {
-    const Way* found = way(workshop);
-    return found ? found->preset : std::string_view("paper");
+    return kUsualPresets[static_cast<std::size_t>(workshop)];
 }
 
 Vec2d paper_mm(std::string_view paper) {
-    const Paper* found = paper_of(paper);
-    return found ? found->mm : kPapers.front().mm;
+    for (std::size_t i = 0; i < std::size(kPapers); ++i)
+        if (kPapers[i] == paper) return kPaperSizes[i];
+    return kPaperSizes[0];
 }
 
-std::optional<std::string> problem_of(const WorkshopOptions& options) {
-    if (!paper_of(options.paper)) return "the paper must be a4, letter or a3, not " + quoted(options.paper);
-    if (options.price_per_litre && !(*options.price_per_litre >= 0 && *options.price_per_litre <= kMost))
-        return "the price of a litre must be a number from 0 up, not " + number(*options.price_per_litre, 4);
+std::optional<OptionProblem> problem_of(const WorkshopOptions& options) {
+    if (auto found = out_of_range(options)) return found;
     if (options.currency.size() > kLongestCurrency)
-        return "the currency must be a short word such as EUR, not " + quoted(options.currency);
-    if (!positive(options.mass_kg))
-        return "the object's mass must be a number of kilograms above 0, not " + number(*options.mass_kg, 4);
-    if (!positive(options.density_kg_m3))
-        return "the density must be a number of kg/m3 above 0, not " + number(*options.density_kg_m3, 4);
-    if (auto found = problem_of(options.sheets)) return found;
-    if (auto found = problem_of(options.print)) return found;
-    if (auto found = problem_of(options.bricks)) return found;
-    if (auto found = problem_of(options.mill)) return found;
-    return problem_of(options.mould);
+        return OptionProblem{
+            "currency", "the currency must be a short word such as EUR, not " + quoted(options.currency)};
+    if (auto found = problem_of(options.sheets)) return found->within("sheets");
+    if (auto found = problem_of(options.print)) return found->within("print");
+    if (auto found = problem_of(options.bricks)) return found->within("bricks");
+    if (auto found = problem_of(options.mill)) return found->within("mill");
+    if (auto found = problem_of(options.mould)) return found->within("mould");
+    return {};
 }
 
 }  // namespace snug

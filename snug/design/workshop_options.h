@@ -15,14 +15,13 @@ namespace snug {
 
 /// A way of working, which decides what a maker is handed. `none`: the foams' own files only.
 enum class Workshop { none, sponge, sheets, print, bricks, mill, mould };
-[[nodiscard]] std::string_view workshop_name(Workshop workshop);  ///< "sponge"; empty for none
-[[nodiscard]] std::optional<Workshop> workshop_from_name(std::string_view name);
+template <>
+struct Names<Workshop> {
+    static constexpr std::string_view list[] = {"", "sponge", "sheets", "print", "bricks", "mill", "mould"};
+};
 
-/// "sponge, sheets or print": all that there are.
-[[nodiscard]] std::string workshop_names();
-
-/// Why a name is no way of working, and which ones there are.
-[[nodiscard]] std::string unknown_workshop(std::string_view name);
+/// Papers that are known.
+constexpr std::string_view kPapers[] = {"a4", "letter", "a3"};
 
 /// The preset that a way of working takes where none is named.
 [[nodiscard]] std::string_view usual_preset(Workshop workshop);
@@ -45,7 +44,64 @@ struct WorkshopOptions {
 /// A sheet of this paper, upright; A4 where the name is none that problem_of() takes.
 [[nodiscard]] Vec2d paper_mm(std::string_view paper);
 
-/// What is out of range, as a sentence; none where all is well.
-[[nodiscard]] std::optional<std::string> problem_of(const WorkshopOptions& options);
+/// --price and --dowel.
+[[nodiscard]] SharedFlag<WorkshopOptions> price_flag();
+[[nodiscard]] SharedFlag<WorkshopOptions> dowel_flag();
+
+template <class Visit>
+void visit_options(Visit& visit, WorkshopOptions& workshop) {
+    constexpr Range kAbove0{.least = 0, .most = 1e6, .above = true};
+    visit.option(workshop.work,
+                 {.json = "for",
+                  .flag = "--for",
+                  .takes = "sponge|sheets|print|bricks|mill|mould",
+                  .label = "the way of working",
+                  .help = "Also make what the workshop needs; takes the usual foam of that way of working "
+                          "unless --preset names one"});
+    visit.option(workshop.paper, {.json = "paper",
+                                  .flag = "--paper",
+                                  .takes = "a4|letter|a3",
+                                  .label = "the paper",
+                                  .help = "Paper of what is printed",
+                                  .words = kPapers});
+    visit.option(workshop.price_per_litre, {.json = "price_per_litre",
+                                            .flag = "--price",
+                                            .range = {0, 1e6},
+                                            .step = 0.01,
+                                            .label = "the price of a litre",
+                                            .help = "Price of a litre of the material"});
+    visit.option(workshop.currency, {.json = "currency",
+                                     .flag = "--price",
+                                     .label = "the currency",
+                                     .help = "As it stands behind the price: EUR"});
+    visit.flag(workshop, price_flag());
+    visit.option(workshop.mass_kg, {.json = "mass_kg",
+                                    .flag = "--mass",
+                                    .takes = "KG",
+                                    .unit = "kg",
+                                    .range = kAbove0,
+                                    .step = 0.01,
+                                    .label = "the object's mass",
+                                    .help = "Mass of the object, for the packing sheet",
+                                    .scope = Scope::item});
+    visit.option(workshop.density_kg_m3, {.json = "density_kg_m3",
+                                          .flag = "--density",
+                                          .takes = "KG/M3",
+                                          .unit = "kg/m3",
+                                          .range = kAbove0,
+                                          .step = 1,
+                                          .label = "the density of the foam",
+                                          .help = "Density of the material",
+                                          .usual = "the preset's"});
+    visit.group(workshop.sheets, {.json = "sheets", .title = "Sheets"});
+    visit.group(workshop.print, {.json = "print", .title = "Printing"});
+    visit.flag(workshop, dowel_flag());
+    visit.group(workshop.bricks, {.json = "bricks", .title = "Bricks"});
+    visit.group(workshop.mill, {.json = "mill", .title = "Milling"});
+    visit.group(workshop.mould, {.json = "mould", .title = "Moulds"});
+}
+
+/// What is out of range; none where all is well.
+[[nodiscard]] std::optional<OptionProblem> problem_of(const WorkshopOptions& options);
 
 }  // namespace snug

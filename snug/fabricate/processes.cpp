@@ -86,7 +86,8 @@ constexpr std::array kProcesses{
 Result<WorkshopPack> pack_of(const Work& work) {
     for (const Process& process : kProcesses)
         if (process.work == work.options.work) return process.pack(work);
-    return fail(ErrorKind::usage, "no pack was asked for: choose one of " + workshop_names() + " with --for");
+    const std::string ways = any_of(names_of<Workshop>().subspan(1));
+    return fail(ErrorKind::usage, "no pack was asked for: choose one of " + ways + " with --for");
 }
 
 void fill_material(const Packing& packing, const Design& design, WorkshopPack& pack) {

@@ -183,11 +183,17 @@ std::array<NotchSize, 2> sizes_of(const Sides& sides, const DesignSpace& space, 
             NotchSize{width, room, wall(axis, 1), wall(along, 0), end}};
 }
 
+/// 1 (y) or 2 (z).
+std::optional<int> chosen_axis(const NotchOptions& options) {
+    if (!options.axis) return {};
+    return *options.axis == NotchAxis::y ? 1 : 2;
+}
+
 }  // namespace
 
 Box3d with_room_for_notches(Box3d grown, Vec3d block_mm, const NotchOptions& options) {
     const Vec3d size = grown.size();
-    const int axis = options.axis.value_or(size.y <= size.z ? 1 : 2);
+    const int axis = chosen_axis(options).value_or(size.y <= size.z ? 1 : 2);
     const double room = blocks_of(options.room_mm, block_mm[axis]) * block_mm[axis];
     grown.min[axis] -= room;
     grown.max[axis] += room;
@@ -209,7 +215,7 @@ NotchPair cut_notches(BlockMap& blocks, const DesignSpace& space, int parting_le
     int best_axis = 1, lacking = 0;
     std::array<NotchSize, 2> best_sizes{};
     for (const int axis : {1, 2}) {
-        if (options.axis.value_or(axis) != axis) continue;
+        if (chosen_axis(options).value_or(axis) != axis) continue;
         const Sides sides(blocks, space, axis, parting_level);
         const std::array<NotchSize, 2> sizes = sizes_of(sides, space, axis, options, wanted_mm);
         int lacks = 0;

@@ -64,7 +64,7 @@ void find_read_notes(const ReadNotes& read, std::size_t left, const std::optiona
         findings.push_back(
             {Severity::warning,
              "unit_stated",
-             "the design says that the file is in " + std::string(unit_name(*units)) +
+             "the design says that the file is in " + std::string(name_of(*units)) +
                  ", but the file states its unit itself, and that counts. If the object has the "
                  "wrong size, choose its scale or its longest side",
              {}});

@@ -32,7 +32,7 @@ std::optional<Error> implausible_size(Vec3d size, const Design& design) {
         sentence += std::string(unit == Unit::mm   ? ""
                                 : unit == Unit::in ? ", or as "
                                                    : ", as ") +
-                    std::string(unit_name(unit)) + " it measures " + dimensions(mm * millimetres(unit), 1) +
+                    std::string(name_of(unit)) + " it measures " + dimensions(mm * millimetres(unit), 1) +
                     " mm";
     return Error{ErrorKind::input, sentence + ". Choose with --units mm|cm|m|in"};
 }

@@ -35,11 +35,11 @@ test('a number outside its range gets the library’s sentence beside it, and no
   const blocks = page.getByRole('spinbutton', {name: 'Blocks x', exact: true});
   const before = await blocks.inputValue();
   await blocks.fill('5000');
-  await expect(page.getByRole('alert')).toContainText('block counts run from 1 to 4096');
+  await expect(page.getByRole('alert')).toContainText('a count of blocks is 5000, but must be from 1 to 4096');
   await blocks.blur();
   await expect(blocks).toHaveValue(before);
   await set(page, 'spinbutton', 'Block size y', 0);
-  await expect(page.getByRole('alert')).toContainText('block sizes run from 0.1');
+  await expect(page.getByRole('alert')).toContainText('but must be from 0.1 to 10000 mm');
   await set(page, 'spinbutton', 'Clearance mm', -50);
   await expect(page.getByRole('alert')).toContainText('the clearance must be');
   await set(page, 'slider', 'Wall', 60);

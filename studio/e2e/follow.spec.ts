@@ -21,7 +21,7 @@ test('fields show the design once it is changed by anything but typing', async (
   const size = field(page, 'Block size y');
   const before = await size.inputValue();
   await size.fill('0');
-  await expect(page.getByRole('alert')).toContainText('block sizes run from 0.1');
+  await expect(page.getByRole('alert')).toContainText('but must be from 0.1 to 10000 mm');
   await expect(size).toHaveValue('0');
   await size.blur();
   await expect(size).toHaveValue(before);

@@ -269,6 +269,19 @@ class CliTest(unittest.TestCase):
         self.assertIn("paper", done.stdout)
         self.assertIn(str(self.work / ".config/snug/presets.json"), done.stdout)
 
+    def test_every_option_can_be_typed_by_its_name(self):
+        done = self.make(self.object, "--for", "sheets", "--liner", "1", "--set", "cut.liner_mm=0.5", "--set",
+                         "workshop.sheets.dxf=false", "--set", "workshop.sheets.stock_mm=[900,500]")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        design = json.loads((self.out / "project.snug.json").read_text())["design"]
+        self.assertEqual(design["cut"]["liner_mm"], 0.5)
+        self.assertEqual((design["workshop"]["sheets"]["dxf"], design["workshop"]["sheets"]["stock_mm"]), (False, [900, 500]))
+        for text, word in [("cut.linner=1", "cut.linner is not an option"), ("cut", "path"),
+                           ("cut.liner_mm=thick", "must be a number"), ("cut.liner_mm=-1", "from 0 to")]:
+            refused = snug("make", self.object, "--set", text, "-o", self.work / "none")
+            self.assertEqual(refused.returncode, 1, text)
+            self.assertIn(word, refused.stderr)
+
     def test_own_presets_are_used(self):
         config = self.work / "snug"
         config.mkdir()

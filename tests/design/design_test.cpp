@@ -47,7 +47,7 @@ Design random_design_options(Random& random) {
     if (random.chance(0.5)) design.fit.creep_kpa = random.between(1, 40);
     if (random.chance(0.5)) {
         design.fit.notches = NotchOptions{random.between(1, 100), 40, 25, {}, {}, {}};
-        if (random.chance(0.5)) design.fit.notches->axis = random.integer(1, 2);
+        if (random.chance(0.5)) design.fit.notches->axis = static_cast<NotchAxis>(random.integer(0, 1));
         if (random.chance(0.5)) design.fit.notches->first_mm = random.between(-100, 100);
         if (random.chance(0.5)) design.fit.notches->second_mm = random.between(-100, 100);
     }
@@ -90,8 +90,9 @@ TEST(Project, SaysWhatIsWrong) {
     EXPECT_EQ(with("\"scale\"", "\"skale\""),
               "design.object.skale is not an option that this version of Snug knows");
     EXPECT_EQ(with("\"vase.stl\"", "\"../vase.stl\""), "object.name must be a file name without folders");
-    EXPECT_EQ(with("\"auto\"", "\"low\""), "design.parting.level must be a whole number");
-    EXPECT_NE(with("30,\n", "0,\n").find("block counts run from 1 to 4096"), std::string::npos);
+    EXPECT_EQ(with("\"auto\"", "\"low\""), "design.parting.level must be a whole number, or auto");
+    EXPECT_EQ(with("30,\n", "0,\n"),
+              "design.space.blocks: a count of blocks is 0, but must be from 1 to 4096");
     EXPECT_NE(problem_of(good.substr(0, good.size() / 2)).find("not valid JSON"), std::string::npos);
     EXPECT_NE(problem_of("[]").find("must be a JSON object"), std::string::npos);
     EXPECT_NE(problem_of("{}").find("snug is missing"), std::string::npos);

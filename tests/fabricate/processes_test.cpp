@@ -115,8 +115,8 @@ TEST(WorkshopTest, ASmallCavityLeavesNoRoomForFingersAndSaysSo) {
 TEST(WorkshopTest, WaysOfWorkingThatAreNotThereAreRefused) {
     Packed vase = packed(*sample("vase"), Workshop::none);
     EXPECT_EQ(workshop_pack(vase.object, vase.packing, vase.project).error().kind, ErrorKind::usage);
-    EXPECT_FALSE(workshop_from_name("felt"));
-    EXPECT_NE(unknown_workshop("felt").find("bricks, mill or mould"), std::string::npos);
+    EXPECT_FALSE(value_named<Workshop>("felt"));
+    EXPECT_EQ(any_of(names_of<Workshop>().subspan(1)), "sponge, sheets, print, bricks, mill or mould");
 }
 
 TEST(WorkshopTest, OptionsSurviveTheProjectFile) {
@@ -135,7 +135,7 @@ TEST(WorkshopTest, OptionsSurviveTheProjectFile) {
     workshop.sheets.dowels = 2;
     workshop.sheets.dxf = false;
     workshop.print.bed_mm = {180, 170, 160};
-    workshop.print.joint = PrintJoint::none;
+    workshop.print.dowels = false;
     workshop.print.dowel_length_mm = 30;
     const auto read = parse_project(project_json(project));
     ASSERT_TRUE(read) << read.error().message;

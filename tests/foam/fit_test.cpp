@@ -354,7 +354,7 @@ TEST(Notches, GoWhereTheyAreMoved) {
     ASSERT_EQ(packing.notches.size(), 2u);
     EXPECT_EQ(packing.notches[0].at_mm, -20);
     EXPECT_EQ(packing.notches[1].at_mm, 10);
-    design.fit.notches = NotchOptions{40, 30, 20, 2, {}, {}};
+    design.fit.notches = NotchOptions{40, 30, 20, NotchAxis::z, {}, {}};
     EXPECT_EQ(packed(bar, design).notches.at(0).side, kLeft);
 }
 
@@ -364,7 +364,7 @@ TEST(Notches, WithoutRoomAreASentenceAndTheFoamStaysWhole) {
     plain.fit.notches.reset();
     for (const NotchOptions& options :
          {NotchOptions{40, 30, 80, {}, {}, {}}, NotchOptions{40, 80, 20, {}, {}, {}},
-          NotchOptions{400, 30, 20, {}, {}, {}}, NotchOptions{40, 30, 20, 1, 95, {}}}) {
+          NotchOptions{400, 30, 20, {}, {}, {}}, NotchOptions{40, 30, 20, NotchAxis::y, 95, {}}}) {
         Design design = notched_design();
         design.fit.notches = options;
         const Packing packing = packed(bar, design);

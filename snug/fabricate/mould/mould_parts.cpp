@@ -55,7 +55,7 @@ class MouldMaker {
                          [&](int tile, const Grid<std::uint16_t>& piece) { return partition(tile, piece); });
         if (auto few = check_part_count(layout, print_.bed_mm); !few) return tl::unexpected(few.error());
         Joints joints;
-        if (print_.joint == PrintJoint::dowels) joints = place_joints(layout, form_.lines, print_);
+        if (print_.dowels) joints = place_joints(layout, form_.lines, print_);
         half_.bores = static_cast<int>(joints.bores.size());
         half_.without_joint = joints.without;
         std::vector<int> piece(layout.part_at.size(), 0);

@@ -58,7 +58,7 @@ Result<PrintedHalf> printed_half(const Grid<Run>& kept, Vec3d block_mm, const Pr
     if (auto few = check_part_count(layout, options.bed_mm); !few) return tl::unexpected(few.error());
 
     PrintedHalf half;
-    if (options.joint == PrintJoint::dowels) {
+    if (options.dowels) {
         Joints joints = place_joints(layout, block_mm, options);
         half.bores = std::move(joints.bores);
         half.without_joint = joints.without;
@@ -83,7 +83,7 @@ Result<void> add_fit_test(const FoamDesign& design, const PrintOptions& options,
         return Run{0, static_cast<std::int16_t>(foam ? 1 : 0)};
     });
     PrintOptions flat = options;
-    flat.joint = PrintJoint::none;
+    flat.dowels = false;
     const Vec3d block{std::min(kFitTestHeight, options.bed_mm.z), design.space.block_mm.y,
                       design.space.block_mm.z};
     const auto ring = printed_half(kept, block, flat, false, "fit-test");
@@ -110,8 +110,7 @@ void tell_findings(const PrintedHalf& lower, const PrintedHalf& lid, const Print
              "overhang",
              "the case widens, so " + counted(static_cast<unsigned long long>(parts), "part", "parts") +
                  " lean out over their lowest blocks: let the printer's program put support under them" +
-                 (options.joint == PrintJoint::dowels ? ", and glue them face to face: they have no dowels"
-                                                      : ""),
+                 (options.dowels ? ", and glue them face to face: they have no dowels" : ""),
              {}});
     const int without = lower.without_joint + lid.without_joint;
     if (without > 0) pack.findings.push_back(no_dowel_finding(without, options, "foam"));
@@ -120,7 +119,7 @@ void tell_findings(const PrintedHalf& lower, const PrintedHalf& lid, const Print
 }  // namespace
 
 Result<WorkshopPack> print_pack(const FoamDesign& design, const PrintOptions& options) {
-    if (const auto problem = problem_of(options)) return fail(ErrorKind::usage, *problem);
+    if (const auto problem = problem_of(options)) return fail(ErrorKind::usage, problem->sentence);
     const Vec3d block = design.space.block_mm;
     const int levels = design.space.blocks.x;
     if (!holds_block(options.bed_mm, block))

@@ -83,7 +83,7 @@ void expect_drained(const test::PrintedItem& part) {
 /// is the foam.
 void expect_moulds_of(const FoamDesign& design, WorkshopOptions options) {
     options.mould.draft_deg = 0;
-    options.print.joint = PrintJoint::none;
+    options.print.dowels = false;
     const auto pack = mould_pack(design, options);
     ASSERT_TRUE(pack.has_value()) << pack.error().message;
     const MouldOptions& m = options.mould;
@@ -157,7 +157,7 @@ TEST(MouldPack, DraftedFoamNeverExceedsTheHalf) {
             test::expect_on_bed(items, options.print.bed_mm);
             for (const auto& item : items) test::expect_closed(item);
         }
-        options.print.joint = PrintJoint::none;  // bores are neither foam nor plastic
+        options.print.dowels = false;  // bores are neither foam nor plastic
         const auto whole = mould_pack(design.view(), options);
         for (const std::string half : kHalves) {
             const Heights& foam = foam_of(design.foams, half);

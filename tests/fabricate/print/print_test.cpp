@@ -177,7 +177,7 @@ TEST(PrintPack, ThePartsPutTogetherAgainAreTheFoam) {
         test::Random random(seed);
         test::PrintDesign design = test::random_print_design(random);
         PrintOptions options = test::random_print_options(random);
-        options.joint = PrintJoint::none;
+        options.dowels = false;
         const int nx = design.space.blocks.x;
         if (seed >= 40) test::shorten(design.foams, test::random_available(random, design.space.blocks), nx);
         const auto pack = print_pack(design.view(), options);

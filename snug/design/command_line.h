@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "snug/design/flags.h"
+
+namespace snug {
+
+/// What to type behind `snug make OBJECT` so that it gives this design: what differs from what the preset and
+/// the way of working bring, and nothing else. Where no flag says an option's value, --set does.
+[[nodiscard]] std::vector<TypedFlag> flags_for(const Design& design, const KnownNames& known);
+
+/// The same as a line for a shell: "snug make vase.stl --blocks=auto -o vase-foam".
+[[nodiscard]] std::string command_line(std::string_view file, const Design& design, const KnownNames& known);
+
+}  // namespace snug

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "snug/base/names.h"
+#include "snug/base/result.h"
+
+// The table of options. Beside each struct of options stands a function
+//
+//     template <class Visit> void visit_options(Visit& visit, FitOptions& fit)
+//
+// that names every member with a row. Project files, ranges, the command line and its help, the page's fields
+// and docs/options.md are made from it (option_list.h and what uses it).
+
+namespace snug {
+
+/// Whose choice an option is.
+enum class Scope { design, object, item };
+template <>
+struct Names<Scope> {
+    static constexpr std::string_view list[] = {"design", "object", "item"};
+};
+
+/// Where a number, or each of several, may lie. Bounds are included unless `above` says otherwise.
+struct Range {
+    double least = 0, most = 0;
+    bool above = false;    ///< the least itself is not allowed
+    bool or_zero = false;  ///< 0 is allowed besides; the help says what it means
+    [[nodiscard]] constexpr bool any() const { return least == 0 && most == 0; }
+    [[nodiscard]] constexpr bool has(double value) const {
+        return (or_zero && value == 0) || ((above ? value > least : value >= least) && value <= most);
+    }
+};
+
+/// One option: everything that is known of it beside its type and its default, which its struct has.
+struct OptionRow {
+    std::string_view json = {};   ///< its name in a project file, within its struct's object
+    std::string_view flag = {};   ///< "--least-rib"; several options may share one; empty: --set alone
+    std::string_view takes = {};  ///< what stands behind the flag in the help: "MM"; empty: nothing, it is on
+    std::string_view unit = {};   ///< "mm", "kg/m3"
+    Range range = {};
+    double step = 0;              ///< of the studio's field; 0: any
+    std::string_view label = {};  ///< "the least rib", as sentences have it
+    std::string_view help = {};   ///< a sentence without its full stop and without the default
+    std::string_view usual = {};  ///< what --help says in brackets; empty: the default
+    /// The word for no value on the command line ("none" where it is empty), and of numbers in project files
+    /// (null where it is empty).
+    std::string_view none = {};
+    char separator = 'x';                          ///< between several numbers on the command line
+    std::span<const std::string_view> words = {};  ///< all that a text may be; empty: any
+    Scope scope = Scope::design;
+};
+
+/// A struct of options within another.
+struct GroupRow {
+    std::string_view json = {};
+    std::string_view title = {};  ///< a heading: "Notches"
+    std::string_view flag = {};   ///< that makes an optional group exist
+};
+
+/// A flag that says several options at once. Their rows name it.
+template <class Options>
+struct SharedFlag {
+    std::string_view flag, takes, help;
+    /// Puts what was typed into the options. Errors are of kind `usage` and name the flag.
+    Result<void> (*take)(std::string_view text, Options& options);
+    /// What to type for these options; none where the flag cannot say them.
+    std::optional<std::string> (*say)(const Options& options);
+    std::string_view usual = {};
+};
+
+/// What is wrong with a struct of options.
+struct OptionProblem {
+    std::string path;      ///< of the field: "fit.least_rib_mm"
+    std::string sentence;  ///< what is out of range and what would do
+    [[nodiscard]] OptionProblem within(std::string_view group) const {
+        return {std::string(group) + (path.empty() ? "" : ".") + path, sentence};
+    }
+};
+
+}  // namespace snug

@@ -1,0 +1,256 @@
+#include "snug/design/option_json.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <nlohmann/json.hpp>
+
+namespace snug {
+namespace {
+
+using Json = nlohmann::json;
+using Written = nlohmann::ordered_json;
+
+struct Writing {
+    const OptionRow& row;
+
+    Written operator()(std::monostate) const { return nullptr; }
+    Written operator()(const Vec2d* v) const { return Written::array({v->x, v->y}); }
+    Written operator()(const CrossSection* v) const { return Written::array({v->width, v->length}); }
+    template <class T>
+    Written operator()(const Vec3<T>* v) const {
+        return Written::array({v->x, v->y, v->z});
+    }
+    /// One number where all are equal, as older projects have it.
+    Written operator()(const Walls* walls) const {
+        return are_equal(*walls) ? Written(walls->front()) : Written(*walls);
+    }
+    Written operator()(const Clearance* clearance) const {
+        const auto& [a, b] = *clearance;
+        if (clearance->is_one()) return a.x;
+        return Written::array({a.x, a.y, a.z, b.x, b.y, b.z});
+    }
+    Written operator()(const Weights* weights) const {
+        Written json = Written::object();
+        for (std::size_t i = 0; i < kObjectives; ++i)
+            json[std::string(name_of(static_cast<Objective>(i)))] = (*weights)[i];
+        return json;
+    }
+    Written operator()(const std::vector<BrickStock>* stock) const {
+        Written json = Written::object();
+        for (const BrickStock& each : *stock) json[each.size] = each.pieces;
+        return json;
+    }
+    Written operator()(const Choice& choice) const {
+        const int at = choice.get();
+        return at < 0 ? Written(nullptr) : Written(choice.words[static_cast<std::size_t>(at)]);
+    }
+    template <class T>
+    Written operator()(const std::optional<T>* value) const {
+        if (*value) return (*this)(&**value);
+        return row.none.empty() ? Written(nullptr) : Written(row.none);
+    }
+    template <class T>
+    Written operator()(const T* value) const {
+        return *value;
+    }
+};
+
+/// Reads a JSON value into an option's; false where it is something else.
+struct Reading {
+    const Json& json;
+    const OptionRow& row;
+
+    bool operator()(std::monostate) const { return json.is_null(); }
+    bool operator()(bool* value) const {
+        if (json.is_boolean()) *value = json.get<bool>();
+        return json.is_boolean();
+    }
+    bool operator()(double* value) const {
+        if (!json.is_number()) return false;
+        *value = json.get<double>();
+        return std::isfinite(*value);
+    }
+    bool operator()(int* value) const {
+        if (!json.is_number_integer()) return false;
+        if (json.is_number_unsigned() && json.get<std::uint64_t>() > std::numeric_limits<int>::max())
+            return false;
+        const auto wide = json.get<std::int64_t>();
+        *value = static_cast<int>(wide);
+        return wide >= std::numeric_limits<int>::min() && wide <= std::numeric_limits<int>::max();
+    }
+    bool operator()(std::uint32_t* value) const {
+        int number = 0;
+        if (!(*this)(&number) || number < 0) return false;
+        *value = static_cast<std::uint32_t>(number);
+        return true;
+    }
+    bool operator()(std::string* value) const {
+        if (json.is_string()) *value = json.get<std::string>();
+        return json.is_string();
+    }
+    bool operator()(Vec2d* v) const { return each({&v->x, &v->y}); }
+    bool operator()(CrossSection* v) const { return each({&v->width, &v->length}); }
+    template <class T>
+    bool operator()(Vec3<T>* v) const {
+        return each({&v->x, &v->y, &v->z});
+    }
+    bool operator()(Plane* v) const { return each({&(*v)[0], &(*v)[1], &(*v)[2], &(*v)[3]}); }
+    bool operator()(Walls* walls) const {
+        double one = 0;
+        if ((*this)(&one)) *walls = equal_walls(one);
+        auto& w = *walls;
+        return json.is_number() || each({&w[0], &w[1], &w[2], &w[3], &w[4], &w[5]});
+    }
+    bool operator()(Clearance* clearance) const {
+        double one = 0;
+        if ((*this)(&one)) *clearance = one;
+        auto& [a, b] = *clearance;
+        return json.is_number() || each({&a.x, &a.y, &a.z, &b.x, &b.y, &b.z});
+    }
+    bool operator()(std::vector<int>* value) const { return list(*value); }
+    bool operator()(std::vector<std::string>* value) const { return list(*value); }
+    bool operator()(Weights* weights) const {
+        if (!json.is_object()) return false;
+        for (const auto& [name, weight] : json.items()) {
+            const auto objective = value_named<Objective>(name);
+            if (!objective || !Reading{weight, row}(&(*weights)[static_cast<std::size_t>(*objective)]))
+                return false;
+        }
+        return true;
+    }
+    bool operator()(std::vector<BrickStock>* stock) const {
+        stock->clear();
+        if (!json.is_object()) return false;
+        for (const auto& [size, pieces] : json.items()) {
+            stock->push_back({size, 0});
+            if (!Reading{pieces, row}(&stock->back().pieces)) return false;
+        }
+        return true;
+    }
+    bool operator()(const Choice& choice) const {
+        if (json.is_null()) {
+            if (choice.may_be_none) choice.set(-1);
+            return choice.may_be_none;
+        }
+        const auto word = json.is_string() ? json.get<std::string>() : std::string();
+        const auto found = std::find(choice.words.begin(), choice.words.end(), word);
+        if (found != choice.words.end()) choice.set(static_cast<int>(found - choice.words.begin()));
+        return found != choice.words.end();
+    }
+    template <class T>
+    bool operator()(std::optional<T>* value) const {
+        const bool none = row.none.empty() ? json.is_null() : json == row.none;
+        if (none) value->reset();
+        return none || (*this)(&(*value ? **value : value->emplace()));
+    }
+
+  private:
+    template <class T>
+    bool each(std::initializer_list<T*> targets) const {
+        if (!json.is_array() || json.size() != targets.size()) return false;
+        std::size_t i = 0;
+        return std::all_of(targets.begin(), targets.end(), [&](T* target) {
+            return Reading{json[i++], row}(target);
+        });
+    }
+    template <class T>
+    bool list(std::vector<T>& target) const {
+        if (!json.is_array()) return false;
+        target.assign(json.size(), {});
+        for (std::size_t i = 0; i < target.size(); ++i)
+            if (!Reading{json[i], row}(&target[i])) return false;
+        return true;
+    }
+};
+
+/// What a field must be, as its refusal says it.
+struct Expected {
+    const OptionRow& row;
+
+    std::string operator()(std::monostate) const { return "null"; }
+    std::string operator()(const bool*) const { return "true or false"; }
+    std::string operator()(const int*) const { return "a whole number"; }
+    std::string operator()(const std::uint32_t*) const { return "0 to 2147483647"; }
+    std::string operator()(const double*) const { return "a number"; }
+    std::string operator()(const std::string*) const { return "a text"; }
+    std::string operator()(const Vec2d*) const { return "two numbers in brackets (length, width)"; }
+    std::string operator()(const CrossSection*) const { return "two numbers in brackets (width, length)"; }
+    std::string operator()(const Vec3d*) const { return "three numbers in brackets"; }
+    std::string operator()(const Vec3i*) const { return "three whole numbers in brackets"; }
+    std::string operator()(const Plane*) const { return "four numbers in brackets"; }
+    std::string operator()(const Walls*) const { return "a number, six numbers in brackets"; }
+    std::string operator()(const Clearance*) const {
+        return "a number, or six in brackets (x, y, z of the lower foam, then of the upper)";
+    }
+    std::string operator()(const Weights*) const {
+        return "an object with numbers for " + any_of(names_of<Objective>());
+    }
+    std::string operator()(const std::vector<int>*) const { return "a list of whole numbers"; }
+    std::string operator()(const std::vector<std::string>*) const { return "a list of texts"; }
+    std::string operator()(const std::vector<BrickStock>*) const { return "names with a whole number each"; }
+    std::string operator()(const Choice& choice) const {
+        std::vector<std::string_view> words(choice.words.begin(), choice.words.end());
+        if (choice.may_be_none) words.push_back("null");
+        return any_of(words);
+    }
+    template <class T>
+    std::string operator()(const std::optional<T>*) const {
+        return (*this)(static_cast<const T*>(nullptr)) + ", or " +
+               (row.none.empty() ? "null" : std::string(row.none));
+    }
+};
+
+using Problem = std::optional<std::string>;
+
+Problem read(const Json& json, const std::string& path, const OptionList& list, const std::string& prefix);
+
+Problem read_group(const Json& json, const std::string& path, const OptionList& list,
+                   const std::string& prefix) {
+    if (!json.is_object()) return (path.empty() ? "the file" : prefix + path) + " must be a JSON object";
+    for (const auto& [name, value] : json.items())
+        if (auto problem = read(value, path.empty() ? name : path + "." + name, list, prefix)) return problem;
+    return {};
+}
+
+Problem read(const Json& json, const std::string& path, const OptionList& list, const std::string& prefix) {
+    if (const Option* option = list.find(path)) {
+        if (std::visit(Reading{json, option->row}, option->value)) return {};
+        return prefix + path + " must be " + std::visit(Expected{option->row}, option->value);
+    }
+    if (list.find_group(path)) return read_group(json, path, list, prefix);
+    return prefix + path + " is not an option that this version of Snug knows";
+}
+
+}  // namespace
+
+Written json_of(const Option& option) {
+    return std::visit(Writing{option.row}, option.value);
+}
+
+Written json_of(const OptionList& list) {
+    Written json = Written::object();
+    for (const Option& option : list.options) {
+        Written* at = &json;
+        std::string_view rest = option.path;
+        for (std::size_t dot; (dot = rest.find('.')) != std::string_view::npos; rest.remove_prefix(dot + 1))
+            at = &(*at)[std::string(rest.substr(0, dot))];
+        (*at)[std::string(rest)] = json_of(option);
+    }
+    return json;
+}
+
+std::optional<std::string> read_options(const Json& json, Design& design, const std::string& prefix) {
+    const auto presence = [&](const std::string& path) -> std::optional<bool> {
+        std::string pointer = "/" + path;
+        std::replace(pointer.begin(), pointer.end(), '.', '/');
+        const Json::json_pointer at(pointer);
+        if (!json.contains(at)) return {};
+        return !json[at].is_null();
+    };
+    const OptionList list = options_of(design, presence);
+    return read_group(json, "", list, prefix);
+}
+
+}  // namespace snug

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "snug/design/option_list.h"
+
+// Options as a project file has them.
+
+namespace snug {
+
+/// The options of the list, each struct an object, in the table's order.
+[[nodiscard]] nlohmann::ordered_json json_of(const OptionList& list);
+[[nodiscard]] nlohmann::ordered_json json_of(const Option& option);
+
+/// Puts what `json` names into the design; what is missing stays as it is. What is wrong or unknown comes
+/// back as a sentence that begins with its path below `prefix` ("design.").
+[[nodiscard]] std::optional<std::string> read_options(const nlohmann::json& json, Design& design,
+                                                      const std::string& prefix);
+
+}  // namespace snug
