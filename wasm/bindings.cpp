@@ -3,6 +3,8 @@
 
 #include <emscripten/bind.h>
 
+#include "snug/design/command_line.h"
+#include "snug/design/options_schema.h"
 #include "snug/formats/mesh_files.h"
 #include "snug/formats/read_object.h"
 #include "snug/object/prepare.h"
@@ -51,6 +53,15 @@ val project_text(const std::string& design_text, const std::string& name, double
     return result;
 }
 
+/// {text}: the `snug make` that gives the design from the file.
+val command_line_text(const std::string& file, const std::string& design_text) {
+    const auto design = parse_design(design_text);
+    if (!design) return to_val(design.error());
+    val result = val::object();
+    result.set("text", command_line(file, *design, built_in_names()));
+    return result;
+}
+
 val samples() {
     val list = val::array();
     for (const std::string_view name : sample_names()) list.call<void>("push", std::string(name));
@@ -85,6 +96,8 @@ EMSCRIPTEN_BINDINGS(snug) {
     function("presets", &bound::presets);
     function("parseProject", &bound::parse);
     function("projectText", &bound::project_text);
+    function("commandLine", &bound::command_line_text);
+    function("optionsSchema", &snug::options_schema);
     function("samples", &bound::samples);
     function("sampleFile", &bound::sample_file);
     function("make", &bound::make);

@@ -68,6 +68,11 @@ declare module 'snug-wasm/snug.mjs' {
     sampleFile(name: string): OutputFile | Failure;
     parseProject(text: string): {object: ObjectFile; design: string} | Failure;
     projectText(design: string, name: string, bytes: number, sha256: string): {text: string} | Failure;
+    /** The `snug make` that gives this design from the file. */
+    commandLine(file: string, design: string): {text: string} | Failure;
+    /** A JSON text: every option's path with its kind, range, unit, step, words and default, see
+     *  snug/design/options_schema.h. */
+    optionsSchema(): string;
     make(object: Uint8Array, project: string, tools: SceneTools | null): Made | Failure;
     Session: new () => Session;
   }
