@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "support/random.h"
+#include "tests/support/random.h"
 
 namespace snug {
 namespace {
