@@ -5,6 +5,9 @@
 #include <fmt/core.h>
 
 #include "snug/base/text.h"
+#include "snug/words/halves.h"
+#include "snug/words/sides.h"
+#include "snug/words/words.h"
 
 #include "cli/option_values.h"
 #include "cli/user_cases.h"
@@ -83,7 +86,7 @@ Result<void> take_case(const CaseArguments& a, bool with_blocks, Design& design)
         const auto cases = known_cases();
         if (!cases) return tl::unexpected(cases.error());
         const auto known = find_case(*cases, *a.size_or_name);
-        if (!known) return fail(ErrorKind::usage, fmt::format("--case: {}", known.error().message));
+        if (!known) return fail(ErrorKind::usage, in_file("--case", known.error().message));
         apply(*known, options);
     }
     if (a.play) options.play_mm = *a.play;
@@ -96,20 +99,21 @@ Result<void> take_case(const CaseArguments& a, bool with_blocks, Design& design)
     return {};
 }
 
-std::string case_lines(const CaseSpace& fitted, int parting_level) {
+Message case_text(const CaseSpace& fitted) {
     const CaseOptions& options = fitted.options;
-    std::string text = fmt::format("{:<10}{}{} inside, {} mm of play on each side", "Case",
-                                   options.name.empty() ? "" : options.name + ": ",
-                                   size_text(*options.inside_mm), number(options.play_mm));
-    if (options.lid_mm) text += fmt::format(", lid {} mm", number(*options.lid_mm));
-    text += "\n";
-    std::string label = "Fillers";
-    for (const Filler& filler : fillers(fitted, parting_level)) {
-        text += fmt::format("{:<10}{}, {}: {}\n", label, side_name(filler.side),
-                            filler.lid ? "lid" : "lower half", size_text(filler.size_mm));
-        label.clear();
-    }
-    return text;
+    std::vector<Message> name, lid;
+    if (!options.name.empty()) name.push_back(as_it_is(options.name + ": "));
+    if (options.lid_mm) lid.push_back(say("summary.lid", {{"mm", number(*options.lid_mm)}}));
+    return say("summary.case_of", {{"name", name},
+                                   {"inside", size_text(*options.inside_mm)},
+                                   {"play", number(options.play_mm)},
+                                   {"lid", lid}});
+}
+
+Message filler_text(const Filler& filler) {
+    return say("summary.filler", {{"side", side_text(filler.side)},
+                                  {"half", half_of(filler.lid ? Half::lid : Half::lower)},
+                                  {"size", size_text(filler.size_mm)}});
 }
 
 }  // namespace snug::cli

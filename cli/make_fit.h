@@ -25,7 +25,7 @@ void add_fit_options(CLI::App& command, FitArguments& arguments);
 [[nodiscard]] Result<void> take_fit(const FitArguments& arguments, Design& design);
 
 /// Lines for people: where the notches are, and what the object lies on.
-[[nodiscard]] std::string notch_text(const Notch& notch);
-[[nodiscard]] std::string bearing_text(const BearingReport& bearing, const Design& design);
+[[nodiscard]] Message notch_text(const Notch& notch);
+[[nodiscard]] Message bearing_text(const BearingReport& bearing, const Design& design);
 
 }  // namespace snug::cli
