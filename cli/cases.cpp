@@ -12,8 +12,9 @@
 #include "snug/base/rotation.h"
 #include "snug/base/text.h"
 #include "snug/object/prepare.h"
-#include "snug/space/placement.h"
 #include "snug/search/rank_cases.h"
+#include "snug/space/placement.h"
+#include "snug/words/words.h"
 
 #include "cli/arguments.h"
 #include "cli/console.h"
@@ -111,26 +112,24 @@ std::string fitting_text(const CaseRanking& ranking, const Design& design) {
 }
 
 /// What would do, and what is in the way of the nearest case.
-std::string nothing_fits(const CaseRanking& ranking) {
-    constexpr const char* kAxes[3] = {"height", "width", "length"};
-    std::string text =
-        fmt::format("nothing in the list fits. A case would do from {} mm (length, width, height) inside",
-                    dimensions(length_first(ranking.least_inside_mm)));
+Message nothing_fits(const CaseRanking& ranking) {
+    constexpr const char* kLacking[3] = {"lacking.height", "lacking.width", "lacking.length"};
+    std::vector<Message> nearest, too_weak;
     if (ranking.nearest) {
-        const RankedCase& nearest = *ranking.nearest;
-        text += fmt::format(". Nearest is {} with {} mm, which lacks", nearest.known.name,
-                            dimensions(length_first(nearest.known.inside_mm)));
-        bool first = true;
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            if (nearest.lacking_mm[axis] <= 0) continue;
-            text += fmt::format("{} {} mm of {}", first ? "" : ",",
-                                number(std::ceil(nearest.lacking_mm[axis] * 10) / 10, 1), kAxes[axis]);
-            first = false;
-        }
+        std::vector<Message> lacking;
+        for (std::size_t axis = 0; axis < 3; ++axis)
+            if (const double mm = ranking.nearest->lacking_mm[axis]; mm > 0)
+                lacking.push_back(say(kLacking[axis], {{"mm", number(std::ceil(mm * 10) / 10, 1)}}));
+        nearest.push_back(
+            say("cases.nearest", {{"name", ranking.nearest->known.name},
+                                  {"inside", dimensions(length_first(ranking.nearest->known.inside_mm))},
+                                  {"lacking", lacking}}));
     }
     for (const KnownCase& weak : ranking.too_weak)
-        text += fmt::format("; {} is large enough but carries {} kg only", weak.name, number(*weak.most_kg));
-    return text + ". Thinner walls (--wall), a smaller clearance or another rotation may help";
+        too_weak.push_back(say("cases.too_weak", {{"name", weak.name}, {"kg", number(*weak.most_kg)}}));
+    return say("cases.nothing_fits", {{"least", dimensions(length_first(ranking.least_inside_mm))},
+                                      {"nearest", nearest},
+                                      {"too_weak", too_weak}});
 }
 
 Json ranking_json(const CaseRanking& ranking, const Design& design) {
@@ -176,11 +175,11 @@ int rank_for(const std::vector<KnownCase>& cases, const CasesArguments& argument
     const auto bytes = read_file(source->object);
     if (!bytes) return report(bytes.error());
     auto mesh = read_object(*bytes, path);
-    if (!mesh) return report({mesh.error().kind, fmt::format("{}: {}", path, mesh.error().message)});
+    if (!mesh) return report({mesh.error().kind, in_file(path, mesh.error().message)});
     if (const auto error = unwanted_units(*mesh, was_typed(arguments.typed, "--units")))
-        return report({error->kind, fmt::format("{}: {}", path, error->message)});
+        return report({error->kind, in_file(path, error->message)});
     const auto object = prepare(std::move(*mesh), *design);
-    if (!object) return report({object.error().kind, fmt::format("{}: {}", path, object.error().message)});
+    if (!object) return report({object.error().kind, in_file(path, object.error().message)});
     const Placement placement = place(object->mesh, design->placement.rotation_deg, {});
     const Cargo cargo{placement.bounds.size(), arguments.mass, arguments.divisor};
     const CaseRanking ranking = rank_cases(cases, *design, cargo);
@@ -190,7 +189,7 @@ int rank_for(const std::vector<KnownCase>& cases, const CasesArguments& argument
             return report(done.error());
     }
     if (ranking.fitting.empty())
-        return report({ErrorKind::does_not_fit, path + ": " + nothing_fits(ranking)});
+        return report({ErrorKind::does_not_fit, in_file(path, nothing_fits(ranking))});
     if (arguments.json) return kDone;
     const auto done = print(fitting_text(ranking, *design));
     return done ? kDone : report(done.error());

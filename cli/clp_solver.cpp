@@ -67,9 +67,9 @@ Result<LpSolution> solve(const LinearProgram& program, const Progress& progress)
     how.setSolveType(ClpSolve::usePrimal);
     model.initialSolve(how);
     if (!talk.cancelled && model.status() != kOptimal && model.status() != kInfeasible) model.dual();
-    if (talk.cancelled) return fail(ErrorKind::cancelled, "cancelled; nothing was written");
+    if (talk.cancelled) return fail(ErrorKind::cancelled, say("cancelled.nothing_written"));
     if (model.status() != kOptimal && model.status() != kInfeasible)
-        return fail(ErrorKind::usage, "the linear program has no solution that CLP could find");
+        return fail(ErrorKind::usage, say("clp.no_solution"));
     LpSolution solution;
     solution.feasible = model.status() == kOptimal;
     if (!solution.feasible) return solution;

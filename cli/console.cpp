@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "snug/base/one_line.h"
+#include "snug/words/words.h"
 
 #include "cli/commands.h"
 
@@ -29,7 +30,7 @@ int exit_status(ErrorKind kind) {
 }
 
 int report(const Error& error) {
-    std::fputs(fmt::format("snug: {}\n", one_line(error.message)).c_str(), stderr);
+    std::fputs(fmt::format("snug: {}\n", one_line(text(error.message))).c_str(), stderr);
     return exit_status(error.kind);
 }
 
@@ -37,17 +38,14 @@ int within_memory(const std::string& object, const std::function<int()>& command
     try {
         return command();
     } catch (const std::bad_alloc&) {
-        return report({ErrorKind::input,
-                       fmt::format("{}: there is not enough memory for this object: make it smaller, or let "
-                                   "`snug make --stream` read it in pieces, as a binary STL or PLY",
-                                   object)});
+        return report({ErrorKind::input, in_file(object, say("file.no_memory"))});
     }
 }
 
 Result<void> print(std::string_view text) {
     const bool written =
         std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
-    if (!written) return fail(ErrorKind::output, "standard output cannot be written");
+    if (!written) return fail(ErrorKind::output, say("console.no_output"));
     return {};
 }
 

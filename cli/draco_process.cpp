@@ -14,14 +14,13 @@
 #include <vector>
 
 #include "cli/descriptor.h"
+#include "cli/system_error.h"
 
 namespace snug::cli {
 namespace {
 
 constexpr rlim_t kMostSeconds = 600;
 constexpr rlim_t kMemory = rlim_t{1} << 30, kMemoryPerByte = 1000;
-constexpr const char* kDamaged =
-    "a mesh that Draco packed is damaged: export it again, best without compression";
 
 /// Floats as they are, whole numbers without the scale that they may stand for.
 bool values_of(const draco::Mesh& mesh, const DracoAttribute& asked, std::vector<float>& values) {
@@ -139,13 +138,11 @@ rlim_t memory_now() {
 
 Result<DracoMesh> unpack_draco_in_a_process(Bytes packed, std::span<const DracoAttribute> attributes) {
     int ends[2];
-    if (::pipe(ends) != 0)
-        return fail(ErrorKind::input, std::string("cannot be read (") + std::strerror(errno) + ")");
+    if (::pipe(ends) != 0) return fail(ErrorKind::input, cannot_be_read(errno));
     Descriptor reading(ends[0]);
     Descriptor writing(ends[1]);
     const pid_t child = ::fork();
-    if (child < 0)
-        return fail(ErrorKind::input, std::string("cannot be read (") + std::strerror(errno) + ")");
+    if (child < 0) return fail(ErrorKind::input, cannot_be_read(errno));
     if (child == 0) tell(ends[1], packed, attributes);
     (void)writing.close();
     DracoMesh mesh;
@@ -158,7 +155,7 @@ Result<DracoMesh> unpack_draco_in_a_process(Bytes packed, std::span<const DracoA
     while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }
     if (good) return mesh;
-    return fail(ErrorKind::input, kDamaged);
+    return fail(ErrorKind::input, say("draco.damaged"));
 }
 
 }  // namespace snug::cli

@@ -12,7 +12,10 @@
 
 #include <fmt/core.h>
 
+#include "snug/words/words.h"
+
 #include "cli/descriptor.h"
+#include "cli/system_error.h"
 
 namespace snug::cli {
 namespace {
@@ -27,27 +30,26 @@ constexpr std::size_t kMostAtOnce = std::size_t{1} << 30;
 }  // namespace
 
 Result<ByteSource> open_source(const fs::path& path) {
-    const auto refuse = [name = path.string()](const std::string& why) {
-        return fail(ErrorKind::input, fmt::format("{}: {}", name, why));
+    const auto refuse = [name = path.string()](Message why) {
+        return fail(ErrorKind::input, in_file(name, std::move(why)));
     };
-    const auto reason = [] { return std::string("cannot be read (") + std::strerror(errno) + ")"; };
     const auto file = std::make_shared<const Descriptor>(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-    if (!file->ok()) return refuse(errno == ENOENT ? "there is no such file" : reason());
+    if (!file->ok()) return refuse(errno == ENOENT ? say("file.none") : cannot_be_read(errno));
     struct stat status {};
-    if (fstat(file->get(), &status) != 0) return refuse(reason());
-    if (S_ISDIR(status.st_mode)) return refuse("this is a folder, not a file");
-    if (!S_ISREG(status.st_mode)) return refuse("only a regular file can be read in pieces");
+    if (fstat(file->get(), &status) != 0) return refuse(cannot_be_read(errno));
+    if (S_ISDIR(status.st_mode)) return refuse(say("file.is_folder"));
+    if (!S_ISREG(status.st_mode)) return refuse(say("file.not_regular"));
     (void)::posix_fadvise(file->get(), 0, 0, POSIX_FADV_SEQUENTIAL);
 
     ByteSource source;
     source.size = static_cast<std::uint64_t>(status.st_size);
-    source.read = [file, reason](std::uint64_t at, std::span<std::byte> into) -> Result<void> {
+    source.read = [file](std::uint64_t at, std::span<std::byte> into) -> Result<void> {
         while (!into.empty()) {
             const ssize_t count =
                 ::pread(file->get(), into.data(), std::min(into.size(), kMostAtOnce), static_cast<off_t>(at));
             if (count < 0 && errno == EINTR) continue;
-            if (count < 0) return fail(ErrorKind::input, reason());
-            if (count == 0) return fail(ErrorKind::input, "the file became shorter while it was read");
+            if (count < 0) return fail(ErrorKind::input, cannot_be_read(errno));
+            if (count == 0) return fail(ErrorKind::input, say("file.shrank"));
             into = into.subspan(static_cast<std::size_t>(count));
             at += static_cast<std::uint64_t>(count);
         }

@@ -8,21 +8,21 @@
 
 #include <fmt/core.h>
 
+#include "snug/words/words.h"
+
 #include "cli/descriptor.h"
 #include "cli/interrupt.h"
 #include "cli/sha256.h"
+#include "cli/system_error.h"
 
 namespace snug::cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-std::string reason(int error) {
-    return std::strerror(error);
-}
-
 tl::unexpected<Error> cannot_write(const fs::path& path, int error) {
-    return fail(ErrorKind::output, fmt::format("{}: cannot be written ({})", path.string(), reason(error)));
+    return fail(ErrorKind::output,
+                say("file.unwritable", {{"file", path.string()}, {"reason", reason(error)}}));
 }
 
 /// Gives 0 or the error number.
@@ -40,15 +40,14 @@ int write_all(int fd, std::span<const std::byte> bytes) {
 }  // namespace
 
 Result<std::vector<std::byte>> read_file(const fs::path& path) {
-    const auto refuse = [&](const std::string& why) {
-        return fail(ErrorKind::input, fmt::format("{}: {}", path.string(), why));
+    const auto refuse = [&](Message why) {
+        return fail(ErrorKind::input, in_file(path.string(), std::move(why)));
     };
     const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
-    if (!file.ok())
-        return refuse(errno == ENOENT ? "there is no such file" : "cannot be read (" + reason(errno) + ")");
+    if (!file.ok()) return refuse(errno == ENOENT ? say("file.none") : cannot_be_read(errno));
     struct stat status {};
-    if (fstat(file.get(), &status) != 0) return refuse("cannot be read (" + reason(errno) + ")");
-    if (S_ISDIR(status.st_mode)) return refuse("this is a folder, not a file");
+    if (fstat(file.get(), &status) != 0) return refuse(cannot_be_read(errno));
+    if (S_ISDIR(status.st_mode)) return refuse(say("file.is_folder"));
 
     std::vector<std::byte> bytes;
     std::size_t used = 0;
@@ -57,14 +56,14 @@ Result<std::vector<std::byte>> read_file(const fs::path& path) {
     for (;;) {
         const ssize_t count = ::read(file.get(), bytes.data() + used, bytes.size() - used);
         if (count < 0 && errno == EINTR) continue;
-        if (count < 0) return refuse("cannot be read (" + reason(errno) + ")");
+        if (count < 0) return refuse(cannot_be_read(errno));
         if (count == 0) break;
         used += static_cast<std::size_t>(count);
         if (used == bytes.size()) bytes.resize(bytes.size() * 2);
     }
     // Some formats read well up to any line: what is missing would be missing from the object.
     if (S_ISREG(status.st_mode) && used < static_cast<std::size_t>(status.st_size))
-        return refuse("the file became shorter while it was read");
+        return refuse(say("file.shrank"));
     bytes.resize(used);
     return bytes;
 }
@@ -122,7 +121,7 @@ Result<void> FileSet::write(const std::string& name, std::span<const std::byte> 
     if (error == 0 && ::fsync(file.get()) != 0 && errno != EINVAL) error = errno;
     if (!file.close() && error == 0) error = errno;
     if (error == ECANCELED || InterruptGuard::interrupted())
-        return fail(ErrorKind::cancelled, "cancelled; nothing was written");
+        return fail(ErrorKind::cancelled, say("cancelled.nothing_written"));
     if (error != 0) return cannot_write(final, error);
     return {};
 }
@@ -141,8 +140,8 @@ Result<void> write_file(const fs::path& path, std::span<const std::byte> bytes) 
     FileSet set(path.has_parent_path() ? path.parent_path() : fs::path("."));
     std::error_code error;
     if (path.has_parent_path() && !fs::is_directory(path.parent_path(), error))
-        return fail(ErrorKind::output,
-                    fmt::format("{}: there is no folder {}", path.string(), path.parent_path().string()));
+        return fail(ErrorKind::output, say("file.no_folder", {{"file", path.string()},
+                                                              {"folder", path.parent_path().string()}}));
     if (auto done = set.write(path.filename().string(), bytes); !done) return done;
     return set.commit();
 }

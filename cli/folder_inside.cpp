@@ -17,6 +17,7 @@
 
 #include "cli/interrupt.h"
 #include "cli/sha256.h"
+#include "cli/system_error.h"
 
 namespace snug::cli {
 namespace {
@@ -48,7 +49,7 @@ Result<FolderInside> FolderInside::open(const std::filesystem::path& folder) {
     Descriptor root(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
     if (!root.ok())
         return fail(ErrorKind::output,
-                    fmt::format("{}: cannot be read ({})", folder.string(), std::strerror(errno)));
+                    say("folder.unreadable", {{"folder", folder.string()}, {"reason", reason(errno)}}));
     return FolderInside(std::move(root), folder);
 }
 
@@ -57,12 +58,9 @@ Result<void> FolderInside::lock(double seconds) {
     while (::flock(root_.get(), LOCK_EX | LOCK_NB) != 0) {
         if (errno != EWOULDBLOCK && errno != EINTR) return {};
         if (InterruptGuard::interrupted())
-            return fail(ErrorKind::cancelled, "cancelled; nothing was written");
+            return fail(ErrorKind::cancelled, say("cancelled.nothing_written"));
         if ((seconds -= kPause) < 0)
-            return fail(ErrorKind::output,
-                        fmt::format("{}: another run is still writing there; wait for it, or choose another "
-                                    "folder",
-                                    path_.string()));
+            return fail(ErrorKind::output, say("folder.busy", {{"folder", path_.string()}}));
         ::usleep(static_cast<useconds_t>(kPause * 1e6));
     }
     return {};

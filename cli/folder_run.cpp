@@ -9,10 +9,11 @@
 
 #include <fmt/core.h>
 
-#include "snug/base/text.h"
+#include "snug/words/words.h"
 
 #include "cli/interrupt.h"
 #include "cli/sha256.h"
+#include "cli/system_error.h"
 
 namespace snug::cli {
 namespace {
@@ -38,16 +39,16 @@ Result<void> write_text(FileSet& set, const std::string& name, const std::string
 }
 
 /// "a, b and 3 more"
-std::string named(const std::vector<std::string>& names) {
-    std::string text;
-    for (std::size_t i = 0; i < std::min(names.size(), kNamed); ++i) text += (i ? ", " : "") + names[i];
-    if (names.size() > kNamed) text += " and " + grouped(names.size() - kNamed) + " more";
-    return text;
+Message named(const std::vector<std::string>& names) {
+    std::vector<Message> first, more;
+    for (std::size_t i = 0; i < std::min(names.size(), kNamed); ++i) first.push_back(as_it_is(names[i]));
+    if (names.size() > kNamed) more.push_back(say("and_more", {{"count", names.size() - kNamed}}));
+    return say("names_and_more", {{"names", first}, {"more", more}});
 }
 
 /// "2 files of an earlier run (a, b)"
-std::string of_earlier(const std::vector<std::string>& names) {
-    return counted(names.size(), "file", "files") + " of an earlier run (" + named(names) + ")";
+Message of_earlier(const std::vector<std::string>& names) {
+    return say("of_earlier", {{"count", names.size()}, {"names", named(names)}});
 }
 
 std::string folder_of(const std::string& name) {
@@ -83,11 +84,8 @@ Result<std::vector<Finding>> FolderRun::look_back(std::span<const std::string> t
         const auto text = inside_->read(kUnfinished, kLongestList);
         auto files = text ? parse_manifest(*text) : std::nullopt;
         if (!files)
-            return fail(
-                ErrorKind::output,
-                fmt::format("{}: this is not a file of snug's, which needs that name while it writes: "
-                            "take it away, or choose another folder",
-                            (folder_ / kUnfinished).string()));
+            return fail(ErrorKind::output,
+                        say("folder.name_taken", {{"file", (folder_ / kUnfinished).string()}}));
         unfinished_ = std::move(*files);
     }
     if (inside_->find(kList).state != FolderInside::State::missing) {
@@ -101,7 +99,7 @@ Result<std::vector<Finding>> FolderRun::look_back(std::span<const std::string> t
     for (const MadeFile& file : made_) names.push_back(file.name);
     sort_out(names);
     if (auto done = find_foreign(names); !done) return tl::unexpected(done.error());
-    if (InterruptGuard::interrupted()) return fail(ErrorKind::cancelled, "cancelled; nothing was written");
+    if (InterruptGuard::interrupted()) return fail(ErrorKind::cancelled, say("cancelled.nothing_written"));
     return findings();
 }
 
@@ -132,10 +130,7 @@ Result<void> FolderRun::find_foreign(const std::vector<std::string>& names) {
         const FolderInside::Found found = inside_->find(name);
         if (found.state != FolderInside::State::file) continue;
         if (is_input(found) && name != kProject)
-            return fail(ErrorKind::output,
-                        fmt::format("{}: this run reads the file and would write over it: choose another "
-                                    "folder with --output",
-                                    (folder_ / name).string()));
+            return fail(ErrorKind::output, say("folder.is_input", {{"file", (folder_ / name).string()}}));
         std::vector<MadeFile> written;
         for (const auto* files : {&earlier_, &made_})  // what is the same as the new one need not be kept
             for (const MadeFile& file : *files)
@@ -149,11 +144,7 @@ Result<void> FolderRun::keep_foreign() {
     for (const std::string& name : foreign_) {
         const auto kept = inside_->link_as_old(name);
         if (!kept)
-            return fail(
-                ErrorKind::output,
-                fmt::format("{}: no run of snug wrote this file as it is, and it cannot be kept under "
-                            "a second name: take it away, or choose another folder",
-                            (folder_ / name).string()));
+            return fail(ErrorKind::output, say("folder.cannot_keep", {{"file", (folder_ / name).string()}}));
         kept_.push_back(*kept);
     }
     return {};
@@ -180,35 +171,18 @@ bool FolderRun::is_input(const FolderInside::Found& found) const {
 
 std::vector<Finding> FolderRun::findings() const {
     std::vector<Finding> found;
-    const auto add = [&found](Severity severity, const char* code, std::string message) {
-        found.push_back({severity, code, std::move(message), {}});
+    const auto add = [&found](Severity severity, Message message) {
+        found.push_back({severity, std::move(message)});
     };
-    if (untrusted_)
-        add(Severity::warning, "earlier_unknown",
-            "the list of what earlier runs made in the folder (" + kList +
-                ") is damaged or of another version, so nothing of theirs was taken away: look for files "
-                "that do not belong to this design");
-    const std::string apart = "; do not use them with the files of this run";
+    if (untrusted_) add(Severity::warning, say("earlier_unknown", {{"list", kList}}));
     if (!changed_.empty())
-        add(Severity::warning, "earlier_files_stay",
-            "left in the folder, because they are not as they were written: " + of_earlier(changed_) + apart);
-    if (!foreign_.empty())
-        add(Severity::warning, "earlier_files_kept",
-            "kept under the same name with .old behind it, because this run makes files of that name and no "
-            "run wrote them as they were: " +
-                named(foreign_));
+        add(Severity::warning, say("earlier_files_stay/changed", {{"files", of_earlier(changed_)}}));
+    if (!foreign_.empty()) add(Severity::warning, say("earlier_files_kept", {{"names", named(foreign_)}}));
     if (!fixed_.empty())
-        add(Severity::warning, "earlier_files_stay",
-            "left where they are, because their folder may not be written to: " + of_earlier(fixed_) + apart);
-    if (!read_.empty())
-        add(Severity::note, "earlier_files_stay",
-            "left in the folder, because this run read them: " + of_earlier(read_));
-    if (was_unfinished_)
-        add(Severity::note, "earlier_unfinished",
-            "an earlier run into the folder was stopped before it had finished; what it left is put right");
-    if (!gone_.empty())
-        add(Severity::note, "earlier_files",
-            "taken away, because this run does not make them: " + of_earlier(gone_));
+        add(Severity::warning, say("earlier_files_stay/fixed", {{"files", of_earlier(fixed_)}}));
+    if (!read_.empty()) add(Severity::note, say("earlier_files_stay/read", {{"files", of_earlier(read_)}}));
+    if (was_unfinished_) add(Severity::note, say("earlier_unfinished"));
+    if (!gone_.empty()) add(Severity::note, say("earlier_files", {{"files", of_earlier(gone_)}}));
     return found;
 }
 
@@ -227,9 +201,8 @@ Result<void> FolderRun::commit() {
     if (done) done = set_.commit();
     if (!done) {
         if (set_.begun())
-            return fail(done.error().kind, done.error().message +
-                                               "; the folder holds a mix of two runs now, as " + kUnfinished +
-                                               " says");
+            return fail(done.error().kind,
+                        say("folder.mixed", {{"problem", done.error().message}, {"list", kUnfinished}}));
         for (const std::string& name : kept_) (void)inside_->remove_file(name);
         if (!was_unfinished_) (void)inside_->remove_file(kUnfinished);
         return done;
@@ -244,11 +217,9 @@ Result<void> FolderRun::take_away() {
     std::set<std::string, std::greater<>> folders;  // inner ones first
     for (const std::string& name : gone_)
         if (const int error = inside_->remove_file(name); error != 0)
-            return fail(
-                ErrorKind::output,
-                fmt::format("{}: of an earlier run, cannot be taken away ({}); the folder holds a mix of "
-                            "two runs now, as {} says",
-                            (folder_ / name).string(), std::strerror(error), kUnfinished));
+            return fail(ErrorKind::output, say("folder.cannot_remove", {{"file", (folder_ / name).string()},
+                                                                        {"reason", reason(error)},
+                                                                        {"list", kUnfinished}}));
     for (const MadeFile& file : earlier_) folders.insert(folder_of(file.name));
     std::set<std::string> places(pack_folders_.begin(), pack_folders_.end());
     places.insert(folders.begin(), folders.end());

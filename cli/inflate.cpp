@@ -15,15 +15,14 @@ uInt piece(std::size_t bytes) {
 }
 
 tl::unexpected<Error> damaged() {
-    return fail(ErrorKind::input, "what is packed in it is damaged");
+    return fail(ErrorKind::input, say("zip.damaged_bytes"));
 }
 
 }  // namespace
 
 Result<FileBytes> inflate(Bytes packed, std::size_t most) {
     z_stream stream{};
-    if (::inflateInit2(&stream, -MAX_WBITS) != Z_OK)
-        return fail(ErrorKind::input, "there is no memory to unpack it");
+    if (::inflateInit2(&stream, -MAX_WBITS) != Z_OK) return fail(ErrorKind::input, say("zip.no_memory"));
     FileBytes bytes(std::min(most, std::max(kFirstGuess, packed.size() * 4)));
     std::size_t taken = 0, made = 0;
     int state = Z_OK;

@@ -14,6 +14,7 @@
 #include "snug/mesh/clean.h"
 #include "snug/mesh/measure.h"
 #include "snug/object/read_findings.h"
+#include "snug/words/words.h"
 
 #include "cli/arguments.h"
 #include "cli/console.h"
@@ -75,7 +76,8 @@ std::vector<Finding> findings_of(const Mesh& mesh) {
 std::string finding_lines(const Mesh& mesh) {
     std::string text;
     for (const Finding& finding : findings_of(mesh))
-        text += fmt::format("{:<12}{}\n", severity_name(finding.severity), one_line(finding.message));
+        text +=
+            fmt::format("{:<12}{}\n", severity_name(finding.severity), one_line(snug::text(finding.message)));
     return text;
 }
 
@@ -134,8 +136,8 @@ std::string described_json(const std::string& name, const Mesh& mesh, const Mesh
     json["findings"] = Json::array();
     for (const Finding& finding : findings_of(mesh))
         json["findings"].push_back({{"severity", std::string(severity_name(finding.severity))},
-                                    {"code", finding.code},
-                                    {"message", finding.message}});
+                                    {"code", finding.code()},
+                                    {"message", snug::text(finding.message)}});
     json["parts"] = Json::array();
     for (const PartShare& part : part_shares(mesh, measure)) {
         const Vec3d extent = part.bounds.size();
@@ -150,8 +152,7 @@ int inspect(const InspectArguments& arguments) {
     const auto bytes = read_file(arguments.object);
     if (!bytes) return report(bytes.error());
     const auto mesh = read_object(*bytes, arguments.object);
-    if (!mesh)
-        return report({mesh.error().kind, fmt::format("{}: {}", arguments.object, mesh.error().message)});
+    if (!mesh) return report({mesh.error().kind, in_file(arguments.object, mesh.error().message)});
     const MeshMeasure measured = measure(*mesh);
     const auto done = print(arguments.json ? described_json(arguments.object, *mesh, measured)
                                            : described(arguments.object, *mesh, measured));

@@ -13,6 +13,7 @@
 
 #include "snug/base/stopwatch.h"
 #include "snug/design/project.h"
+#include "snug/words/words.h"
 
 #include "cli/arguments.h"
 #include "cli/clp_solver.h"
@@ -148,8 +149,8 @@ Result<std::string> write_outputs(const Object& object, const Project& project, 
     return report;
 }
 
-std::string in_its_file(const Task& task, const Error& error) {
-    return fmt::format("{}: {}", task.object_path.string(), error.message);
+Message in_its_file(const Task& task, const Error& error) {
+    return in_file(task.object_path.string(), error.message);
 }
 
 /// What this program has, and the status line that long work moves.
@@ -174,8 +175,8 @@ Tools tools_for(const Task& task, const SearchArguments& searched, StatusLine& s
 int say_that_it_does_not_fit(const Task& task, const Object& object, const Made& made, bool json) {
     if (json)
         if (auto done = print(report_json(object, task.project, made)); !done) return report(done.error());
-    return report({ErrorKind::does_not_fit,
-                   fmt::format("{}: {}", task.object_path.string(), made.packing.findings.front().message)});
+    return report(
+        {ErrorKind::does_not_fit, in_file(task.object_path.string(), made.packing.findings.front().message)});
 }
 
 int make(const MakeArguments& arguments) {
@@ -205,7 +206,7 @@ int make(const MakeArguments& arguments) {
 
     // What it takes is said before anything is written.
     if (made->pack && !arguments.quiet && !arguments.json)
-        if (auto done = print(workshop_summary(*made->pack, project.design)); !done)
+        if (auto done = print(workshop_summary(*made->pack, project.design, Language::english)); !done)
             return report(done.error());
     const bool dry = arguments.dry_run;
     status.emplace(arguments.quiet || dry);
@@ -219,7 +220,9 @@ int make(const MakeArguments& arguments) {
     if (arguments.json) {
         if (auto done = print(*report_text); !done) return report(done.error());
     } else if (!arguments.quiet) {
-        if (auto done = print(summary(object, project, *made, dry ? std::string() : arguments.folder)); !done)
+        if (auto done = print(
+                summary(object, project, *made, dry ? std::string() : arguments.folder, Language::english));
+            !done)
             return report(done.error());
     }
     return kDone;

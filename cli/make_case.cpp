@@ -3,6 +3,9 @@
 #include <fmt/core.h>
 
 #include "snug/base/text.h"
+#include "snug/words/halves.h"
+#include "snug/words/sides.h"
+#include "snug/words/words.h"
 
 namespace snug::cli {
 namespace {
@@ -14,20 +17,21 @@ std::string size_text(Vec3d size) {
 
 }  // namespace
 
-std::string case_lines(const CaseSpace& fitted, int parting_level) {
+Message case_text(const CaseSpace& fitted) {
     const CaseOptions& options = fitted.options;
-    std::string text = fmt::format("{:<10}{}{} inside, {} mm of play on each side", "Case",
-                                   options.name.empty() ? "" : options.name + ": ",
-                                   size_text(*options.inside_mm), number(options.play_mm));
-    if (options.lid_mm) text += fmt::format(", lid {} mm", number(*options.lid_mm));
-    text += "\n";
-    std::string label = "Fillers";
-    for (const Filler& filler : fillers(fitted, parting_level)) {
-        text += fmt::format("{:<10}{}, {}: {}\n", label, side_name(filler.side),
-                            filler.lid ? "lid" : "lower half", size_text(filler.size_mm));
-        label.clear();
-    }
-    return text;
+    std::vector<Message> name, lid;
+    if (!options.name.empty()) name.push_back(as_it_is(options.name + ": "));
+    if (options.lid_mm) lid.push_back(say("summary.lid", {{"mm", number(*options.lid_mm)}}));
+    return say("summary.case_of", {{"name", name},
+                                   {"inside", size_text(*options.inside_mm)},
+                                   {"play", number(options.play_mm)},
+                                   {"lid", lid}});
+}
+
+Message filler_text(const Filler& filler) {
+    return say("summary.filler", {{"side", side_text(filler.side)},
+                                  {"half", half_of(filler.lid ? Half::lid : Half::lower)},
+                                  {"size", size_text(filler.size_mm)}});
 }
 
 }  // namespace snug::cli

@@ -7,7 +7,9 @@
 
 namespace snug::cli {
 
-/// What a packer needs to know of the case: its sizes, where it parts, and the strips to cut.
-[[nodiscard]] std::string case_lines(const CaseSpace& fitted, int parting_level);
+/// "a box: 425 x 284 x 155 mm inside, 2 mm of play on each side, lid 45 mm"
+[[nodiscard]] Message case_text(const CaseSpace& fitted);
+/// "left, lid: 410 x 278 x 12 mm"
+[[nodiscard]] Message filler_text(const Filler& filler);
 
 }  // namespace snug::cli

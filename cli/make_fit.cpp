@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include "snug/base/text.h"
+#include "snug/words/sides.h"
 
 namespace snug::cli {
 namespace {
@@ -16,28 +17,31 @@ std::string areas(const std::array<double, 3>& mm2) {
 
 }  // namespace
 
-std::string notch_text(const Notch& notch) {
+Message notch_text(const Notch& notch) {
     const bool along_y = notch.side == kBack || notch.side == kFront;
-    return fmt::format("{} at {} = {} mm, {} deep", side_name(notch.side), along_y ? "z" : "y",
-                       number(notch.at_mm, 1), number(notch.size_mm.x, 1));
+    return say("summary.notch_at", {{"side", side_text(notch.side)},
+                                    {"axis", along_y ? "z" : "y"},
+                                    {"at", number(notch.at_mm, 1)},
+                                    {"deep", number(notch.size_mm.x, 1)}});
 }
 
-std::string bearing_text(const BearingReport& bearing, const Design& design) {
-    std::string text = fmt::format("below {}, above {} once it sank 1, 3, 5 mm", areas(bearing.lower_mm2),
-                                   areas(bearing.upper_mm2));
+Message bearing_text(const BearingReport& bearing, const Design& design) {
     const auto pressure = [&](double area_mm2) {
         const auto kpa = static_pressure_kpa(*design.workshop.mass_kg, area_mm2);
         return kpa ? number(*kpa, 1) : std::string("-");
     };
+    std::vector<Message> at_rest;
     if (design.workshop.mass_kg) {
         const auto& lower = bearing.lower_mm2;
-        text += fmt::format("; at rest {}, {}, {} kPa", pressure(lower[0]), pressure(lower[1]),
-                            pressure(lower[2]));
-        text += design.fit.creep_kpa
-                    ? fmt::format(" of {} kPa that the foam bears for long", number(*design.fit.creep_kpa, 1))
-                    : std::string(" (what this foam bears for long is not known)");
+        at_rest.push_back(say("summary.at_rest", {{"kpa", pressure(lower[0]) + ", " + pressure(lower[1]) +
+                                                              ", " + pressure(lower[2])}}));
+        at_rest.push_back(design.fit.creep_kpa
+                              ? say("summary.creep", {{"kpa", number(*design.fit.creep_kpa, 1)}})
+                              : say("summary.creep_unknown"));
     }
-    return text + ". Drops were not checked";
+    return say(
+        "summary.bears_on",
+        {{"below", areas(bearing.lower_mm2)}, {"above", areas(bearing.upper_mm2)}, {"at_rest", at_rest}});
 }
 
 }  // namespace snug::cli

@@ -9,7 +9,7 @@
 namespace snug::cli {
 
 /// Lines for people: where the notches are, and what the object lies on.
-[[nodiscard]] std::string notch_text(const Notch& notch);
-[[nodiscard]] std::string bearing_text(const BearingReport& bearing, const Design& design);
+[[nodiscard]] Message notch_text(const Notch& notch);
+[[nodiscard]] Message bearing_text(const BearingReport& bearing, const Design& design);
 
 }  // namespace snug::cli

@@ -6,10 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include <fmt/core.h>
-
 #include "snug/base/stopwatch.h"
 #include "snug/object/prepare.h"
+#include "snug/words/words.h"
 
 #include "cli/file_source.h"
 #include "cli/files.h"
@@ -18,8 +17,8 @@
 namespace snug::cli {
 namespace {
 
-tl::unexpected<Error> in_file(const Task& task, const Error& error) {
-    return fail(error.kind, fmt::format("{}: {}", task.object_path.string(), error.message));
+tl::unexpected<Error> of_object(const Task& task, const Error& error) {
+    return fail(error.kind, in_file(task.object_path.string(), error.message));
 }
 
 void look_for_change(const Task& task, std::vector<Finding>& findings) {
@@ -27,11 +26,7 @@ void look_for_change(const Task& task, std::vector<Finding>& findings) {
     const ObjectFile &was = *task.expected, &is = task.project.object;
     const bool hashed = !was.sha256.empty() && !is.sha256.empty();
     if (hashed ? was.sha256 == is.sha256 : was.bytes == is.bytes) return;
-    findings.push_back(
-        {Severity::warning,
-         "object_changed",
-         "the object " + is.name + " is not the one that the project was made with: check the result",
-         {}});
+    findings.push_back({Severity::warning, say("object_changed", {{"name", is.name}})});
 }
 
 Result<ReadObject> read_whole(Task& task, StatusLine& status) {
@@ -41,13 +36,13 @@ Result<ReadObject> read_whole(Task& task, StatusLine& status) {
     if (!bytes) return tl::unexpected(bytes.error());
     auto mesh = read_object(*bytes, task.object_path);
     const double read_ms = watch.lap();
-    if (!mesh) return in_file(task, mesh.error());
-    if (const auto error = unwanted_units(*mesh, task.units_typed)) return in_file(task, *error);
+    if (!mesh) return of_object(task, mesh.error());
+    if (const auto error = unwanted_units(*mesh, task.units_typed)) return of_object(task, *error);
     task.project.object = describe(task.object_path, *bytes);
 
     status.show("Cutting");
     auto object = prepare(std::move(*mesh), task.project.design);
-    if (!object) return in_file(task, object.error());
+    if (!object) return of_object(task, object.error());
     return ReadObject{std::move(*object), read_ms};
 }
 
@@ -56,7 +51,7 @@ Result<ReadObject> read_in_pieces(Task& task, TriangleStream stream, std::uint64
     // No hash: it would take longer than all the rest.
     task.project.object = {task.object_path.filename().string(), file_size, ""};
     auto object = prepare(std::move(stream), task.project.design, status.progress("Measuring"));
-    if (!object) return in_file(task, object.error());
+    if (!object) return of_object(task, object.error());
     return ReadObject{std::move(*object), 0};
 }
 
@@ -80,7 +75,7 @@ Result<ReadObject> read_object_of(Task& task, StatusLine& status) {
         // What nobody wanted in pieces may be of a kind that is only read whole, and says itself what is
         // wrong.
         const bool asked = task.stream.has_value();
-        if (asked || stream.error().kind != ErrorKind::input) return in_file(task, stream.error());
+        if (asked || stream.error().kind != ErrorKind::input) return of_object(task, stream.error());
         return read_whole(task, status);
     }();
     if (read) look_for_change(task, read->object.findings);

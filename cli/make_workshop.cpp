@@ -5,7 +5,10 @@
 
 #include <fmt/core.h>
 
+#include "snug/words/words.h"
+
 #include "cli/pdf.h"
+#include "cli/wrapped.h"
 #include "cli/zip.h"
 
 namespace snug::cli {
@@ -17,13 +20,16 @@ std::vector<std::string> workshop_folders() {
     return folders;
 }
 
-std::string workshop_summary(const WorkshopPack& pack, const Design& design) {
+std::string workshop_summary(const WorkshopPack& pack, const Design& design, Language language) {
     std::size_t widest = 0;
-    for (const PackFigure& figure : pack.figures) widest = std::max(widest, figure.label.size());
-    std::string text = fmt::format("For the workshop ({}):\n", name_of(design.workshop.work));
     for (const PackFigure& figure : pack.figures)
-        text += fmt::format("  {:<{}}  {}\n", figure.label, widest, figure.value);
-    return text;
+        widest = std::max(widest, columns_of(text(figure.label, language)));
+    const std::string_view work = name_of(design.workshop.work);
+    std::string lines = text(say("summary.workshop", {{"work", work}}), language) + "\n";
+    for (const PackFigure& figure : pack.figures)
+        lines +=
+            "  " + padded(text(figure.label, language), widest) + "  " + text(figure.value, language) + "\n";
+    return lines;
 }
 
 Result<std::vector<PackFile>> workshop_files(const WorkshopPack& pack) {

@@ -5,6 +5,8 @@
 
 #include <fmt/core.h>
 
+#include "snug/words/words.h"
+
 #include "cli/files.h"
 
 namespace snug::cli {
@@ -24,20 +26,18 @@ bool is_project(const fs::path& path) {
 Result<ObjectSource> find_object(const std::string& argument, const std::optional<std::string>& replacement) {
     const fs::path path = argument;
     if (!is_project(path)) {
-        if (replacement) return fail(ErrorKind::usage, "--object goes with a project (*.snug.json)");
+        if (replacement) return fail(ErrorKind::usage, say("usage.object"));
         return ObjectSource{path, {}};
     }
     const auto bytes = read_file(path);
     if (!bytes) return tl::unexpected(bytes.error());
     auto project = parse_project({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
-    if (!project)
-        return fail(ErrorKind::input, fmt::format("{}: {}", path.string(), project.error().message));
+    if (!project) return fail(ErrorKind::input, in_file(path.string(), project.error().message));
     const fs::path object = replacement ? fs::path(*replacement) : path.parent_path() / project->object.name;
     std::error_code error;
     if (!fs::exists(object, error))
         return fail(ErrorKind::input,
-                    fmt::format("{}: its object {} is not there; name it with --object FILE", path.string(),
-                                object.string()));
+                    say("project.object_gone", {{"file", path.string()}, {"object", object.string()}}));
     return ObjectSource{object, std::move(*project)};
 }
 

@@ -8,6 +8,8 @@
 
 #include <fmt/core.h>
 
+#include "snug/words/words.h"
+
 #include "cli/latin_text.h"
 
 namespace snug::cli {
@@ -127,13 +129,10 @@ void add_page(HPDF_Doc pdf, HPDF_Font plain, HPDF_Font bold, const Drawing& draw
 Result<std::vector<std::byte>> write_pdf(const DrawingDocument& document) {
     for (const Drawing& page : document.pages)
         if (std::max(page.size_mm.x, page.size_mm.y) * kPoints > kLongestPage)
-            return fail(ErrorKind::usage,
-                        fmt::format("{}.pdf: a page of a PDF is 5080 mm long at most; choose "
-                                    "a paper size that the drawing is tiled for",
-                                    document.name));
+            return fail(ErrorKind::usage, in_file(document.name + ".pdf", say("pdf.long_page")));
     HPDF_STATUS error = HPDF_OK;
     const std::unique_ptr<std::remove_pointer_t<HPDF_Doc>, Free> pdf(HPDF_New(note_error, &error));
-    if (!pdf) return fail(ErrorKind::output, fmt::format("{}.pdf: there is no memory for it", document.name));
+    if (!pdf) return fail(ErrorKind::output, in_file(document.name + ".pdf", say("pdf.no_memory")));
     HPDF_SetCompressionMode(pdf.get(), HPDF_COMP_ALL);
     HPDF_SetInfoAttr(pdf.get(), HPDF_INFO_TITLE, latin_text(document.title).c_str());
     HPDF_SetInfoAttr(pdf.get(), HPDF_INFO_CREATOR, "Snug");
@@ -147,8 +146,9 @@ Result<std::vector<std::byte>> write_pdf(const DrawingDocument& document) {
     auto size = static_cast<HPDF_UINT32>(bytes.size());
     if (!bytes.empty()) HPDF_ReadFromStream(pdf.get(), reinterpret_cast<HPDF_BYTE*>(bytes.data()), &size);
     if (error != HPDF_OK || bytes.empty())
-        return fail(ErrorKind::output,
-                    fmt::format("{}.pdf: cannot be made (libharu error {:#x})", document.name, error));
+        return fail(
+            ErrorKind::output,
+            in_file(document.name + ".pdf", say("pdf.not_made", {{"error", fmt::format("{:#x}", error)}})));
     bytes.resize(size);
     return bytes;
 }

@@ -30,8 +30,7 @@ Result<FileBytes> encoded(const Mesh& mesh, const std::filesystem::path& path) {
     if (ending == ".ply") return write_ply(mesh.vertices, mesh.triangles, {});
     if (ending == ".obj") return write_obj(mesh.vertices, mesh.triangles);
     if (ending == ".off") return write_off(mesh.vertices, mesh.triangles);
-    return fail(ErrorKind::usage,
-                fmt::format("{}: the name must end in .stl, .ply, .obj or .off", path.string()));
+    return fail(ErrorKind::usage, say("usage.sample_name", {{"file", path.string()}}));
 }
 
 int write_sample(const SampleArguments& arguments) {

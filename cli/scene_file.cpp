@@ -12,9 +12,7 @@ Result<Mesh> read_object(Bytes file, const std::filesystem::path& path) {
 
 std::optional<Error> unwanted_units(const Mesh& mesh, bool typed) {
     if (!typed || !mesh.read.in_mm) return {};
-    return Error{
-        ErrorKind::usage,
-        "the file states its unit itself: leave --units out; --scale or --longest make it another size"};
+    return Error{ErrorKind::usage, say("usage.unit_stated")};
 }
 
 }  // namespace snug::cli

@@ -25,19 +25,11 @@ Result<FileBytes> read_beside(const fs::path& folder, std::string name) {
     const fs::path real = error ? fs::path() : fs::weakly_canonical(root / name, error);
     const bool inside =
         !error && std::mismatch(root.begin(), root.end(), real.begin(), real.end()).first == root.end();
-    if (!inside)
-        return fail(ErrorKind::input,
-                    fmt::format("its geometry lies at \"{}\", and Snug reads only what lies "
-                                "beside the file: save it as .glb, which holds all",
-                                name));
+    if (!inside) return fail(ErrorKind::input, say("gltf.geometry_at", {{"name", name}}));
     if (!fs::exists(real, error))
-        return fail(
-            ErrorKind::input,
-            fmt::format("its geometry lies in {}, which is not beside it: put it there, or save it as "
-                        ".glb, which holds all",
-                        name));
+        return fail(ErrorKind::input, say("gltf.geometry_not_beside", {{"name", name}}));
     if (!fs::is_regular_file(real, error))
-        return fail(ErrorKind::input, fmt::format("its geometry lies in {}, which is no file", name));
+        return fail(ErrorKind::input, say("gltf.geometry_no_file", {{"name", name}}));
     return read_file(real);
 }
 
@@ -51,7 +43,7 @@ Result<FileBytes> unpack_meshopt(Bytes packed, const MeshoptView& view) {
         failed = meshopt_decodeIndexBuffer(bytes.data(), view.count, view.stride, from, packed.size());
     else if (view.mode == "INDICES")
         failed = meshopt_decodeIndexSequence(bytes.data(), view.count, view.stride, from, packed.size());
-    if (failed != 0) return fail(ErrorKind::input, "a part packed by meshopt is damaged: export it again");
+    if (failed != 0) return fail(ErrorKind::input, say("meshopt.damaged"));
     return bytes;
 }
 

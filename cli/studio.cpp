@@ -18,6 +18,7 @@
 #include "snug/formats/mesh_files.h"
 #include "snug/formats/read_object.h"
 #include "snug/mesh/thin.h"
+#include "snug/words/words.h"
 
 #include "cli/arguments.h"
 #include "cli/console.h"
@@ -100,8 +101,7 @@ Result<nlohmann::json> offer_object(Site& site, const StudioArguments& arguments
     const ObjectFile file = describe(source->object, *bytes);
     nlohmann::json beside = nlohmann::json::array();
     const auto mesh = snug::read_object(*bytes, file.name, offering_tools(site, beside, source->object));
-    if (!mesh)
-        return fail(mesh.error().kind, fmt::format("{}: {}", source->object.string(), mesh.error().message));
+    if (!mesh) return fail(mesh.error().kind, in_file(source->object.string(), mesh.error().message));
     const bool thin = bytes->size() > arguments.most_bytes;
     const std::size_t triangles = mesh->triangles.size();
     nlohmann::json info{{"name", file.name},      {"original", file.name},

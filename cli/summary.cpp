@@ -2,116 +2,129 @@
 
 #include <string_view>
 
-#include <fmt/core.h>
-
 #include "snug/base/one_line.h"
 #include "snug/base/text.h"
+#include "snug/words/words.h"
 
 #include "cli/make_case.h"
 #include "cli/make_fit.h"
+#include "cli/wrapped.h"
 
 namespace snug::cli {
 namespace {
 
+constexpr std::size_t kLabel = 10;  // columns
+
 std::string litres(double mm3) {
-    return number(mm3 * 1e-6, 2) + " litres";
+    return number(mm3 * 1e-6, 2);
 }
 
-std::string blocks_of(const DesignSpace& space) {
-    return fmt::format("{} blocks of {} mm = {} mm", dimensions(vec_cast<double>(space.blocks), 0),
-                       dimensions(space.block_mm, 2), dimensions(space.size()));
+Message blocks_of(const DesignSpace& space) {
+    return say("summary.blocks", {{"blocks", dimensions(vec_cast<double>(space.blocks), 0)},
+                                  {"block", dimensions(space.block_mm, 2)},
+                                  {"size", dimensions(space.size())}});
 }
 
-/// Breaks a sentence into lines of about 90 characters, the later ones indented.
-std::string wrapped(std::string_view text, std::size_t indent) {
-    constexpr std::size_t kWidth = 90;
-    std::string lines;
-    std::size_t length = 0;
-    while (!text.empty()) {
-        const std::string_view word = text.substr(0, text.find(' '));
-        text.remove_prefix(std::min(text.size(), word.size() + 1));
-        if (length > 0 && length + 1 + word.size() > kWidth) {
-            lines += "\n" + std::string(indent, ' ');
-            length = 0;
-        } else if (length > 0) {
-            lines += ' ';
-            ++length;
-        }
-        lines += word;
-        length += word.size();
+const char* label_of(Severity severity) {
+    return severity == Severity::danger    ? "severity.danger"
+           : severity == Severity::warning ? "severity.warning"
+                                           : "severity.note";
+}
+
+Message gap_text(const GapReport& gap) {
+    std::vector<Message> undercut;
+    if (gap.undercut_mm3)
+        undercut.push_back(say("summary.undercut", {{"litres", litres(*gap.undercut_mm3)}}));
+    return say(
+        "summary.gap",
+        {{"widest", number(gap.widest_mm, 1)}, {"step", litres(gap.step_mm3)}, {"undercut", undercut}});
+}
+
+Message foam_text(const FitReport& fit) {
+    return say("summary.foam_of", {{"lower", fit.lower_blocks},
+                                   {"lid", fit.upper_blocks},
+                                   {"litres", litres(fit.foam_mm3)},
+                                   {"f", number(fit.fill_ratio, 4)}});
+}
+
+Message walls_text(const Walls& wall) {
+    return say("summary.walls_of", {{"floor", number(wall[0], 1)},
+                                    {"roof", number(wall[1], 1)},
+                                    {"back", number(wall[2], 1)},
+                                    {"front", number(wall[3], 1)},
+                                    {"left", number(wall[4], 1)},
+                                    {"right", number(wall[5], 1)}});
+}
+
+/// The lines, each a label and what is said under it.
+struct Lines {
+    Language language;
+    std::string text = {};
+
+    void add(std::string_view label, const Message& message) {
+        text += padded(label, kLabel) + snug::text(message, language) + "\n";
     }
-    return lines;
-}
-
-std::string findings_lines(const std::vector<Finding>& findings) {
-    std::string text;
-    for (const Finding& finding : findings) {
-        const std::string_view label = finding.severity == Severity::danger    ? "DANGER"
-                                       : finding.severity == Severity::warning ? "Warning"
-                                                                               : "Note";
-        text += fmt::format("{:<10}{}\n", label, wrapped(one_line(finding.message), 10));
+    void add(const char* label, const Message& message) { add(worded(label), message); }
+    /// Over several lines, where it is long.
+    void add_sentence(const char* label, const Message& message) {
+        text +=
+            padded(worded(label), kLabel) + wrapped(one_line(snug::text(message, language)), kLabel) + "\n";
     }
-    return text;
-}
-
-std::string gap_line(const GapReport& gap) {
-    std::string text = fmt::format("widest {} mm; {} lost to the blocks' steps", number(gap.widest_mm, 1),
-                                   litres(gap.step_mm3));
-    if (gap.undercut_mm3) text += fmt::format(", {} to undercuts", litres(*gap.undercut_mm3));
-    return text;
-}
+    [[nodiscard]] std::string worded(const char* label) const { return snug::text(say(label), language); }
+};
 
 }  // namespace
 
-std::string object_line(const Object& object) {
+Message object_text(const Object& object) {
     const auto& measure = object.measure;
-    if (object.is_cloud())
-        return fmt::format("{}, {} mm, a cloud", counted(object.read.vertices, "point", "points"),
-                           dimensions(measure.bounds.size()));
+    const std::string size = dimensions(measure.bounds.size());
+    if (object.is_cloud()) return say("summary.cloud", {{"points", object.read.vertices}, {"size", size}});
     if (object.is_streamed())
-        return fmt::format("{}, {} mm, read in pieces",
-                           counted(object.read.triangles, "triangle", "triangles"),
-                           dimensions(measure.bounds.size()));
-    std::string closed = "closed";
+        return say("summary.streamed", {{"triangles", object.read.triangles}, {"size", size}});
+    Message closed = say("summary.closed");
     if (!measure.holes.empty())
-        closed = "open (" + counted(measure.holes.size(), "hole", "holes") + ")";
+        closed = say("summary.open", {{"holes", measure.holes.size()}});
     else if (!measure.watertight)
-        closed = "closed, but wound both ways";
-    return fmt::format("{}, {}, {} mm, {}", counted(object.read.vertices, "vertex", "vertices"),
-                       counted(object.read.triangles, "triangle", "triangles"),
-                       dimensions(measure.bounds.size()), closed);
+        closed = say("summary.wound");
+    return say("summary.mesh", {{"vertices", object.read.vertices},
+                                {"triangles", object.read.triangles},
+                                {"size", size},
+                                {"closed", closed}});
 }
 
-std::string summary(const Object& object, const Project& project, const Made& made,
-                    const std::string& folder) {
+std::string summary(const Object& object, const Project& project, const Made& made, const std::string& folder,
+                    Language language) {
     const Packing& packing = made.packing;
     const FitReport& fit = packing.fit;
-    const auto& wall = fit.wall_mm;
-    const auto line = [](std::string_view label, const std::string& text) {
-        return fmt::format("{:<10}{}\n", label, text);
-    };
-    std::string text = line("Object", one_line(project.object.name) + ": " + object_line(object));
-    text += line("Space", blocks_of(packing.space));
-    if (packing.fitted_case) text += case_lines(*packing.fitted_case, packing.foams->parting_level);
-    text += line("Foam", fmt::format("lower {}, lid {}, together {}; F {}",
-                                     counted(fit.lower_blocks, "block", "blocks"),
-                                     counted(fit.upper_blocks, "block", "blocks"), litres(fit.foam_mm3),
-                                     number(fit.fill_ratio, 4)));
-    text += line("Remove",
-                 fmt::format("{} ({})", counted(fit.cut_blocks, "block", "blocks"),
-                             litres(static_cast<double>(fit.cut_blocks) * packing.space.block_volume())));
-    text += line("Parting", fmt::format("after block {} of {}, counted from below",
-                                        packing.foams->parting_level, packing.space.blocks.x));
-    text += line("Walls", fmt::format("floor {}, roof {}, back {}, front {}, left {}, right {} mm",
-                                      number(wall[0], 1), number(wall[1], 1), number(wall[2], 1),
-                                      number(wall[3], 1), number(wall[4], 1), number(wall[5], 1)));
-    for (const Notch& notch : packing.notches) text += line("Notch", notch_text(notch));
-    if (made.fit.gap) text += line("Gaps", gap_line(*made.fit.gap));
-    if (made.fit.bearing) text += line("Bears", wrapped(bearing_text(*made.fit.bearing, project.design), 10));
-    text += findings_lines(packing.findings);
-    text += line("Files", folder.empty() ? "none are written: a dry run"
-                                         : fmt::format("in {}: look at preview.svg first", one_line(folder)));
-    return text;
+    const double cut_mm3 = static_cast<double>(fit.cut_blocks) * packing.space.block_volume();
+    Lines lines{language};
+    lines.add("summary.object",
+              say("summary.named", {{"name", one_line(project.object.name)}, {"what", object_text(object)}}));
+    lines.add("summary.space", blocks_of(packing.space));
+    if (packing.fitted_case) {
+        lines.add("summary.case", case_text(*packing.fitted_case));
+        std::string label = lines.worded("summary.fillers");
+        for (const Filler& filler : fillers(*packing.fitted_case, packing.foams->parting_level)) {
+            lines.add(std::string_view(label), filler_text(filler));
+            label.clear();
+        }
+    }
+    lines.add("summary.foam", foam_text(fit));
+    lines.add("summary.remove",
+              say("summary.removed", {{"blocks", fit.cut_blocks}, {"litres", litres(cut_mm3)}}));
+    lines.add("summary.parting",
+              say("summary.parting_after", {{"level", std::to_string(packing.foams->parting_level)},
+                                            {"blocks", std::to_string(packing.space.blocks.x)}}));
+    lines.add("summary.walls", walls_text(fit.wall_mm));
+    for (const Notch& notch : packing.notches) lines.add("summary.notch", notch_text(notch));
+    if (made.fit.gap) lines.add("summary.gaps", gap_text(*made.fit.gap));
+    if (made.fit.bearing)
+        lines.add_sentence("summary.bears", bearing_text(*made.fit.bearing, project.design));
+    for (const Finding& finding : packing.findings)
+        lines.add_sentence(label_of(finding.severity), finding.message);
+    lines.add("summary.files",
+              folder.empty() ? say("summary.dry") : say("summary.in_folder", {{"folder", one_line(folder)}}));
+    return lines.text;
 }
 
 }  // namespace snug::cli

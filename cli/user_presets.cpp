@@ -4,6 +4,8 @@
 
 #include <fmt/core.h>
 
+#include "snug/words/words.h"
+
 #include "cli/files.h"
 
 namespace snug::cli {
@@ -25,7 +27,7 @@ Result<std::vector<Preset>> known_presets() {
     const auto bytes = read_file(path);
     if (!bytes) return tl::unexpected(bytes.error());
     const auto own = parse_presets({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
-    if (!own) return fail(ErrorKind::usage, fmt::format("{}: {}", path.string(), own.error().message));
+    if (!own) return fail(ErrorKind::usage, in_file(path.string(), own.error().message));
     presets.insert(presets.end(), own->begin(), own->end());
     return presets;
 }

@@ -98,13 +98,12 @@ void own_port_alone(socket_t socket) {
 Result<int> bound(httplib::Server& server, int port) {
     if (port != 0) {
         if (server.bind_to_port(kHost, port)) return port;
-        return fail(ErrorKind::output,
-                    fmt::format("port {} of {} is taken: choose another with --port", port, kHost));
+        return fail(ErrorKind::output, say("server.port_taken", {{"port", port}, {"host", kHost}}));
     }
     for (int usual = kUsualPort; usual < kUsualPort + kPortsToTry; ++usual)
         if (server.bind_to_port(kHost, usual)) return usual;
     const int any = server.bind_to_any_port(kHost);
-    if (any <= 0) return fail(ErrorKind::output, fmt::format("no port of {} is free", kHost));
+    if (any <= 0) return fail(ErrorKind::output, say("server.no_port", {{"host", kHost}}));
     return any;
 }
 
@@ -123,10 +122,7 @@ Result<Site> site_of_folder(const fs::path& folder) {
     }
     const auto index = site.files.find("/index.html");
     if (error || index == site.files.end())
-        return fail(ErrorKind::input,
-                    fmt::format("{}: the studio is not there; `make build` makes it, and --files "
-                                "names another folder",
-                                folder.string()));
+        return fail(ErrorKind::input, say("server.no_studio", {{"folder", folder.string()}}));
     site.files["/"] = index->second;
     return site;
 }
@@ -160,7 +156,7 @@ Result<void> serve(const Site& site, int port, const std::function<void(int)>& o
     ended = true;
     watcher.join();
     if (!listened && !InterruptGuard::interrupted())
-        return fail(ErrorKind::output, fmt::format("port {} of {} cannot be served", *place, kHost));
+        return fail(ErrorKind::output, say("server.not_served", {{"port", *place}, {"host", kHost}}));
     return {};
 }
 

@@ -5,6 +5,8 @@
 
 #include <fmt/core.h>
 
+#include "snug/words/words.h"
+
 namespace snug::cli {
 namespace {
 
@@ -24,7 +26,7 @@ struct Release {
 };
 
 tl::unexpected<Error> cannot_pack(const PackContainer& container, const char* why) {
-    return fail(ErrorKind::output, fmt::format("{}: cannot be packed ({})", container.name, why));
+    return fail(ErrorKind::output, in_file(container.name, say("zip.not_packed", {{"why", why}})));
 }
 
 /// False where the archive refuses; it then knows why.

@@ -8,6 +8,7 @@
 
 #include "snug/base/result.h"
 #include "snug/mesh/mesh.h"
+#include "snug/words/words.h"
 
 namespace snug::fuzz {
 
@@ -22,7 +23,8 @@ inline void check_vertices(const Mesh& mesh) {
 
 /// What every mesh that a reader gives out must be; an error must say something.
 inline void check(const Result<Mesh>& result) {
-    if (!result) return require(!result.error().message.empty() && result.error().kind == ErrorKind::input);
+    if (!result)
+        return require(!text(result.error().message).empty() && result.error().kind == ErrorKind::input);
     const Mesh& mesh = *result;
     require(!mesh.triangles.empty());
     // Refused where more than half is left out.

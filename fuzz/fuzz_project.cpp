@@ -2,6 +2,7 @@
 
 #include "snug/design/presets.h"
 #include "snug/design/project.h"
+#include "snug/words/words.h"
 
 #include "fuzz/check_mesh.h"
 
@@ -13,6 +14,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         snug::fuzz::require(again && *again == *project);
     }
     const auto presets = snug::parse_presets(text);
-    snug::fuzz::require(presets || !presets.error().message.empty());
+    snug::fuzz::require(presets || !text(presets.error().message).empty());
     return 0;
 }

@@ -3,6 +3,7 @@
 #include "snug/depth/streamed_surface.h"
 #include "snug/formats/read.h"
 #include "snug/formats/triangle_stream.h"
+#include "snug/words/words.h"
 
 #include "fuzz/check_mesh.h"
 
@@ -16,7 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                             }};
     const auto stream = TriangleStream::open(source);
     if (!stream) {
-        fuzz::require(!stream.error().message.empty());
+        fuzz::require(!text(stream.error().message).empty());
         return 0;
     }
     const auto bounds = streamed_bounds(*stream, {}, {});

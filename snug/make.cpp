@@ -38,8 +38,8 @@ Result<Packing> placed(const Object& object, const Design& design, const Progres
 Result<int> parting_level(const Packing& packing, const HalfCuts& cuts, const PartingOptions& options) {
     const int nx = packing.space.blocks.x;
     if (options.level && *options.level > nx)
-        return fail(ErrorKind::usage, "the parting level " + std::to_string(*options.level) +
-                                          " is above the space's " + std::to_string(nx) + " blocks");
+        return fail(ErrorKind::usage, say("parting.too_high", {{"level", std::to_string(*options.level)},
+                                                               {"blocks", std::to_string(nx)}}));
     if (options.level) return *options.level;
     if (packing.fitted_case && packing.fitted_case->lid_level) return *packing.fitted_case->lid_level;
     return auto_parting_level(cut_by_either(cuts), packing.space, packing.placement.bounds);
@@ -51,7 +51,7 @@ void cut_for_hands(Packing& packing, const Design& design, int level) {
         const NotchPair pair = cut_notches(packing.blocks, packing.space, level, *design.fit.notches,
                                            wanted_wall_mm(design.space));
         if (pair.notches) packing.notches.assign(pair.notches->begin(), pair.notches->end());
-        if (!pair.notches) packing.findings.push_back({Severity::warning, "no_notches", pair.why_not, {}});
+        if (!pair.notches) packing.findings.push_back({Severity::warning, pair.why_not});
     }
     if (design.fit.least_rib_mm > 0)
         packing.rib_blocks = cut_thin_ribs(packing.blocks, packing.space, level, design.fit.least_rib_mm);
@@ -64,12 +64,7 @@ void add_findings(const std::vector<Finding>& more, std::vector<Finding>& findin
 
 /// Figures of a search with a stand-in are the stand-in's.
 void note_stand_in(Packing& packing) {
-    add_findings({{Severity::note,
-                   "searched_stand_in",
-                   "the search worked with a stand-in that holds the object, so its own figures are a little "
-                   "too high; the foams are of the object itself",
-                   {}}},
-                 packing.findings);
+    add_findings({{Severity::note, say("searched_stand_in")}}, packing.findings);
 }
 
 Progress told(const Tools& tools, Stage stage) {

@@ -13,6 +13,7 @@
 #include "snug/make.h"
 #include "snug/mesh/raw_mesh.h"
 #include "snug/solid/solid.h"
+#include "snug/words/words.h"
 
 #include "tests/support/brute_force.h"
 #include "tests/support/random_design.h"
@@ -73,8 +74,8 @@ TEST_P(Models, AreCutExactlyAndComeOutOfClosedFoams) {
             test::expect_solid_of(lower_solid(foams, space), foams.lower, space);
             test::expect_solid_of(upper_solid(foams, space), foams.upper, space);
             for (const Finding& finding : packing->findings) {
-                EXPECT_NE(finding.code, "uncut_part") << finding.message;
-                EXPECT_TRUE(!GetParam().closed || finding.code != "open") << finding.message;
+                EXPECT_NE(finding.code(), "uncut_part") << text(finding.message);
+                EXPECT_TRUE(!GetParam().closed || finding.code() != "open") << text(finding.message);
             }
         }
     }
@@ -147,11 +148,11 @@ TEST(Bunny, WithoutItsBaseIsADangerAndCappedIsCutWhereTheClosedOneIs) {
         const Packing closed = *pack(*prepare(*mesh, design), design);
         const Packing lost = *pack(*prepare(open, design), design);
         if (turn == 90 || turn == -90) {
-            EXPECT_EQ(lost.findings.front().code, "open");
+            EXPECT_EQ(lost.findings.front().code(), "open");
         }
         design.object.cap = true;
         const Packing capped = *pack(*prepare(open, design), design);
-        for (const Finding& finding : capped.findings) EXPECT_NE(finding.code, "open");
+        for (const Finding& finding : capped.findings) EXPECT_NE(finding.code(), "open");
         for (std::size_t column = 0; column < closed.blocks.size(); ++column) {
             const CutRun whole = closed.blocks[column], mended = capped.blocks[column];
             if (whole.none()) continue;

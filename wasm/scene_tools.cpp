@@ -16,9 +16,7 @@ val view_of(Bytes bytes) {
 /// Where a tool has no answer, why.
 std::optional<Error> refusal(const val& answer) {
     if (answer.isString()) return Error{ErrorKind::input, answer.as<std::string>()};
-    if (answer.isNull() || answer.isUndefined())
-        return Error{ErrorKind::input,
-                     "a part of it is damaged and cannot be unpacked: copy or export it again"};
+    if (answer.isNull() || answer.isUndefined()) return Error{ErrorKind::input, say("packed.damaged")};
     return {};
 }
 

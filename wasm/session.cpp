@@ -23,10 +23,9 @@ constexpr std::uint64_t kSearchSeed = 1;
 constexpr double kStepMs = 60;
 constexpr std::size_t kMostDistinct = 6;
 
-const Error kNoObject{ErrorKind::usage, "there is no object yet: open one first"};
-const Error kNotOfClouds{ErrorKind::usage,
-                         "gaps, undercuts and what the object lies on are not known of a point cloud"};
-const Error kNoFoams{ErrorKind::usage, "there are no foams yet that could be measured"};
+const Error kNoObject{ErrorKind::usage, say("session.no_object")};
+const Error kNotOfClouds{ErrorKind::usage, say("session.cloud")};
+const Error kNoFoams{ErrorKind::usage, say("session.no_foams")};
 
 bool asks_for_unit(const Mesh& mesh, const Box3d& box, const Design& design) {
     return !mesh.read.in_mm && box.longest_side() > 0 && !design.object.units && !design.object.longest_mm;
@@ -172,7 +171,7 @@ val Session::start_search(const std::string& design_text) {
 }
 
 val Session::search_step() {
-    if (!search_) return to_val(Error{ErrorKind::cancelled, "the object changed while it was turned"});
+    if (!search_) return to_val(Error{ErrorKind::cancelled, say("session.changed")});
     Stopwatch watch;
     run(*search_, kSearchEvaluations, [spent = 0.0, &watch](const PlacementSearch&) mutable {
         spent += watch.lap();
@@ -218,7 +217,7 @@ val Session::start_map(const std::string& design_text) {
 }
 
 val Session::map_step() {
-    if (!map_) return to_val(Error{ErrorKind::cancelled, "the object changed while it was turned"});
+    if (!map_) return to_val(Error{ErrorKind::cancelled, say("session.changed")});
     Stopwatch watch;
     for (double spent = 0; spent < kStepMs && map_->passes() < kMapPasses; spent += watch.lap()) map_->step();
     return to_val(*map_);

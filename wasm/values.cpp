@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "snug/words/words.h"
+
 namespace snug::wasm {
 namespace {
 
@@ -126,7 +128,7 @@ val to_val(Vec3i v) {
 
 val to_val(const Error& error) {
     val result = val::object();
-    result.set("error", error.message);
+    result.set("error", text(error.message));
     result.set("kind", std::string(kind_name(error.kind)));
     return result;
 }
@@ -174,7 +176,7 @@ val to_val(const Object& object, Vec3d file_size, const std::optional<Error>& re
     result.set("fileSize", to_val(file_size));
     result.set("size_mm", refused ? val::null() : to_val(measure.bounds.size()));
     result.set("statesUnit", object.mesh.read.in_mm);
-    result.set("sizeProblem", refused ? val(refused->message) : val::null());
+    result.set("sizeProblem", refused ? val(text(refused->message)) : val::null());
     result.set("cloud", object.is_cloud());
     result.set("watertight", measure.watertight);
     result.set("volume_mm3", refused ? val::null() : or_null(measure.volume));
@@ -199,8 +201,8 @@ val to_val(const std::vector<Finding>& findings) {
     for (const Finding& finding : findings) {
         val entry = val::object();
         entry.set("severity", std::string(severity_name(finding.severity)));
-        entry.set("code", finding.code);
-        entry.set("message", finding.message);
+        entry.set("code", std::string(finding.code()));
+        entry.set("message", text(finding.message));
         entry.set("where", finding.where ? to_val(*finding.where) : val::null());
         list.call<void>("push", entry);
     }

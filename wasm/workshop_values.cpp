@@ -1,6 +1,7 @@
 #include "wasm/workshop_values.h"
 
 #include "snug/drawing/drawing_json.h"
+#include "snug/words/words.h"
 
 namespace snug::wasm {
 namespace {
@@ -59,8 +60,8 @@ val figures_val(const WorkshopPack& pack) {
     val result = val::object();
     result.set("figures", list_of(pack.figures, [](const PackFigure& figure) {
                    val one = val::object();
-                   one.set("label", figure.label);
-                   one.set("value", figure.value);
+                   one.set("label", text(figure.label));
+                   one.set("value", text(figure.value));
                    return one;
                }));
     result.set("findings", to_val(pack.findings));

@@ -16,6 +16,10 @@ std::string_view severity_name(Severity severity) {
     return "note";
 }
 
+std::string_view Finding::code() const {
+    return std::string_view(message.code).substr(0, message.code.find('/'));
+}
+
 void sort_by_severity(std::vector<Finding>& findings) {
     std::stable_sort(findings.begin(), findings.end(),
                      [](const Finding& a, const Finding& b) { return a.severity < b.severity; });

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "snug/base/message.h"
 #include "snug/base/vec.h"
 
 namespace snug {
@@ -19,9 +20,12 @@ enum class Severity {
 /// Something a person must know.
 struct Finding {
     Severity severity = Severity::note;
-    std::string code;            ///< stable word for programs, e.g. "open"
-    std::string message;         ///< a sentence that says what it is and what to do
-    std::optional<Vec3d> where;  ///< a place in design coordinates, if it has one
+    Message message;                  ///< a sentence that says what it is and what to do
+    std::optional<Vec3d> where = {};  ///< a place in design coordinates, if it has one
+
+    /// The stable word for programs, e.g. "open": the message's code up to a '/', behind which several
+    /// sentences of one kind of finding differ.
+    [[nodiscard]] std::string_view code() const;
 };
 
 /// Dangers first, then warnings, then notes; within each the order they were found in.

@@ -5,6 +5,8 @@
 
 #include <tl/expected.hpp>
 
+#include "snug/base/message.h"
+
 namespace snug {
 
 /// What kind of trouble stopped the work. The command line turns each into its exit status.
@@ -18,16 +20,23 @@ enum class ErrorKind {
 
 /// One sentence for the person who works with Snug: what is wrong, where, and what to do.
 struct Error {
+    Error() = default;
+    Error(ErrorKind kind_, Message message_) : kind(kind_), message(std::move(message_)) {}
+    Error(ErrorKind kind_, std::string_view sentence) : Error(kind_, as_it_is(sentence)) {}
+
     ErrorKind kind = ErrorKind::input;
-    std::string message;
+    Message message;
 };
 
 /// A value, or the sentence that says why there is none.
 template <class T>
 using Result = tl::expected<T, Error>;
 
-[[nodiscard]] inline tl::unexpected<Error> fail(ErrorKind kind, std::string message) {
+[[nodiscard]] inline tl::unexpected<Error> fail(ErrorKind kind, Message message) {
     return tl::unexpected<Error>(Error{kind, std::move(message)});
+}
+[[nodiscard]] inline tl::unexpected<Error> fail(ErrorKind kind, std::string_view sentence) {
+    return tl::unexpected<Error>(Error{kind, sentence});
 }
 
 }  // namespace snug

@@ -85,26 +85,19 @@ std::optional<double> static_pressure_kpa(double mass_kg, double area_mm2) {
 
 void find_bearing_problems(const BearingReport& bearing, std::optional<double> mass_kg,
                            std::optional<double> creep_kpa, std::vector<Finding>& findings) {
-    const auto look = [&](const char* half, double area_mm2) {
-        const auto warn = [&](const char* code, std::string message) {
-            findings.push_back({Severity::warning, code, std::move(message), {}});
+    const auto look = [&](const Message& foam, double area_mm2) {
+        const auto warn = [&](Message message) {
+            findings.push_back({Severity::warning, std::move(message)});
         };
-        if (area_mm2 <= 0)
-            return warn("no_bearing",
-                        std::string("the ") + half +
-                            " foam does not hold the object: it would sink more than 5 mm before "
-                            "it lies on foam; choose a smaller clearance or smaller blocks");
+        if (area_mm2 <= 0) return warn(say("no_bearing", {{"foam", foam}}));
         if (!mass_kg || !creep_kpa) return;
         const double pressure = *static_pressure_kpa(*mass_kg, area_mm2);
         if (pressure <= *creep_kpa) return;
-        warn("creep",
-             std::string("the object presses on the ") + half + " foam with " + number(pressure, 1) +
-                 " kPa, more than the " + number(*creep_kpa, 1) +
-                 " kPa that it bears for long: turn the object so that it lies on a larger area, or take "
-                 "a firmer foam");
+        warn(say("creep",
+                 {{"foam", foam}, {"kpa", number(pressure, 1)}, {"creep_kpa", number(*creep_kpa, 1)}}));
     };
-    look("lower", bearing.lower_mm2.back());
-    look("upper", bearing.upper_mm2.back());
+    look(say("foam.lower"), bearing.lower_mm2.back());
+    look(say("foam.upper"), bearing.upper_mm2.back());
     sort_by_severity(findings);
 }
 

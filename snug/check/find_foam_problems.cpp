@@ -15,13 +15,13 @@ std::optional<Finding> outside_of(const Box3d& placed, const DesignSpace& space,
     const Vec3d least = fitted_blocks(room, space.block_mm);
     if (least.x <= space.blocks.x && least.y <= space.blocks.y && least.z <= space.blocks.z) return {};
     const Vec3d least_mm{least.x * space.block_mm.x, least.y * space.block_mm.y, least.z * space.block_mm.z};
-    return Finding{Severity::danger, "outside",
-                   "the object needs " + dimensions(room.size()) + " mm" +
-                       (clearance != Clearance() ? " with its clearance" : "") +
-                       " and leaves the design space of " + dimensions(space.size()) + " mm (" +
-                       dimensions(vec_cast<double>(space.blocks), 0) +
-                       " blocks). The smallest that would do here is " + dimensions(least, 0) + " blocks (" +
-                       dimensions(least_mm) + " mm) without any wall; --blocks auto adds walls",
+    return Finding{Severity::danger,
+                   say("outside", {{"needed", dimensions(room.size())},
+                                   {"clearance", with_clearance(clearance)},
+                                   {"space", dimensions(space.size())},
+                                   {"space_blocks", dimensions(vec_cast<double>(space.blocks), 0)},
+                                   {"least_blocks", dimensions(least, 0)},
+                                   {"least", dimensions(least_mm)}}),
                    placed.centre()};
 }
 

@@ -27,23 +27,9 @@ void note_mesh(const Object& object, const Placement& placement, const ObjectOpt
     find_read_notes(object.mesh.read, 0, options.units, findings);
     find_dropped(object.clean, options.clean, findings);
     if (object.missing.capped)
-        findings.push_back({Severity::note,
-                            "capped",
-                            counted(object.measure.holes.size(), "hole was", "holes were") +
-                                " closed before cutting; where the surface is missing its shape is a guess",
-                            {}});
-    if (options.cap && !object.missing.capped)
-        findings.push_back(
-            {Severity::note,
-             "nothing_to_cap",
-             "the object has no holes, so there was nothing to close: the foams are the same without --cap",
-             {}});
-    if (options.point_radius_mm > 0)
-        findings.push_back(
-            {Severity::note,
-             "no_points",
-             "a point radius was chosen, but the object is no cloud of points: it was not used",
-             {}});
+        findings.push_back({Severity::note, say("capped", {{"holes", object.measure.holes.size()}})});
+    if (options.cap && !object.missing.capped) findings.push_back({Severity::note, say("nothing_to_cap")});
+    if (options.point_radius_mm > 0) findings.push_back({Severity::note, say("no_points")});
 }
 
 void note_cloud(const Object& object, const PointBalls& balls, const ObjectOptions& options,
@@ -53,35 +39,16 @@ void note_cloud(const Object& object, const PointBalls& balls, const ObjectOptio
     std::vector<float> radius = balls.radius;
     const auto middle = radius.begin() + static_cast<std::ptrdiff_t>(radius.size() / 2);
     std::nth_element(radius.begin(), middle, radius.end());
-    findings.push_back(
-        {Severity::note,
-         "cloud",
-         "a cloud of " + counted(radius.size(), "point", "points") +
-             ": each counts as a ball, half of them of " + number(static_cast<double>(*middle), 2) +
-             " mm or less in radius (--point-radius sets it). Volume, parts, gaps and undercuts "
-             "are not known",
-         {}});
-    if (object.missing.capped)
-        findings.push_back({Severity::note,
-                            "capped",
-                            "what the scanner did not see was closed before cutting, down to the end of the "
-                            "object where that is near; its shape there is a guess",
-                            {}});
+    findings.push_back({Severity::note, say("cloud", {{"points", radius.size()},
+                                                      {"radius", number(static_cast<double>(*middle), 2)}})});
+    if (object.missing.capped) findings.push_back({Severity::note, say("capped/cloud")});
     if (options.cap && !object.missing.capped)
-        findings.push_back({Severity::note,
-                            "nothing_to_cap",
-                            "no place was found that the scanner did not see, so there was nothing to "
-                            "close: the foams are the same without --cap",
-                            {}});
+        findings.push_back({Severity::note, say("nothing_to_cap/cloud")});
 }
 
 void note_stream(const Object& object, const ObjectOptions& options, std::vector<Finding>& findings) {
     find_read_notes(object.mesh.read, 0, options.units, findings);
-    findings.push_back({Severity::note,
-                        "streamed",
-                        "the object was read in pieces: whether it is closed, in how many parts, and what it "
-                        "has of undercuts is not known; foam may grow inside where it is open",
-                        {}});
+    findings.push_back({Severity::note, say("streamed")});
 }
 
 }  // namespace

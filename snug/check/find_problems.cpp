@@ -24,15 +24,6 @@ constexpr std::size_t kPartsNamed = 5;
 constexpr std::array<std::array<double, 2>, 4> kAnywhere{
     {{0.618, 0.2361}, {0.2361, 0.1459}, {0.1459, 0.618}, {0.3819, 0.3823}}};
 
-void add(std::vector<Finding>& findings, Severity severity, std::string code, std::string message,
-         std::optional<Vec3d> where = {}) {
-    findings.push_back({severity, std::move(code), std::move(message), where});
-}
-
-std::string mm(double value) {
-    return number(value, 1) + " mm";
-}
-
 Vec3d column_centre(const DesignSpace& space, int j, int k, CutRun run) {
     return {(space.face(0, run.first) + space.face(0, run.end)) / 2,
             (space.face(1, j) + space.face(1, j + 1)) / 2, (space.face(2, k) + space.face(2, k + 1)) / 2};
@@ -139,14 +130,14 @@ std::optional<Vec3d> thinnest_place(const BlockMap& blocks, const DesignSpace& s
 }
 
 struct SideWords {
-    const char* name;  ///< in a sentence
-    const char* none_code;
-    const char* thin_code;
+    const char* place;
+    const char* none;
+    const char* thin;
 };
 constexpr SideWords kSides[6] = {
-    {"under the object (-x)", "no_floor", "thin_floor"}, {"over the object (+x)", "no_roof", "thin_roof"},
-    {"at the back (-y)", "touches_case", "thin_wall"},   {"at the front (+y)", "touches_case", "thin_wall"},
-    {"at the left (-z)", "touches_case", "thin_wall"},   {"at the right (+z)", "touches_case", "thin_wall"}};
+    {"side.floor", "no_floor", "thin_floor"},   {"side.roof", "no_roof", "thin_roof"},
+    {"side.back", "touches_case", "thin_wall"}, {"side.front", "touches_case", "thin_wall"},
+    {"side.left", "touches_case", "thin_wall"}, {"side.right", "touches_case", "thin_wall"}};
 
 }  // namespace
 
@@ -172,13 +163,10 @@ void find_open_holes(const Mesh& hole_spans, const Placement& placement, const D
     }
     if (columns == 0) return;
     const double cm3 = static_cast<double>(inside) * space.block_volume() * 1e-3;
-    add(findings, Severity::danger, "open",
-        "the object is open, and foam would grow inside it: " +
-            counted(static_cast<unsigned long long>(inside), "block", "blocks") + " (" +
-            number(cm3, cm3 < 10 ? 1 : 0) + " cm3) in " +
-            counted(static_cast<unsigned long long>(columns), "column", "columns") +
-            "; close the holes with --cap, or repair the scan",
-        where);
+    findings.push_back(
+        {Severity::danger,
+         say("open", {{"blocks", inside}, {"cm3", number(cm3, cm3 < 10 ? 1 : 0)}, {"columns", columns}}),
+         where});
 }
 
 void find_uncut_parts(const Mesh& mesh, const MeshMeasure& measure, bool capped, const Placement& placement,
@@ -208,18 +196,11 @@ void find_uncut_parts(const Mesh& mesh, const MeshMeasure& measure, bool capped,
         uncut_parts(mesh, TrianglesOfParts(measure, cut), cut, capped, PartCut(placement, space, reach));
     for (std::size_t i = 0; i < std::min(found.parts.size(), kPartsNamed); ++i) {
         const MeshPart& part = measure.parts[found.parts[i]];
-        add(findings, Severity::danger, "uncut_part",
-            "a part of the object (" + dimensions(part.bounds.size()) +
-                " mm) cuts no block, so foam would press on it: choose a larger clearance or smaller blocks, "
-                "or move the object",
-            placement(mesh.vertices[mesh.triangles[part.first_triangle][0]]));
+        findings.push_back({Severity::danger, say("uncut_part", {{"size", dimensions(part.bounds.size())}}),
+                            placement(mesh.vertices[mesh.triangles[part.first_triangle][0]])});
     }
     if (found.unknown > 0)
-        add(findings, Severity::warning, "parts_not_checked",
-            "whether " + counted(found.unknown, "part", "parts") +
-                " of the object, flush with the blocks, cut a block each was not checked: they are too many "
-                "for "
-                "so fine blocks. Look at them in the preview, or move the object by a part of a block");
+        findings.push_back({Severity::warning, say("parts_not_checked", {{"parts", found.unknown}})});
 }
 
 void find_thin_walls(const FitReport& fit, const BlockMap& blocks, const DesignSpace& space,
@@ -227,44 +208,45 @@ void find_thin_walls(const FitReport& fit, const BlockMap& blocks, const DesignS
     if (fit.cut_blocks == 0) return;
     Walls least = wanted_mm;
     for (double& mm : least) mm = std::max(mm, kLeastGoodWall);
-    const std::string advice = wall_advice(fit.wall_mm, least, space, choice);
+    const Message advice = wall_advice(fit.wall_mm, least, space, choice);
     for (int i = 0; i < 6; ++i) {
         const auto side = static_cast<Side>(i);
         const double wall = fit.wall_mm[static_cast<std::size_t>(i)];
         const double wanted = wanted_mm[static_cast<std::size_t>(i)];
         if (wall >= std::max(kLeastGoodWall, wanted)) continue;
-        const std::string place = std::string(kSides[i].name);
-        const auto where = thinnest_place(blocks, space, side);
+        const SideWords& words = kSides[i];
+        const auto find = [&](Severity severity, Message message) {
+            findings.push_back({severity, std::move(message), thinnest_place(blocks, space, side)});
+        };
+        const Message place = say(words.place);
         if (wall <= 0)
-            add(findings, Severity::danger, kSides[i].none_code,
-                "no foam is left " + place + ": the object would touch the case; " + advice, where);
+            find(Severity::danger, say(words.none, {{"side", place}, {"advice", advice}}));
         else if (wall < kLeastGoodWall)
-            add(findings, Severity::warning, kSides[i].thin_code,
-                "only " + mm(wall) + " of foam " + place +
-                    "; 25 mm is the least that cushions, 50 mm is usual: " + advice,
-                where);
+            find(Severity::warning,
+                 say(words.thin, {{"side", place}, {"mm", number(wall, 1)}, {"advice", advice}}));
         else
-            add(findings, Severity::warning, "wall_below_wanted",
-                "only " + mm(wall) + " of foam " + place + " where " + mm(wanted) + " is wanted; " + advice,
-                where);
+            find(Severity::warning, say("wall_below_wanted", {{"side", place},
+                                                              {"mm", number(wall, 1)},
+                                                              {"wanted_mm", number(wanted, 1)},
+                                                              {"advice", advice}}));
     }
 }
 
 void find_pieces(const FitReport& fit, const SpaceChoice& choice, std::vector<Finding>& findings) {
     const bool fixed = choice.is_case();
-    const auto look = [&](int pieces, const char* half, const char* no_code, const char* pieces_code) {
-        if (pieces == 0)
-            add(findings, Severity::danger, no_code,
-                std::string("the ") + half + " foam is empty: choose another parting level or " +
-                    (fixed ? "a higher case" : "more blocks"));
-        if (pieces > 1)
-            add(findings, Severity::warning, pieces_code,
-                std::string("the ") + half + " foam falls into " + std::to_string(pieces) +
-                    " pieces: glue them to the case, or " +
-                    (fixed ? "take a higher case" : "use more blocks along x"));
+    const auto look = [&](int pieces, const char* none, const char* several) {
+        if (pieces == 0) {
+            const Message instead = fixed ? say("pieces.higher_case") : say("pieces.more_blocks");
+            findings.push_back({Severity::danger, say(none, {{"instead", instead}})});
+        }
+        if (pieces > 1) {
+            const Message instead = fixed ? say("pieces.take_higher_case") : say("pieces.more_blocks_up");
+            findings.push_back({Severity::warning,
+                                say(several, {{"pieces", std::to_string(pieces)}, {"instead", instead}})});
+        }
     };
-    look(fit.lower_pieces, "lower", "no_lower", "lower_pieces");
-    look(fit.upper_pieces, "upper", "no_upper", "upper_pieces");
+    look(fit.lower_pieces, "no_lower", "lower_pieces");
+    look(fit.upper_pieces, "no_upper", "upper_pieces");
 }
 
 void find_parts(const MeshMeasure& measure, const Placement& placement, std::vector<Finding>& findings) {
@@ -285,19 +267,16 @@ void find_parts(const MeshMeasure& measure, const Placement& placement, std::vec
         ++specks;
         if (!where) where = placement(vec_cast<float>(part.bounds.centre()));
     }
-    std::string sizes;
+    std::vector<Message> sizes;
     for (std::size_t i = 0; i < std::min(parts.size(), kPartsNamed); ++i)
-        sizes += (i ? "; " : "") + dimensions(parts[i].bounds.size());
-    if (parts.size() > kPartsNamed) sizes += "; ...";
-    const std::string count =
-        "the object has " + grouped(parts.size()) + " separate parts (" + sizes + " mm)";
+        sizes.push_back(as_it_is(dimensions(parts[i].bounds.size())));
+    if (parts.size() > kPartsNamed) sizes.push_back(as_it_is("..."));
     if (specks > 0)
-        add(findings, Severity::warning, "specks",
-            count + ", " + counted(specks, "of them a speck", "of them specks") +
-                " away from the rest: clean the scan if they are dirt, they cut foam too",
-            where);
+        findings.push_back({Severity::warning,
+                            say("specks", {{"parts", parts.size()}, {"sizes", sizes}, {"specks", specks}}),
+                            where});
     else
-        add(findings, Severity::note, "parts", count);
+        findings.push_back({Severity::note, say("parts", {{"parts", parts.size()}, {"sizes", sizes}})});
 }
 
 }  // namespace snug

@@ -168,7 +168,7 @@ Result<LargestBall> largest_ball(const GapSpace& gap, const Box3d& bounds, const
                                  const Progress& progress) {
     if (bounds.empty()) return LargestBall{};
     Search search(gap, options, progress);
-    if (!search.run(bounds)) return fail(ErrorKind::cancelled, "cancelled");
+    if (!search.run(bounds)) return fail(ErrorKind::cancelled, say("cancelled"));
     return search.result();
 }
 

@@ -249,7 +249,7 @@ Result<void> sweep_lines(const LineLattice& lattice, std::span<const Vec3d> vert
                          const std::function<void(const LineBand&)>& visit, const Progress& progress,
                          std::size_t most_hits) {
     if (!Sweep(lattice, vertices, triangles, progress, most_hits).run(visit))
-        return fail(ErrorKind::cancelled, "cancelled");
+        return fail(ErrorKind::cancelled, say("cancelled"));
     return {};
 }
 

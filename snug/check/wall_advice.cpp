@@ -54,7 +54,8 @@ std::optional<Vec3d> counts_of(const Walls& wall, const Walls& least, const Desi
     return counts;
 }
 
-/// A case of the same play that has the foam which is lacking on the sides of each axis together.
+/// Length, width and height inside of a case of the same play that has the foam which is lacking on the sides
+/// of each axis together.
 std::string larger_case(const Walls& wall, const Walls& least, const DesignSpace& space,
                         const SpaceChoice& choice) {
     Vec3d inside = *choice.inside_mm;
@@ -64,8 +65,7 @@ std::string larger_case(const Walls& wall, const Walls& least, const DesignSpace
         inside[axis] +=
             2 * size * blocks_over(std::max(least[low] - wall[low], least[high] - wall[high]), size);
     }
-    return dimensions({std::ceil(inside.z), std::ceil(inside.y), std::ceil(inside.x)}, 0) +
-           " mm inside (length, width, height)";
+    return dimensions({std::ceil(inside.z), std::ceil(inside.y), std::ceil(inside.x)}, 0);
 }
 
 std::string walls_text(const Walls& least) {
@@ -78,26 +78,23 @@ std::string walls_text(const Walls& least) {
 
 }  // namespace
 
-std::string wall_advice(const Walls& wall_mm, const Walls& least_mm, const DesignSpace& space,
-                        const SpaceChoice& choice) {
+Message wall_advice(const Walls& wall_mm, const Walls& least_mm, const DesignSpace& space,
+                    const SpaceChoice& choice) {
     Walls least = least_mm;
     if (choice.kind == SpaceChoice::Kind::fitted) {
         for (std::size_t i = 0; i < least.size(); ++i) least[i] = std::max(least[i], choice.wall_mm[i]);
-        return "--wall " + walls_text(least) + " would do";
+        return say("advice.walls", {{"walls", walls_text(least)}});
     }
     if (choice.kind == SpaceChoice::Kind::shaped)
-        return "move or turn the object, or take a larger case: about " +
-               larger_case(wall_mm, least, space, choice);
+        return say("advice.move_or_case", {{"inside", larger_case(wall_mm, least, space, choice)}});
     if (const auto shift = shift_of(wall_mm, least, space))
-        return "there is enough on the other side: --move " + vector_text(choice.offset_mm + *shift) +
-               " would do";
+        return say("advice.move", {{"offset", vector_text(choice.offset_mm + *shift)}});
     if (choice.kind == SpaceChoice::Kind::box)
-        return "turn the object, or take a case of " + larger_case(wall_mm, least, space, choice) +
-               " or more";
+        return say("advice.turn_or_case", {{"inside", larger_case(wall_mm, least, space, choice)}});
     if (const auto counts = counts_of(wall_mm, least, space))
-        return "--blocks " + number(counts->x, 0) + "x" + number(counts->y, 0) + "x" + number(counts->z, 0) +
-               " would do";
-    return "take larger blocks, so that 4096 of them are enough";
+        return say("advice.blocks", {{"blocks", number(counts->x, 0) + "x" + number(counts->y, 0) + "x" +
+                                                    number(counts->z, 0)}});
+    return say("advice.larger_blocks");
 }
 
 }  // namespace snug

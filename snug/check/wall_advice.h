@@ -1,8 +1,8 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
+#include "snug/base/message.h"
 #include "snug/base/vec.h"
 #include "snug/design/walls.h"
 #include "snug/space/design_space.h"
@@ -24,11 +24,11 @@ struct SpaceChoice {
     [[nodiscard]] bool is_case() const { return kind == Kind::box || kind == Kind::shaped; }
 };
 
-/// What gives each side at least `least_mm` of foam where it has `wall_mm` now, as a sentence without a full
-/// stop: an option with its numbers that does it for all sides at once ("--blocks 32x18x20 would do"), or
-/// what else can be done. `wall_mm` as in FitReport. In a chosen or fitted space and in an upright case the
-/// numbers are exact: blocks are whole.
-[[nodiscard]] std::string wall_advice(const Walls& wall_mm, const Walls& least_mm, const DesignSpace& space,
-                                      const SpaceChoice& choice);
+/// What gives each side at least `least_mm` of foam where it has `wall_mm` now, as a part of a sentence: an
+/// option with its numbers that does it for all sides at once ("--blocks 32x18x20 would do"), or what else
+/// can be done. `wall_mm` as in FitReport. In a chosen or fitted space and in an upright case the numbers are
+/// exact: blocks are whole.
+[[nodiscard]] Message wall_advice(const Walls& wall_mm, const Walls& least_mm, const DesignSpace& space,
+                                  const SpaceChoice& choice);
 
 }  // namespace snug

@@ -4,6 +4,7 @@
 
 #include "snug/base/text.h"
 #include "snug/design/json_reader.h"
+#include "snug/words/words.h"
 
 namespace snug {
 namespace {
@@ -39,7 +40,7 @@ Result<Preset> preset_from(const nlohmann::json& json, const std::string& path) 
     Design design;
     apply(preset, design);
     if (const auto possible = checked(design); !possible)
-        return fail(ErrorKind::usage, path + ": " + possible.error().message);
+        return fail(ErrorKind::usage, path + ": " + text(possible.error().message));
     return preset;
 }
 

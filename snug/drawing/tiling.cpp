@@ -153,8 +153,7 @@ Drawing tile_page(const Drawing& drawing, const Tiling& tiles, int row, int colu
 
 Result<std::vector<Drawing>> tiled(const Drawing& drawing, Vec2d paper) {
     const double least = 2 * kSideMargin + kTopMargin + kBar;
-    if (std::min(paper.x, paper.y) < least)
-        return fail(ErrorKind::usage, "the paper is too small for drawings at true size: take A4 or larger");
+    if (std::min(paper.x, paper.y) < least) return fail(ErrorKind::usage, say("drawing.small_paper"));
     const Tiling upright = tiling(drawing.size_mm, paper),
                  across = tiling(drawing.size_mm, {paper.y, paper.x});
     const Tiling tiles = across.count() < upright.count() ? across : upright;

@@ -87,7 +87,7 @@ Result<WorkshopPack> pack_of(const Work& work) {
     for (const Process& process : kProcesses)
         if (process.work == work.options.work) return process.pack(work);
     const std::string ways = any_of(names_of<Workshop>().subspan(1));
-    return fail(ErrorKind::usage, "no pack was asked for: choose one of " + ways + " with --for");
+    return fail(ErrorKind::usage, say("workshop.none", {{"names", ways}}));
 }
 
 void fill_material(const Packing& packing, const Design& design, WorkshopPack& pack) {
@@ -105,22 +105,23 @@ std::string with_currency(double price, const std::string& currency) {
 void tell_material(const Design& design, WorkshopPack& pack) {
     const PackMaterial& material = pack.material;
     const WorkshopOptions& options = design.workshop;
-    pack.figures.push_back({"Material", number(*material.litres, 2) + " litres"});
-    pack.figures.push_back({"Weight of the foams", material.foam_kg
-                                                       ? number(*material.foam_kg, 3) + " kg"
-                                                       : "not known: the preset names no density"});
+    pack.figures.push_back({say("figure.material"), litres_text(*material.litres)});
+    pack.figures.push_back({say("figure.weight"), material.foam_kg
+                                                      ? as_it_is(number(*material.foam_kg, 3) + " kg")
+                                                      : say("figure.no_density")});
     pack.figures.push_back(
-        {"Cost", material.cost ? with_currency(*material.cost, options.currency) + " at " +
-                                     with_currency(*options.price_per_litre, options.currency) + " a litre"
-                               : "not known without the price of a litre"});
+        {say("figure.cost"),
+         material.cost
+             ? say("figure.cost_of", {{"cost", with_currency(*material.cost, options.currency)},
+                                      {"price", with_currency(*options.price_per_litre, options.currency)}})
+             : say("figure.no_price")});
 }
 
 }  // namespace
 
 Result<WorkshopPack> workshop_pack(const Object& object, const Packing& packing, const Project& project,
                                    const WorkshopTools& tools) {
-    if (!packing.foams)
-        return fail(ErrorKind::does_not_fit, "the object leaves the design space, so there are no foams");
+    if (!packing.foams) return fail(ErrorKind::does_not_fit, say("workshop.no_foams"));
     const FoamDesign foams{packing.space, packing.blocks, *packing.foams, title_of(project.object.name)};
     auto pack = pack_of({foams, object, packing, project.design, tools});
     if (!pack) return pack;

@@ -183,6 +183,15 @@ std::array<NotchSize, 2> sizes_of(const Sides& sides, const DesignSpace& space, 
             NotchSize{width, room, wall(axis, 1), wall(along, 0), end}};
 }
 
+/// `lacking`: blocks on each side that would do; 0 where they would not help.
+Message no_room_for(const NotchOptions& options, int lacking) {
+    const std::string width = number(options.width_mm, 1), depth = number(options.depth_mm, 1),
+                      room = number(options.room_mm, 1);
+    if (lacking == 0) return say("no_notches", {{"width_mm", width}, {"depth_mm", depth}, {"room_mm", room}});
+    return say("no_notches/blocks",
+               {{"width_mm", width}, {"depth_mm", depth}, {"room_mm", room}, {"blocks", lacking}});
+}
+
 /// 1 (y) or 2 (z).
 std::optional<int> chosen_axis(const NotchOptions& options) {
     if (!options.axis) return {};
@@ -205,12 +214,9 @@ NotchPair cut_notches(BlockMap& blocks, const DesignSpace& space, int parting_le
     const int floor = std::max(1, blocks_of(wanted_mm[kFloor], space.block_mm.x));
     const int bottom = parting_level - blocks_of(options.depth_mm, space.block_mm.x);
     if (bottom < floor)
-        return {
-            {},
-            "finger notches " + number(options.depth_mm, 1) +
-                " mm deep would not leave the floor that is wanted: the foam below the parting level is " +
-                number(parting_level * space.block_mm.x, 1) +
-                " mm high; choose a smaller depth or a higher parting level"};
+        return {{},
+                say("no_notches/floor", {{"depth_mm", number(options.depth_mm, 1)},
+                                         {"high_mm", number(parting_level * space.block_mm.x, 1)}})};
     std::optional<Found> best;
     int best_axis = 1, lacking = 0;
     std::array<NotchSize, 2> best_sizes{};
@@ -226,16 +232,7 @@ NotchPair cut_notches(BlockMap& blocks, const DesignSpace& space, int parting_le
         best_axis = axis;
         best_sizes = sizes;
     }
-    if (!best)
-        return {
-            {},
-            "there is no room for finger notches of " + number(options.width_mm, 1) + " x " +
-                number(options.depth_mm, 1) + " mm with " + number(options.room_mm, 1) +
-                " mm for the fingers" +
-                (lacking > 0
-                     ? ": " + counted(static_cast<unsigned long long>(lacking), "block more", "blocks more") +
-                           " on each side would do, or smaller notches"
-                     : ": choose smaller ones or another place beside the object")};
+    if (!best) return {{}, no_room_for(options, lacking)};
     const Sides sides(blocks, space, best_axis, parting_level);
     BlockMap carved = blocks;
     std::array<Notch, 2> notches;

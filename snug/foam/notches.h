@@ -2,9 +2,9 @@
 
 #include <array>
 #include <optional>
-#include <string>
 
 #include "snug/base/box.h"
+#include "snug/base/message.h"
 #include "snug/base/side.h"
 #include "snug/base/vec.h"
 #include "snug/design/fit_options.h"
@@ -22,10 +22,10 @@ struct Notch {
     Vec3d where;        ///< its middle at the parting level, in design coordinates
 };
 
-/// Two notches opposite each other, or why there are none, as a sentence.
+/// Two notches opposite each other, or why there are none (`no_notches`).
 struct NotchPair {
     std::optional<std::array<Notch, 2>> notches;
-    std::string why_not;
+    Message why_not;
 };
 
 /// The object's box with room for notches on both sides of its narrower way, for a space that is fitted to

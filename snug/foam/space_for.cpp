@@ -17,10 +17,10 @@ std::optional<Error> too_squeezed(const DesignSpace& space, const CutOptions& cu
     const Vec3d block = space.block_mm;
     const double least = kLeastClearanceShare * std::min({block.x, block.y, block.z});
     if (cut.whole_clearance_mm().least() >= least) return {};
-    return Error{ErrorKind::usage, "the case is divided into blocks of " + dimensions(block) +
-                                       " mm, for which the clearance must be " + number(least, 4) +
-                                       " mm or more (-0.4 of the smallest side), not " +
-                                       number(cut.whole_clearance_mm().least(), 4)};
+    return Error{ErrorKind::usage,
+                 say("case.squeezed", {{"block", dimensions(block)},
+                                       {"least", number(least, 4)},
+                                       {"clearance", number(cut.whole_clearance_mm().least(), 4)}})};
 }
 
 Result<DesignSpace> fitted_to(Box3d placed, const Design& design) {
@@ -31,8 +31,7 @@ Result<DesignSpace> fitted_to(Box3d placed, const Design& design) {
     if (design.fit.notches) room = with_room_for_notches(room, options.block_mm, *design.fit.notches);
     const Vec3d counts = fitted_blocks(room, options.block_mm, wanted_wall_mm(options));
     if (std::max({counts.x, counts.y, counts.z}) > kMostBlocks)
-        return fail(ErrorKind::usage, "the object and its walls would need " + dimensions(counts, 0) +
-                                          " blocks, more than 4096 on an axis: choose larger blocks");
+        return fail(ErrorKind::usage, say("space.too_many_blocks", {{"blocks", dimensions(counts, 0)}}));
     return DesignSpace{vec_cast<int>(counts), options.block_mm};
 }
 

@@ -75,10 +75,7 @@ Result<const ZipMember*> find_packed(ZipReader& zip) {
         const auto name = object_in_project(*text);
         if (!name) continue;
         if (const ZipMember* object = find(zip, folder_of(member.name) + *name)) return object;
-        return fail(ErrorKind::input,
-                    "it holds foams and the project that they were made from, but not their "
-                    "object " +
-                        quoted(*name, 80) + ": unpack it, and open the project with its object");
+        return fail(ErrorKind::input, say("bundle.no_object_of", {{"name", quoted(*name, 80)}}));
     }
     return nullptr;
 }
@@ -91,11 +88,7 @@ Result<BundleObject> find_bundle_object(const std::vector<std::string>& names) {
         if (is_object(names[i]) &&
             (found.file == names.size() || folders(names[i]) < folders(names[found.file])))
             found.file = i;
-    if (found.file == names.size())
-        return fail(
-            ErrorKind::input,
-            "there is no object in it: Snug looks for STL, OBJ, PLY, OFF, glTF, 3MF and points as PLY, "
-            "XYZ or PTS, and neither in zips within it nor under names that lead out of it");
+    if (found.file == names.size()) return fail(ErrorKind::input, say("bundle.no_object"));
     for (std::size_t i = 0; i < names.size(); ++i)
         if (i != found.file && is_object(names[i])) found.left_out.push_back(names[i]);
     return found;
@@ -123,14 +116,13 @@ Result<Mesh> read_bundle(Bytes file, const SceneTools& tools, const ReadFile& re
     SceneTools inside = tools;
     inside.beside = [&](const std::string& name) -> Result<FileBytes> {
         if (const ZipMember* other = find(*zip, folder_of(member->name) + name)) return zip->unpack(*other);
-        return fail(ErrorKind::input, "its geometry lies in " + quoted(name, 80) +
-                                          ", which is not in the zip archive: pack both into one");
+        return fail(ErrorKind::input, say("bundle.geometry_elsewhere", {{"name", quoted(name, 80)}}));
     };
     auto mesh =
         is_zip(*bytes) ? read_3mf(*bytes, inside) : read(*bytes, without_folders(member->name), inside);
     if (!mesh)
-        return fail(mesh.error().kind,
-                    quoted(member->name, 80) + " in the zip archive: " + mesh.error().message);
+        return fail(mesh.error().kind, say("bundle.member", {{"name", quoted(member->name, 80)},
+                                                             {"problem", mesh.error().message}}));
     mesh->read.left_out_objects = std::move(left_out);
     return mesh;
 }

@@ -8,47 +8,47 @@
 namespace snug {
 namespace {
 
-constexpr const char* kExport = "export it as STL, OBJ or PLY instead";
-constexpr const char* kDownload = "download the file itself again";
+constexpr const char* kExport = "foreign.export";
+constexpr const char* kDownload = "foreign.download";
 
 struct Foreign {
-    std::string_view start;  ///< of the file; letters in lower case
-    const char* what;
-    const char* advice = kExport;
+    std::string_view start;        ///< of the file; letters in lower case
+    const char* what;              ///< code of what it is
+    const char* advice = kExport;  ///< code of what to do
 };
 
 constexpr Foreign kForeign[] = {
-    {"pk\x03\x04", "a zip or 3MF file"},
-    {"gltf", "a glTF file"},
-    {"iso-10303-21", "a STEP file"},
-    {"kaydara fbx", "an FBX file"},
-    {"; fbx", "an FBX file"},
-    {"blender", "a Blender file"},
-    {"astm-e57", "an E57 scan"},
-    {"lasf", "a LAS or LAZ scan"},
-    {"# .pcd", "a PCD cloud", "export it as PLY or XYZ instead"},
-    {"# vtk datafile", "a VTK file"},
-    {"#vrml", "a VRML file"},
-    {"draco", "a Draco file"},
-    {"solidworks", "a SolidWorks file"},
-    {"\xd0\xcf\x11\xe0", "a CAD or Office document"},
-    {"ac10", "a DWG drawing"},
-    {"dbrep_drawable", "a BREP file"},
-    {"casca", "a BREP file"},
-    {"%pdf", "a PDF document"},
-    {"\x89png", "a picture (PNG)"},
-    {"\xff\xd8\xff", "a picture (JPEG)"},
-    {"gif8", "a picture (GIF)"},
-    {"\x1f\x8b", "a gzip archive", "unpack it first"},
-    {"7z\xbc\xaf\x27\x1c", "a 7-Zip archive", "unpack it first"},
-    {"rar!", "a RAR archive", "unpack it first"},
-    {"<!doctype html", "a web page", kDownload},
-    {"<html", "a web page", kDownload},
-    {"version https://git-lfs", "a pointer of Git LFS and not the file", kDownload},
-    {"<collada", "a COLLADA file"},
-    {"<x3d", "an X3D file"},
-    {"<amf", "an AMF file"},
-    {"<svg", "a drawing (SVG)"},
+    {"pk\x03\x04", "foreign.zip_or_3mf_file"},
+    {"gltf", "foreign.gltf_file"},
+    {"iso-10303-21", "foreign.step_file"},
+    {"kaydara fbx", "foreign.fbx_file"},
+    {"; fbx", "foreign.fbx_file"},
+    {"blender", "foreign.blender_file"},
+    {"astm-e57", "foreign.e57_scan"},
+    {"lasf", "foreign.las_or_laz_scan"},
+    {"# .pcd", "foreign.pcd_cloud", "foreign.export_cloud"},
+    {"# vtk datafile", "foreign.vtk_file"},
+    {"#vrml", "foreign.vrml_file"},
+    {"draco", "foreign.draco_file"},
+    {"solidworks", "foreign.solidworks_file"},
+    {"\xd0\xcf\x11\xe0", "foreign.cad_or_office_document"},
+    {"ac10", "foreign.dwg_drawing"},
+    {"dbrep_drawable", "foreign.brep_file"},
+    {"casca", "foreign.brep_file"},
+    {"%pdf", "foreign.pdf_document"},
+    {"\x89png", "foreign.picture_png"},
+    {"\xff\xd8\xff", "foreign.picture_jpeg"},
+    {"gif8", "foreign.picture_gif"},
+    {"\x1f\x8b", "foreign.gzip_archive", "foreign.unpack"},
+    {"7z\xbc\xaf\x27\x1c", "foreign.7_zip_archive", "foreign.unpack"},
+    {"rar!", "foreign.rar_archive", "foreign.unpack"},
+    {"<!doctype html", "foreign.web_page", kDownload},
+    {"<html", "foreign.web_page", kDownload},
+    {"version https://git-lfs", "foreign.git_lfs", kDownload},
+    {"<collada", "foreign.collada_file"},
+    {"<x3d", "foreign.x3d_file"},
+    {"<amf", "foreign.amf_file"},
+    {"<svg", "foreign.drawing_svg"},
 };
 
 bool starts_with(std::string_view text, std::string_view lower) {
@@ -73,18 +73,18 @@ std::optional<Error> foreign_format(Bytes beginning) {
     std::string_view text(reinterpret_cast<const char*>(beginning.data()),
                           std::min(beginning.size(), kLooked));
     if (starts_with(text, "\xef\xbb\xbf")) text.remove_prefix(3);
-    const auto is = [](const std::string& what, const char* advice) {
-        return Error{ErrorKind::input, "this is " + what + ": " + advice};
+    const auto is = [](const char* what, const char* advice) {
+        return Error{ErrorKind::input, say("foreign", {{"what", say(what)}, {"advice", say(advice)}})};
     };
     for (const std::string_view view : {text, first_element(text)})
         for (const auto& [start, what, advice] : kForeign)
             if (starts_with(view, start)) return is(what, advice);
     const std::string_view element = first_element(text);
-    if (starts_with(text, "<?xml") || starts_with(element, "<!doctype")) return is("an XML file", kExport);
+    if (starts_with(text, "<?xml") || starts_with(element, "<!doctype"))
+        return is("foreign.xml_file", kExport);
     if (!element.empty() && element[0] == '{') {
-        if (text.find("\"snug\"") != text.npos)
-            return is("a project of Snug's", "make its foams with snug make, or inspect the object itself");
-        return is("a JSON file", kExport);
+        if (text.find("\"snug\"") != text.npos) return is("foreign.project", "foreign.make");
+        return is("foreign.json_file", kExport);
     }
     return {};
 }

@@ -70,8 +70,7 @@ Result<Component> component_of(const Json& accessor, const char* name) {
     if (!number) return tl::unexpected(number.error());
     if ((*number >= 5120 && *number <= 5123) || *number == 5125 || *number == 5126)
         return static_cast<Component>(*number);
-    return refuse("its numbers are of type " + grouped(*number) +
-                  ", which glTF 2 does not have: export it again");
+    return refuse(say("gltf.component_type", {{"type", *number}}));
 }
 
 double Accessor::Elements::at(std::uint64_t i, int c) const {
@@ -138,9 +137,8 @@ Result<Accessor::Elements> Accessor::elements(Buffers& buffers, const Json& of, 
     const std::uint64_t there = view->bytes.size();
     if (count > 0 &&
         (*offset > there || size > there - *offset || count - 1 > (there - *offset - size) / stride))
-        return refuse("it claims " + counted(count, "element", "elements") + " where its buffer view " +
-                      grouped(*index) + " has " + counted(there, "byte", "bytes") +
-                      ": it is damaged; export it again");
+        return refuse(
+            say("gltf.accessor_too_long", {{"elements", count}, {"view", *index}, {"bytes", there}}));
     const Bytes bytes = count > 0 ? view->bytes.subspan(static_cast<std::size_t>(*offset)) : Bytes{};
     return Elements{bytes, stride, component};
 }
@@ -148,16 +146,14 @@ Result<Accessor::Elements> Accessor::elements(Buffers& buffers, const Json& of, 
 Result<Accessor> Accessor::open(const Json& scene, Buffers& buffers, std::uint64_t index,
                                 std::string_view type) {
     const Json& json = item(field(scene, "accessors"), index);
-    if (!json.is_object())
-        return refuse("it speaks of accessor " + grouped(index) +
-                      ", which it does not have: export it again");
+    if (!json.is_object()) return refuse(say("gltf.no_accessor", {{"index", index}}));
     const auto component = component_of(json);
     const auto count = whole(json, "count", 0);
     if (!component) return tl::unexpected(component.error());
     if (!count) return tl::unexpected(count.error());
     if (const std::string has = text_of(json, "type"); has != type)
-        return refuse("its accessor " + grouped(index) + " is of type " + snug::quoted(has) + " where " +
-                      std::string(type) + " is wanted: export it again");
+        return refuse(
+            say("gltf.accessor_type", {{"index", index}, {"has", snug::quoted(has)}, {"wanted", type}}));
     Accessor accessor;
     accessor.count_ = *count;
     accessor.components_ = components_of(type);
@@ -193,8 +189,7 @@ Result<void> Accessor::replace(Buffers& buffers, const Json& sparse) {
     for (std::uint64_t i = 0; i < *count; ++i) {
         const double at = indices->at(i, 0);
         if (!(at >= 0 && at < static_cast<double>(count_)))
-            return refuse("a sparse accessor replaces element " + number(at, 0) + " of " + grouped(count_) +
-                          ": it is damaged; export it again");
+            return refuse(say("gltf.sparse", {{"at", number(at, 0)}, {"count", count_}}));
         replaced_.push_back({static_cast<std::uint64_t>(at), i});
     }
     // In the order of their indices, as the specification has them; of equals the last stands.

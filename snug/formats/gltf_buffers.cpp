@@ -19,14 +19,12 @@ constexpr std::uint64_t kAlwaysSteps = 100'000'000, kStepsPerByte = 200;
 Result<void> Buffers::spend(std::uint64_t steps) {
     spent_ += steps;
     if (spent_ <= kAlwaysSteps + kStepsPerByte * read_) return {};
-    return refuse("it repeats its parts more often than its size allows: save it as STL or PLY");
+    return refuse(say("gltf.repeats_parts"));
 }
 
 Result<View> Buffers::view(std::uint64_t index) {
     const Json& view = item(field(scene_, "bufferViews"), index);
-    if (!view.is_object())
-        return refuse("it speaks of buffer view " + grouped(index) +
-                      ", which it does not have: export it again");
+    if (!view.is_object()) return refuse(say("gltf.no_view", {{"index", index}}));
     if (const Json& packed = extension(view, kMeshopt); packed.is_object()) {
         auto unpacked = packed_view(index, packed);
         if (unpacked || meshopt_required_) return unpacked;
@@ -58,10 +56,7 @@ Result<FileBytes> Buffers::unpacked(const Json& extension) {
     auto bytes = unpacked_bytes_ <= most ? unpack_meshopt(*packed, extension, tools_) : FileBytes{};
     // One that fails may have taken as much time as it could.
     unpacked_bytes_ += bytes ? bytes->size() : kMostUnpackedPerByte * packed->size();
-    if (unpacked_bytes_ > most)
-        return refuse(
-            "its parts packed by meshopt repeat each other to more than its size allows: save it without "
-            "compression");
+    if (unpacked_bytes_ > most) return refuse(say("meshopt.repeats_parts"));
     if (bytes) read_ += bytes->size();
     return bytes;
 }
@@ -74,9 +69,8 @@ Result<Bytes> Buffers::slice(const Json& of) {
     const auto all = buffer(*index);
     if (!all) return all;
     if (*offset > all->size() || *length > all->size() - *offset)
-        return refuse("its buffer " + grouped(*index) + " has " + counted(all->size(), "byte", "bytes") +
-                      " where " + grouped(*offset + *length) +
-                      " are wanted: the file or one beside it is cut off; copy or export it again");
+        return refuse(say("gltf.short_buffer",
+                          {{"index", *index}, {"bytes", all->size()}, {"wanted", *offset + *length}}));
     return all->subspan(static_cast<std::size_t>(*offset), static_cast<std::size_t>(*length));
 }
 
@@ -87,34 +81,25 @@ Result<Bytes> Buffers::buffer(std::uint64_t index) {
 
 Result<Bytes> Buffers::find_buffer(std::uint64_t index) {
     const Json& buffer = item(field(scene_, "buffers"), index);
-    if (!buffer.is_object())
-        return refuse("it speaks of buffer " + grouped(index) + ", which it does not have: export it again");
+    if (!buffer.is_object()) return refuse(say("gltf.no_buffer", {{"index", index}}));
     const Json& uri = field(buffer, "uri");
     if (uri.is_string()) {
         const std::string& text = uri.get_ref<const std::string&>();
         if (!is_data_uri(text)) return beside(text);
         auto data = data_of(text);
-        if (!data) return refuse("the data in its text are damaged: export it again, best as .glb");
+        if (!data) return refuse(say("gltf.damaged_text"));
         return Bytes(texts_.emplace(index, std::move(*data)).first->second);
     }
     if (index == 0 && !binary_.empty()) return binary_;
     if (extension(buffer, "KHR_meshopt_compression").is_object())
-        return refuse(
-            "its geometry is packed as KHR_meshopt_compression, which Snug does not read yet: save it "
-            "without "
-            "compression, or with EXT_meshopt_compression");
-    return refuse("its buffer " + grouped(index) +
-                  " is neither in the file nor in one beside it: export it again, best as .glb");
+        return refuse(say("gltf.newer_meshopt", {{"extension", "KHR_meshopt_compression"}}));
+    return refuse(say("gltf.buffer_nowhere", {{"index", index}}));
 }
 
 Result<Bytes> Buffers::beside(const std::string& uri) {
     if (const auto known = beside_.find(uri); known != beside_.end()) return Bytes(known->second);
-    if (leads_elsewhere(uri))
-        return refuse("its geometry lies at " + snug::quoted(uri, 60) +
-                      ", and Snug reads only what lies beside the file: save it as .glb, which holds all");
-    if (!tools_.beside)
-        return refuse("its geometry lies in another file (" + snug::quoted(uri, 60) +
-                      "): save it as .glb, which holds all");
+    if (leads_elsewhere(uri)) return refuse(say("gltf.geometry_far", {{"uri", snug::quoted(uri, 60)}}));
+    if (!tools_.beside) return refuse(say("gltf.geometry_beside", {{"uri", snug::quoted(uri, 60)}}));
     const std::string name = percent_decoded(uri);
     auto file = tools_.beside(name);
     // A name that really has a percent sign in it.

@@ -31,15 +31,13 @@ Bytes chunk_content(Bytes file, std::size_t at) {
 }
 
 Result<Container> open_glb(Bytes file) {
-    if (file.size() < kHeader + kChunkHeader)
-        return refuse("the file ends too early: copy or export it again");
+    if (file.size() < kHeader + kChunkHeader) return refuse(say("gltf.ends_early"));
     if (const auto version = word_at(file, 4); version != 2)
-        return refuse("this is version " + grouped(version) +
-                      " of glTF and Snug reads version 2: save it anew");
-    if (!chunk_at(file, kHeader, kJsonChunk)) return refuse("there is no scene in it: export it again");
+        return refuse(say("gltf.binary_version", {{"version", version}}));
+    if (!chunk_at(file, kHeader, kJsonChunk)) return refuse(say("gltf.no_scene"));
     const std::size_t length = word_at(file, kHeader);
     const Bytes text = chunk_content(file, kHeader);
-    if (text.size() < length) return refuse("the file ends too early: copy or export it again");
+    if (text.size() < length) return refuse(say("gltf.ends_early"));
     auto json = parse_scene(text);
     if (!json) return tl::unexpected(json.error());
     const std::size_t next = kHeader + kChunkHeader + text.size();
@@ -51,8 +49,7 @@ Result<Container> open_glb(Bytes file) {
 Result<void> check_version(const Json& json) {
     const std::string version = text_of(field(json, "asset"), "version", "2.0");
     if (version.substr(0, 1) == "2") return {};
-    return refuse("this is version " + snug::quoted(version) +
-                  " of glTF and Snug reads version 2: save it with a newer program, or as STL or PLY");
+    return refuse(say("gltf.version", {{"version", snug::quoted(version)}}));
 }
 
 }  // namespace

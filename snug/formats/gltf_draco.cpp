@@ -3,16 +3,12 @@
 #include <algorithm>
 #include <string_view>
 
-#include "snug/base/text.h"
-
 namespace snug::gltf {
 namespace {
 
 constexpr std::string_view kMagic = "DRACO";
 constexpr std::size_t kHeader = 11;  // magic, version, kind, method, flags
 constexpr std::uint64_t kMostTrianglesPerByte = 1000;
-constexpr const char* kDamaged =
-    "a mesh that Draco packed is damaged: export it again, best without compression";
 
 std::uint8_t byte_at(Bytes bytes, std::size_t at) {
     return at < bytes.size() ? std::to_integer<std::uint8_t>(bytes[at]) : std::uint8_t{0};
@@ -32,10 +28,9 @@ std::uint64_t variable_length(Bytes bytes, std::size_t& at) {
 
 Result<void> check_draco(Bytes packed) {
     const std::string_view text(reinterpret_cast<const char*>(packed.data()), packed.size());
-    if (text.size() < kHeader || text.substr(0, kMagic.size()) != kMagic) return refuse(kDamaged);
+    if (text.size() < kHeader || text.substr(0, kMagic.size()) != kMagic) return refuse(say("draco.damaged"));
     const int version = byte_at(packed, 5) * 256 + byte_at(packed, 6);
-    if (byte_at(packed, 7) != 1)
-        return refuse("Draco packed points in it and no mesh: save it without compression");
+    if (byte_at(packed, 7) != 1) return refuse(say("draco.points"));
     const bool metadata = (byte_at(packed, 10) & 0x80) != 0;
     // glTF wants version 2.2, whose counts are of variable length; where they stand otherwise the decoder
     // looks.
@@ -47,8 +42,7 @@ Result<void> check_draco(Bytes packed) {
     }
     const std::uint64_t faces = variable_length(packed, at);
     if (faces <= kMostTrianglesPerByte * packed.size()) return {};
-    return refuse("it claims " + grouped(faces) + " triangles in a mesh that Draco packed into " +
-                  counted(packed.size(), "byte", "bytes") + ": it is damaged; export it again");
+    return refuse(say("draco.too_many", {{"faces", faces}, {"bytes", packed.size()}}));
 }
 
 Result<const DracoMesh*> DracoMeshes::open(Buffers& buffers, std::uint64_t view,
@@ -69,9 +63,7 @@ Result<const DracoMesh*> DracoMeshes::open(Buffers& buffers, std::uint64_t view,
 }
 
 Result<DracoMesh> DracoMeshes::decode(Bytes packed, const std::vector<DracoAttribute>& attributes) {
-    if (!tools_.draco)
-        return refuse(
-            "its geometry is packed by Draco, which cannot be read here: save it without compression");
+    if (!tools_.draco) return refuse(say("draco.not_here"));
     auto mesh = tools_.draco(packed, attributes);
     if (!mesh) return mesh;
     bool good = mesh->attributes.size() == attributes.size() && mesh->corners.size() % 3 == 0;
@@ -81,7 +73,7 @@ Result<DracoMesh> DracoMeshes::decode(Bytes packed, const std::vector<DracoAttri
         good = mesh->attributes[i].size() == points * static_cast<std::size_t>(attributes[i].components);
     good = good && std::all_of(mesh->corners.begin(), mesh->corners.end(),
                                [&](std::uint32_t corner) { return corner < points; });
-    if (!good) return refuse(kDamaged);
+    if (!good) return refuse(say("draco.damaged"));
     return mesh;
 }
 

@@ -48,14 +48,10 @@ bool is_passed_over(Name name) {
                        [&](Name family) { return name.substr(0, family.size()) == family; });
 }
 
-std::string sentence(Name name) {
+Message unread(Name name) {
     const std::string shown = snug::quoted(name, 60);
-    if (name == "KHR_meshopt_compression")
-        return "its geometry is packed as " + shown +
-               ", which Snug does not read yet: save it without compression, or with EXT_meshopt_compression";
-    return "it needs " + shown +
-           ", which Snug does not know and which may change its shape: save it without that extension, or as "
-           "STL or PLY";
+    if (name == "KHR_meshopt_compression") return say("gltf.newer_meshopt", {{"extension", shown}});
+    return say("gltf.unknown_extension", {{"extension", shown}});
 }
 
 }  // namespace
@@ -64,10 +60,10 @@ Result<void> check_extensions(const Json& scene) {
     const Json& required = field(scene, "extensionsRequired");
     for (std::uint64_t i = 0; i < count_of(required); ++i) {
         const Json& value = item(required, i);
-        if (!value.is_string()) return refuse("its list of required extensions is damaged: export it again");
+        if (!value.is_string()) return refuse(say("gltf.extension_list"));
         const std::string& name = value.get_ref<const std::string&>();
         if (std::find(std::begin(kRead), std::end(kRead), name) != std::end(kRead)) continue;
-        if (!is_passed_over(name)) return refuse(sentence(name));
+        if (!is_passed_over(name)) return refuse(unread(name));
     }
     return {};
 }

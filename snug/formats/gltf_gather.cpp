@@ -4,7 +4,6 @@
 #include <limits>
 #include <utility>
 
-#include "snug/base/text.h"
 #include "snug/formats/gltf_json.h"
 #include "snug/mesh/left_out.h"
 
@@ -28,10 +27,8 @@ Result<void> Gatherer::announce(const Primitive& primitive, std::uint64_t copies
     effort_ += std::min(corners, 4 * most) * primitive.effort() + std::min(copies, 4 * most) * per_copy;
     const bool strips = primitive.topology == Topology::strip || primitive.topology == Topology::fan;
     if (corners_ > (strips ? most : 3 * most))
-        return refuse("its nodes repeat what it holds to more than " + grouped(most) +
-                      " triangles: save it with fewer copies, or as STL or PLY");
-    if (effort_ > 3 * kEffortPerCorner * most)
-        return refuse("its shapes are mixed from more parts than its size allows: save it as STL or PLY");
+        return refuse(say("gltf.too_many_triangles", {{"most", most}}));
+    if (effort_ > 3 * kEffortPerCorner * most) return refuse(say("gltf.too_many_mixed"));
     return {};
 }
 
@@ -53,7 +50,7 @@ Result<Vec3d> Gatherer::placed(const Primitive& primitive, std::uint64_t point) 
     const Vec3d own = primitive.point(point);
     if (pose_ == nullptr) return place_(own);
     const auto skinned = primitive.skinned(point, *pose_);
-    if (!skinned) return refuse("a point hangs on a joint that its skin does not have: export it again");
+    if (!skinned) return refuse(say("gltf.no_joint"));
     return place_((*skinned)(own));
 }
 
@@ -61,8 +58,7 @@ Result<void> Gatherer::add_points(const Primitive& primitive) {
     for (std::uint64_t i = 0; i < primitive.corners(); ++i) {
         const auto point = primitive.corner(i);
         if (!point) continue;
-        if (*point >= primitive.positions.count())
-            return refuse("it names a point that it does not have: export it again");
+        if (*point >= primitive.positions.count()) return refuse(say("gltf.no_point"));
         const auto place = placed(primitive, *point);
         if (!place) return tl::unexpected(place.error());
         if (usable(*place))
@@ -126,13 +122,13 @@ Result<void> Gatherer::add_triangle(const Primitive& primitive, std::uint64_t a,
 
 Result<std::optional<std::uint32_t>> Gatherer::vertex(const Primitive& primitive, std::uint64_t point) {
     if (point >= primitive.positions.count())
-        return refuse("a triangle names point " + grouped(point) + " of " +
-                      grouped(primitive.positions.count()) + ": it is damaged; export it again");
+        return refuse(
+            say("gltf.triangle_point", {{"point", point}, {"points", primitive.positions.count()}}));
     const auto at = static_cast<std::size_t>(point);
     if (stamp_[at] != now_) {
         const auto place = placed(primitive, point);
         if (!place) return tl::unexpected(place.error());
-        if (raw_.vertices.size() >= kNoVertex - 1) return refuse("it has more points than Snug can number");
+        if (raw_.vertices.size() >= kNoVertex - 1) return refuse(say("gltf.too_many_points"));
         stamp_[at] = now_;
         number_[at] = usable(*place) ? static_cast<std::uint32_t>(raw_.vertices.size()) : kNoVertex;
         if (number_[at] != kNoVertex) raw_.vertices.push_back(*place);
@@ -143,16 +139,15 @@ Result<std::optional<std::uint32_t>> Gatherer::vertex(const Primitive& primitive
 
 Result<Mesh> Gatherer::take() && {
     if (2 * notes_.left_out_faces > notes_.faces)
-        return refuse("most of its triangles (" + grouped(notes_.left_out_faces) + " of " +
-                      grouped(notes_.faces) +
-                      ") have corners that are no numbers: repair or export it again");
+        return refuse(
+            say("gltf.most_left_out", {{"left_out", notes_.left_out_faces}, {"faces", notes_.faces}}));
     const std::size_t points = points_.size();
     if (raw_.triangles.empty() && points > 0 && 2 * notes_.left_out_points <= points + notes_.left_out_points)
         raw_.vertices = std::move(points_);
     else
         notes_.left_out_points = 0;
     const bool cloud = raw_.triangles.empty();
-    if (cloud && raw_.vertices.empty()) return refuse("there are no triangles in it");
+    if (cloud && raw_.vertices.empty()) return refuse(say("gltf.no_triangles"));
     auto mesh = cloud ? finish_cloud(std::move(raw_)) : finish(std::move(raw_));
     if (!mesh) return mesh;
     notes_.in_mm = true;

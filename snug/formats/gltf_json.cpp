@@ -5,8 +5,6 @@
 #include <cstddef>
 #include <utility>
 
-#include "snug/base/text.h"
-
 namespace snug::gltf {
 namespace {
 
@@ -14,8 +12,6 @@ constexpr int kMostDepth = 128;
 /// About 16 bytes of memory each, and some more for lists and names.
 constexpr std::size_t kMostValues = 40'000'000;
 constexpr double kMostWhole = 9007199254740992;  // 2^53
-constexpr const char* kNoJson =
-    "it holds no scene that can be read: its JSON is cut off or damaged; export it again";
 
 const Json kNothing;
 
@@ -35,12 +31,9 @@ Result<void> check_size(std::string_view text) {
         if (c == ',' || c == '[' || c == '{') ++values;
         if (c == '[' || c == '{') ++depth;
         if (c == ']' || c == '}') --depth;
-        if (depth > kMostDepth)
-            return refuse("its JSON nests deeper than that of any scene: export it again");
+        if (depth > kMostDepth) return refuse(say("gltf.deep_json"));
     }
-    if (values > kMostValues)
-        return refuse("its JSON has more than " + grouped(kMostValues) +
-                      " values: export it as .glb or PLY, which keep them outside of text");
+    if (values > kMostValues) return refuse(say("gltf.long_json", {{"most", kMostValues}}));
     return {};
 }
 
@@ -86,7 +79,7 @@ Result<Json> parse_scene(Bytes bytes) {
         const std::string clean = as_utf8(text);
         if (clean != text) scene = Json::parse(clean.begin(), clean.end(), nullptr, false);
     }
-    if (!scene.is_object()) return refuse(kNoJson);
+    if (!scene.is_object()) return refuse(say("gltf.no_json"));
     return scene;
 }
 
@@ -127,7 +120,7 @@ Result<std::uint64_t> whole_value(const Json& value, std::string_view name) {
         if (number >= 0 && number <= kMostWhole && std::floor(number) == number)
             return static_cast<std::uint64_t>(number);
     }
-    return refuse("its \"" + std::string(name) + "\" is no whole number of 0 or more: export it again");
+    return refuse(say("gltf.no_whole_number", {{"name", name}}));
 }
 
 Result<std::uint64_t> whole(const Json& of, const char* name, std::uint64_t otherwise) {
@@ -145,8 +138,7 @@ Result<void> numbers(const Json& of, const char* name, std::span<double> into) {
         if (good) into[i] = list[i].get<double>();
     }
     if (good) return {};
-    return refuse("its \"" + std::string(name) + "\" is no list of " + std::to_string(into.size()) +
-                  " numbers: export it again");
+    return refuse(say("gltf.no_list", {{"name", name}, {"numbers", std::to_string(into.size())}}));
 }
 
 }  // namespace snug::gltf

@@ -39,7 +39,7 @@ using Json = nlohmann::json;
 [[nodiscard]] Result<void> numbers(const Json& of, const char* name, std::span<double> into);
 
 /// A sentence about the file.
-[[nodiscard]] inline tl::unexpected<Error> refuse(std::string message) {
+[[nodiscard]] inline tl::unexpected<Error> refuse(Message message) {
     return fail(ErrorKind::input, std::move(message));
 }
 

@@ -31,12 +31,10 @@ Result<MeshoptView> checked_view(Bytes packed, const Json& extension, const Mode
     if (!stride) return tl::unexpected(stride.error());
     const bool attributes = mode.name == "ATTRIBUTES";
     if (attributes ? *stride % 4 != 0 || *stride == 0 || *stride > kMostStride : *stride != 2 && *stride != 4)
-        return refuse("a part packed by meshopt has elements of " + grouped(*stride) +
-                      " bytes, which cannot be: export it again");
+        return refuse(say("meshopt.stride", {{"stride", *stride}}));
     const std::uint64_t most = mode.most_per_byte * packed.size() / (attributes ? *stride : 1);
     if (*count > most || (mode.name == "TRIANGLES" && *count % 3 != 0))
-        return refuse("it claims " + grouped(*count) + " elements in a part packed by meshopt that has " +
-                      counted(packed.size(), "byte", "bytes") + ": it is damaged; export it again");
+        return refuse(say("meshopt.too_many", {{"elements", *count}, {"bytes", packed.size()}}));
     return MeshoptView{static_cast<std::size_t>(*count), static_cast<std::size_t>(*stride),
                        std::string(mode.name)};
 }
@@ -80,8 +78,7 @@ Result<void> undo_filter(FileBytes& bytes, const MeshoptView& view, const std::s
         undo_quaternion(bytes);
         return {};
     }
-    return refuse("its places are packed by meshopt with the filter " + snug::quoted(filter) +
-                  ", which Snug does not read: save it without compression");
+    return refuse(say("meshopt.filter", {{"filter", snug::quoted(filter)}}));
 }
 
 }  // namespace
@@ -90,21 +87,15 @@ Result<FileBytes> unpack_meshopt(Bytes packed, const Json& extension, const Scen
     const std::string name = text_of(extension, "mode");
     const auto mode =
         std::find_if(kModes.begin(), kModes.end(), [&](const Mode& m) { return m.name == name; });
-    if (mode == kModes.end())
-        return refuse("a part of it is packed by meshopt as " + snug::quoted(name) +
-                      ", which Snug does not read: save it without compression");
+    if (mode == kModes.end()) return refuse(say("meshopt.mode", {{"name", snug::quoted(name)}}));
     if (packed.empty() || std::to_integer<std::uint8_t>(packed[0]) != mode->header)
-        return refuse(
-            "it is packed by a newer codec of meshopt than EXT_meshopt_compression has, or damaged: save it "
-            "without compression");
+        return refuse(say("meshopt.newer"));
     const auto view = checked_view(packed, extension, *mode);
     if (!view) return tl::unexpected(view.error());
-    if (!tools.meshopt)
-        return refuse("it is packed by meshopt, which cannot be read here: save it without compression");
+    if (!tools.meshopt) return refuse(say("meshopt.not_here"));
     auto bytes = tools.meshopt(packed, *view);
     if (!bytes) return bytes;
-    if (bytes->size() != view->count * view->stride)
-        return refuse("a part packed by meshopt is damaged: export it again");
+    if (bytes->size() != view->count * view->stride) return refuse(say("meshopt.damaged"));
     if (const auto done = undo_filter(*bytes, *view, text_of(extension, "filter", "NONE")); !done)
         return tl::unexpected(done.error());
     return bytes;

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <string>
 
-#include "snug/base/text.h"
-
 namespace snug::gltf {
 namespace {
 
@@ -53,8 +51,7 @@ bool is_hidden(const Json& node) {
 }
 
 Error missing_node(std::uint64_t node) {
-    return {ErrorKind::input,
-            "it speaks of node " + grouped(node) + ", which it does not have: export it again"};
+    return {ErrorKind::input, say("gltf.no_node", {{"node", node}})};
 }
 
 }  // namespace
@@ -93,8 +90,7 @@ Result<void> Nodes::link() {
 Result<Affine> Nodes::first_world(std::size_t node) {
     std::vector<std::size_t> path;
     for (std::size_t at = node; at != parent_.size() && state_[at] != State::known; at = parent_[at]) {
-        if (state_[at] == State::on_the_way)
-            return refuse("its node " + grouped(at) + " lies within itself: export it again");
+        if (state_[at] == State::on_the_way) return refuse(say("gltf.node_in_itself", {{"node", at}}));
         state_[at] = State::on_the_way;
         path.push_back(at);
     }
@@ -121,8 +117,8 @@ Result<Affine> Nodes::world(std::uint64_t number) {
         const auto other = first_world(parent);
         if (!other) return other;
         if (!(*other == *first))
-            return refuse("its node " + grouped(node) + " lies within two others, " + grouped(parent_[node]) +
-                          " and " + grouped(parent) + ", that place it differently: export it again");
+            return refuse(
+                say("gltf.node_in_two", {{"node", node}, {"first", parent_[node]}, {"second", parent}}));
     }
     further_parents_.erase(further);
     return place;
@@ -138,8 +134,7 @@ Result<std::vector<std::size_t>> Nodes::roots() {
     }
     const auto which = whole(*scene_, "scene", 0);
     if (!which) return tl::unexpected(which.error());
-    if (*which >= count_of(scenes))
-        return refuse("it opens with scene " + grouped(*which) + ", which it does not have: export it again");
+    if (*which >= count_of(scenes)) return refuse(say("gltf.no_first_scene", {{"scene", *which}}));
     const Json& nodes = field(item(scenes, *which), "nodes");
     for (std::uint64_t i = 0; i < count_of(nodes); ++i) {
         const auto number = whole_value(item(nodes, i), "nodes");
@@ -150,8 +145,7 @@ Result<std::vector<std::size_t>> Nodes::roots() {
             const auto within = world(parent);
             if (!within) return tl::unexpected(within.error());
             if (!(*within == Affine{}))
-                return refuse("its scene lists node " + grouped(node) + ", which node " + grouped(parent) +
-                              " moves as well: export it again");
+                return refuse(say("gltf.node_moved_too", {{"node", node}, {"parent", parent}}));
         }
         roots.push_back(node);
     }
@@ -189,8 +183,8 @@ Result<Instances> Instances::open(const Json& scene, Buffers& buffers, const Jso
         auto accessor = Accessor::open(scene, buffers, *index, type);
         if (!accessor) return tl::unexpected(accessor.error());
         if (!first && accessor->count() != instances.count_)
-            return refuse("a node repeats its mesh at " + grouped(instances.count_) +
-                          " places and turns it " + grouped(accessor->count()) + " times: export it again");
+            return refuse(
+                say("gltf.instances", {{"places", instances.count_}, {"turns", accessor->count()}}));
         instances.count_ = accessor->count();
         first = false;
         into = std::move(*accessor);

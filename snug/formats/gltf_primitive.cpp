@@ -3,8 +3,6 @@
 #include <cmath>
 #include <string>
 
-#include "snug/base/text.h"
-
 namespace snug::gltf {
 namespace {
 
@@ -53,8 +51,7 @@ class PrimitiveReader {
         if (!positions) return tl::unexpected(positions.error());
         primitive_.positions = std::move(*positions);
         if (primitive_.positions.claimed() && primitive_.positions.count() > buffers_.bytes_read())
-            return refuse("it claims " + grouped(primitive_.positions.count()) +
-                          " points without any bytes for them: it is damaged; export it again");
+            return refuse(say("gltf.points_without_bytes", {{"points", primitive_.positions.count()}}));
         if (!field(json_, "indices").is_null()) {
             auto indices = open(json_, "indices", "SCALAR");
             if (!indices) return tl::unexpected(indices.error());
@@ -66,7 +63,7 @@ class PrimitiveReader {
         auto weights = open(attributes, kWeights, "VEC4");
         if (!weights) return tl::unexpected(weights.error());
         if (joints->count() < primitive_.positions.count() || weights->count() < primitive_.positions.count())
-            return refuse("it has fewer joints and weights than points: export it again");
+            return refuse(say("gltf.few_joints"));
         primitive_.influence = {std::move(*joints), std::move(*weights)};
         return {};
     }
@@ -88,8 +85,7 @@ class PrimitiveReader {
 
     Result<void> read_packed(const Json& packed) {
         const Json& attributes = field(packed, "attributes");
-        if (field(attributes, "POSITION").is_null())
-            return refuse("Draco packed its triangles without their places: save it without compression");
+        if (field(attributes, "POSITION").is_null()) return refuse(say("draco.no_places"));
         std::vector<DracoAttribute> asked;
         std::vector<double> scales;
         std::vector<std::string> wanted{"POSITION"};
@@ -120,8 +116,7 @@ class PrimitiveReader {
             if (weights[i] == 0 || field(item(targets, i), "POSITION").is_null()) continue;
             auto offsets = open(item(targets, i), "POSITION", "VEC3");
             if (!offsets) return tl::unexpected(offsets.error());
-            if (offsets->count() < primitive_.positions.count())
-                return refuse("a shape that it is mixed with has fewer points than itself: export it again");
+            if (offsets->count() < primitive_.positions.count()) return refuse(say("gltf.short_morph"));
             primitive_.morphs.push_back({std::move(*offsets), weights[i]});
         }
         return {};

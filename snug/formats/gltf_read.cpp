@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "snug/base/text.h"
 #include "snug/formats/gltf_buffers.h"
 #include "snug/formats/gltf_container.h"
 #include "snug/formats/gltf_draco.h"
@@ -57,9 +56,7 @@ class SceneReader {
         const auto which = whole(node, "mesh", 0);
         if (!which) return tl::unexpected(which.error());
         const Json& mesh = item(field(scene_, "meshes"), *which);
-        if (!mesh.is_object())
-            return refuse("it speaks of mesh " + grouped(*which) +
-                          ", which it does not have: export it again");
+        if (!mesh.is_object()) return refuse(say("gltf.no_mesh", {{"mesh", *which}}));
         // Each node that shows a mesh reads all its weights, and each primitive those of its shapes.
         const std::uint64_t shapes =
             std::max(count_of(field(node, "weights")), count_of(field(mesh, "weights")));

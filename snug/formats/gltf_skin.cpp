@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "snug/base/text.h"
-
 namespace snug::gltf {
 namespace {
 
@@ -21,8 +19,7 @@ Affine matrix_at(const Accessor& matrices, std::uint64_t i) {
 Result<const std::vector<Affine>*> Skins::pose(std::uint64_t index) {
     if (const auto known = known_.find(index); known != known_.end()) return &known->second;
     const Json& skin = item(field(scene_, "skins"), index);
-    if (!skin.is_object())
-        return refuse("it speaks of skin " + grouped(index) + ", which it does not have: export it again");
+    if (!skin.is_object()) return refuse(say("gltf.no_skin", {{"index", index}}));
     const Json& joints = field(skin, "joints");
     Accessor inverse;
     const bool bound = !field(skin, "inverseBindMatrices").is_null();
@@ -33,8 +30,9 @@ Result<const std::vector<Affine>*> Skins::pose(std::uint64_t index) {
         if (!accessor) return tl::unexpected(accessor.error());
         inverse = std::move(*accessor);
         if (inverse.count() < count_of(joints))
-            return refuse("its skin " + grouped(index) + " has " + grouped(count_of(joints)) +
-                          " joints and " + grouped(inverse.count()) + " matrices for them: export it again");
+            return refuse(
+                say("gltf.skin_matrices",
+                    {{"index", index}, {"joints", count_of(joints)}, {"matrices", inverse.count()}}));
     }
     std::vector<Affine> pose;
     for (std::uint64_t i = 0; i < count_of(joints); ++i) {

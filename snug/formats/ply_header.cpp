@@ -30,7 +30,9 @@ class HeaderReader {
 
     Result<PlyHeader> read() {
         const std::string_view magic = text_.word('\0');
-        if (magic != "ply") return fail(ErrorKind::input, text_.place() + quoted(magic) + " is no PLY file");
+        if (magic != "ply")
+            return fail(ErrorKind::input,
+                        say("ply.no_ply", {{"place", text_.place()}, {"word", quoted(magic)}}));
         text_.next_line();
         bool has_format = false;
         for (; !text_.at_end(); text_.next_line()) {
@@ -46,15 +48,16 @@ class HeaderReader {
             }
             if (!good) return tl::unexpected(error_);
         }
-        if (!has_format) return fail(ErrorKind::input, "the PLY header has no line \"format\"");
+        if (!has_format) return fail(ErrorKind::input, say("ply.no_format"));
         header_.lines = text_.line() - 1;
         use_known_names(header_);
         return std::move(header_);
     }
 
   private:
-    bool refuse(const std::string& message) {
-        error_ = {ErrorKind::input, text_.place() + message};
+    bool refuse(Message problem) {
+        error_ = {ErrorKind::input,
+                  say("at_place", {{"place", text_.place()}, {"problem", std::move(problem)}})};
         return false;
     }
 
@@ -67,7 +70,7 @@ class HeaderReader {
         else if (name == "binary_big_endian")
             header_.encoding = PlyEncoding::big_endian;
         else
-            return refuse(quoted(name) + " is no PLY format");
+            return refuse(say("ply.format", {{"name", quoted(name)}}));
         return true;
     }
 
@@ -76,28 +79,28 @@ class HeaderReader {
         element.name = text_.word('\0');
         const std::string_view shown = text_.word('\0');
         std::int64_t count = 0;
-        if (!to_number(shown, count) || count < 0) return refuse(quoted(shown) + " is no number of elements");
+        if (!to_number(shown, count) || count < 0) return refuse(say("ply.count", {{"word", quoted(shown)}}));
         element.count = static_cast<std::uint64_t>(count);
         header_.elements.push_back(std::move(element));
         return true;
     }
 
     bool read_property() {
-        if (header_.elements.empty()) return refuse("a property stands before any element");
+        if (header_.elements.empty()) return refuse(say("ply.property_first"));
         PlyProperty property;
         std::string_view word = text_.word('\0');
         if (word == "list") {
             word = text_.word('\0');
             property.count_type = type_named(word);
             if (!property.count_type || !is_integer(*property.count_type))
-                return refuse(quoted(word) + " is no type for a list's length");
+                return refuse(say("ply.list_type", {{"word", quoted(word)}}));
             word = text_.word('\0');
         }
         const auto type = type_named(word);
-        if (!type) return refuse(quoted(word) + " is no PLY type");
+        if (!type) return refuse(say("ply.type", {{"word", quoted(word)}}));
         property.type = *type;
         property.name = text_.word('\0');
-        if (property.name.empty()) return refuse("a property has no name");
+        if (property.name.empty()) return refuse(say("ply.no_property_name"));
         header_.elements.back().properties.push_back(std::move(property));
         return true;
     }
@@ -151,9 +154,7 @@ Result<PlyHeader> read_ply_header(Bytes file, std::uint64_t file_size) {
                                 std::min(file.size(), kLongestPlyHeader));
     std::size_t end = text.find("\nend_header");
     if (end == std::string_view::npos) end = text.find("\rend_header");
-    if (end == std::string_view::npos)
-        return fail(ErrorKind::input,
-                    "the PLY header has no end (\"end_header\"): the file is cut off or damaged");
+    if (end == std::string_view::npos) return fail(ErrorKind::input, say("ply.no_end"));
     // The data begins behind the one line end of this line: LF, CR LF or CR. With CR the data itself may
     // begin with the byte of LF.
     const bool ends_with_cr = text[end] == '\r';
@@ -170,9 +171,9 @@ Result<PlyHeader> read_ply_header(Bytes file, std::uint64_t file_size) {
     for (const PlyElement& element : header->elements) {
         const std::size_t size = least_size(element, header->encoding);
         if (size > 0 && element.count > left / size)
-            return fail(ErrorKind::input, "the file is cut off: it says " + grouped(element.count) + " of " +
-                                              quoted(element.name) + " but has room for " +
-                                              grouped(left / size) + " at most; copy or export it again");
+            return fail(ErrorKind::input, say("ply.too_short", {{"count", element.count},
+                                                                {"name", quoted(element.name)},
+                                                                {"most", left / size}}));
         left -= size * element.count;
     }
     return header;
@@ -188,11 +189,12 @@ bool has_float_vertices(const PlyHeader& header) {
     return true;
 }
 
-Error ply_wrong_index(std::string_view noun, std::uint64_t number, std::int64_t vertex,
+Error ply_wrong_index(const Message& noun, std::uint64_t number, std::int64_t vertex,
                       std::uint64_t vertices) {
-    return {ErrorKind::input, std::string(noun) + " " + grouped(number + 1) + " wants vertex " +
-                                  std::to_string(vertex) + ", but there are " +
-                                  counted(vertices, "vertex", "vertices") + ", counted from 0"};
+    return {ErrorKind::input, say("ply.wrong_index", {{"noun", noun},
+                                                      {"number", number + 1},
+                                                      {"vertex", std::to_string(vertex)},
+                                                      {"vertices", vertices}})};
 }
 
 }  // namespace snug

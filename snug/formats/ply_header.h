@@ -57,7 +57,7 @@ inline constexpr std::size_t kLongestPlyHeader = 1 << 20;
 [[nodiscard]] bool has_float_vertices(const PlyHeader& header);
 
 /// What is wrong with a face (numbered from 0, called `noun`) that names a vertex which is not there.
-[[nodiscard]] Error ply_wrong_index(std::string_view noun, std::uint64_t number, std::int64_t vertex,
+[[nodiscard]] Error ply_wrong_index(const Message& noun, std::uint64_t number, std::int64_t vertex,
                                     std::uint64_t vertices);
 
 }  // namespace snug

@@ -49,12 +49,8 @@ struct Layout {
     }
 };
 
-tl::unexpected<Error> refuse(const std::string& why) {
-    return fail(ErrorKind::input, why);
-}
-
-std::string shown_as(const PlyElement& element) {
-    return "the element " + quoted(element.name) + " of this PLY";
+tl::unexpected<Error> refuse(Message why) {
+    return fail(ErrorKind::input, std::move(why));
 }
 
 /// Bytes of a record; faces are taken to be triangles. None where a list of another kind makes records
@@ -80,7 +76,7 @@ Field field_at(const PlyElement& element, std::size_t property) {
 Result<void> take_vertices(const PlyElement& element, const Records& records, Layout& layout) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const std::size_t at = element.find(std::string(1, static_cast<char>('x' + axis)));
-        if (at == element.properties.size()) return refuse("the vertices of this PLY have no x, y and z");
+        if (at == element.properties.size()) return refuse(say("ply.no_xyz"));
         layout.coordinate[axis] = field_at(element, at);
     }
     layout.vertices = records;
@@ -93,55 +89,43 @@ Result<void> take_faces(const PlyElement& element, const Records& records, Layou
     layout.faces = records;
     if (count == 1) {
         if (!list.count_type || !is_integer(list.type))
-            return refuse("the " + list.name + " of this PLY are no list of whole numbers");
+            return refuse(say("ply.no_whole_numbers", {{"name", list.name}}));
         // Only what stands before the list counts here, and none of that is a list.
         layout.corner_count = Field{field_at(element, first).at, *list.count_type};
         const std::size_t at = layout.corner_count->at + size_of(*list.count_type);
         for (std::size_t i = 0; i < 3; ++i) layout.corners[i] = {at + i * size_of(list.type), list.type};
         return {};
     }
-    if (count != 3)
-        return refuse("faces of more than three corners are not read in pieces: export triangles");
+    if (count != 3) return refuse(say("ply.pieces_corners"));
     for (std::size_t i = 0; i < 3; ++i) layout.corners[i] = field_at(element, first + i);
     return {};
 }
 
 Result<Layout> layout_of(const PlyHeader& header, std::uint64_t file_size) {
-    if (header.encoding == PlyEncoding::ascii)
-        return refuse(
-            "a PLY of text is not read in pieces: export it in binary form, or read it whole with "
-            "--no-stream where there is memory for it");
+    if (header.encoding == PlyEncoding::ascii) return refuse(say("ply.pieces_text"));
     Layout layout;
     layout.swapped = header.encoding == PlyEncoding::big_endian;
     std::uint64_t at = header.bytes;
     for (const PlyElement& element : header.elements) {
-        if (element.name == "tristrips" && element.corners.count > 0)
-            return refuse("triangle strips are not read in pieces: export the PLY with plain faces");
+        if (element.name == "tristrips" && element.corners.count > 0) return refuse(say("ply.pieces_strips"));
         const bool faces = element.corners.count > 0;
         const auto size = record_size(element);
-        if (!size)
-            return refuse(shown_as(element) + " has lists, so it is not read in pieces: leave them out");
+        if (!size) return refuse(say("ply.pieces_lists", {{"name", quoted(element.name)}}));
         const Records records{at, *size == 0 ? 0 : element.count, std::max<std::size_t>(*size, 1)};
         if (records.count > (file_size - at) / records.bytes)
-            return refuse("the file is too short for " + grouped(records.count) + " of " +
-                          quoted(element.name) +
-                          ": it is cut off, or has faces with other than three corners");
+            return refuse(
+                say("ply.pieces_too_short", {{"count", records.count}, {"name", quoted(element.name)}}));
         at = records.end();
         Result<void> taken;
         if ((element.name == "vertex" && layout.vertices.bytes != 0) || (faces && layout.faces.bytes != 0))
-            return refuse(shown_as(element) +
-                          " is not the only one of its kind, so it is not read in pieces: "
-                          "join them, or read the file whole with --no-stream");
+            return refuse(say("ply.pieces_twice", {{"name", quoted(element.name)}}));
         if (element.name == "vertex") taken = take_vertices(element, records, layout);
         if (faces) taken = take_faces(element, records, layout);
         if (!taken) return tl::unexpected(taken.error());
     }
-    if (layout.vertices.bytes == 0) return refuse("the PLY has no element \"vertex\" with x, y and z");
-    if (layout.vertices.count > kMostVertices) return refuse("there are more than 2^32 - 2 vertices");
-    if (layout.faces.count == 0)
-        return refuse(
-            "there are no triangles in this file; a point cloud is not read in pieces: read it whole with "
-            "--no-stream, thinned before where memory does not hold it");
+    if (layout.vertices.bytes == 0) return refuse(say("ply.no_vertices"));
+    if (layout.vertices.count > kMostVertices) return refuse(say("mesh.too_many_vertices"));
+    if (layout.faces.count == 0) return refuse(say("ply.pieces_cloud"));
     return layout;
 }
 
@@ -156,15 +140,13 @@ class PlyTriangles {
         std::int64_t count = 3;
         if (layout.corner_count) count = whole_at(layout, record, *layout.corner_count);
         if (count != 3)
-            return refuse("face " + grouped(number + 1) + " has " + std::to_string(count) +
-                          " corners: only triangles are read in pieces; export the mesh with triangles, or "
-                          "read it whole with "
-                          "--no-stream");
+            return refuse(
+                say("ply.pieces_face", {{"number", number + 1}, {"corners", std::to_string(count)}}));
         std::array<std::uint32_t, 3> corners;
         for (std::size_t i = 0; i < 3; ++i) {
             const std::int64_t value = whole_at(layout, record, layout.corners[i]);
             if (value < 0 || static_cast<std::uint64_t>(value) >= layout.vertices.count)
-                return tl::unexpected(ply_wrong_index("face", number, value, layout.vertices.count));
+                return tl::unexpected(ply_wrong_index(say("ply.face"), number, value, layout.vertices.count));
             corners[i] = static_cast<std::uint32_t>(value);
         }
         return corners;

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "snug/base/message.h"
 #include "snug/formats/ply_header.h"
 #include "snug/formats/text_scan.h"
 
@@ -59,7 +60,7 @@ class BinaryPlyValues {
         return true;
     }
     [[nodiscard]] std::size_t left() const { return data_.size() - at_; }
-    [[nodiscard]] std::string place() const { return ""; }
+    [[nodiscard]] Message place() const { return {}; }
     /// What stands where a value should; only text shows that.
     [[nodiscard]] std::string_view wrong_word() const { return {}; }
 
@@ -140,9 +141,7 @@ class AsciiPlyValues {
     /// Whether nothing but comments follows.
     [[nodiscard]] bool used_up() { return next_word().empty(); }
     [[nodiscard]] std::size_t left() const { return text_.at_end() ? 0 : size_; }
-    [[nodiscard]] std::string place() const {
-        return "line " + std::to_string(text_.line() + header_lines_) + ": ";
-    }
+    [[nodiscard]] Message place() const { return at_line(text_.line() + header_lines_); }
     [[nodiscard]] std::string_view wrong_word() const { return word_; }
 
   private:

@@ -11,8 +11,6 @@
 namespace snug {
 namespace {
 
-constexpr const char* kCutOff = "the file is cut off within its last facet; copy or export it again";
-
 bool begins_comment(std::string_view word) {
     return word[0] == '#' || word[0] == ';' || word.substr(0, 2) == "//";
 }
@@ -44,16 +42,19 @@ class AsciiStlReader {
             if (word.empty())
                 text_.next_line();
             else if (!take(word))
-                return fail(ErrorKind::input, text_.place() + problem_);
+                return fail(ErrorKind::input,
+                            say("at_place", {{"place", text_.place()}, {"problem", problem_}}));
         }
-        if (in_facet_) return fail(ErrorKind::input, text_.place() + kCutOff);
+        if (in_facet_)
+            return fail(ErrorKind::input, say("at_place", {{"place", text_.place()},
+                                                           {"problem", say("stl.cut_off_in_facet")}}));
         mesh_.read.faces = mesh_.triangles.size() + mesh_.read.left_out_faces;
         mesh_.read.no_end = in_solid_;
         return finish(std::move(mesh_));
     }
 
   private:
-    bool refuse(std::string problem) {
+    bool refuse(Message problem) {
         problem_ = std::move(problem);
         return false;
     }
@@ -79,7 +80,7 @@ class AsciiStlReader {
         const std::string_view word = text_.word('\0');
         if (same_word(word, "loop") || same_word(word, "facet")) return end_facet();
         if (same_word(word, "solid")) return pass_name(false);
-        return word.empty() || refuse(quoted(word) + " is nothing that ends in an STL file");
+        return word.empty() || refuse(say("stl.end", {{"word", quoted(word)}}));
     }
 
     /// Colours, attributes and whatever programs add between the facets. Within a loop other words may be
@@ -87,7 +88,7 @@ class AsciiStlReader {
     bool pass_over(std::string_view word) {
         double value = 0;
         return !in_loop_ || to_coordinate(word, value) || same_word(word, "color") ||
-               same_word(word, "colour") || refuse(quoted(word) + " does not belong into an STL file");
+               same_word(word, "colour") || refuse(say("stl.foreign_word", {{"word", quoted(word)}}));
     }
 
     bool begin_facet() {
@@ -114,14 +115,13 @@ class AsciiStlReader {
     }
 
     bool read_vertex() {
-        if (corner_ == 3) return refuse("a facet has more than three vertices");
+        if (corner_ == 3) return refuse(say("stl.four_corners"));
         Vec3d& p = corners_[corner_];
         for (int axis = 0; axis < 3; ++axis) {
             if (text_.plain_number(p[axis])) continue;
             const std::string_view word = text_.word_anywhere('\0');
-            if (word.empty()) return refuse(kCutOff);
-            if (!to_coordinate(word, p[axis]))
-                return refuse("a vertex needs three numbers, not " + quoted(word));
+            if (word.empty()) return refuse(say("stl.cut_off_in_facet"));
+            if (!to_coordinate(word, p[axis])) return refuse(say("mesh.no_number", {{"word", quoted(word)}}));
         }
         ++corner_;
         in_facet_ = in_loop_ = true;
@@ -160,7 +160,7 @@ class AsciiStlReader {
     bool in_facet_ = false;
     bool in_loop_ = false;
     bool in_solid_ = false;
-    std::string problem_;
+    Message problem_;
 };
 
 }  // namespace

@@ -75,7 +75,7 @@ class Lines {
         ++number_;
         return true;
     }
-    [[nodiscard]] std::string place() const { return "line " + std::to_string(number_) + ": "; }
+    [[nodiscard]] Message place() const { return at_line(number_); }
 
   private:
     std::string_view text_;
@@ -88,11 +88,9 @@ bool names_columns(const Columns& columns) {
            same_word(columns.word[2], "z");
 }
 
-/// What is wrong with how a line's columns stand apart; empty where nothing is.
-std::string ambiguity(const Columns& columns) {
-    if (!columns.commas || (!columns.semicolons && !columns.blanks_alone)) return {};
-    return "commas beside other marks between the numbers may be decimal commas: write the points with "
-           "decimal points";
+/// Whether the commas between a line's numbers may as well be decimal commas.
+bool is_ambiguous(const Columns& columns) {
+    return columns.commas && (columns.semicolons || columns.blanks_alone);
 }
 
 }  // namespace
@@ -111,27 +109,27 @@ Result<Mesh> read_xyz(Bytes file) {
         if (columns.count == 1 && to_number(columns.word[0], count) && count >= 0) {
             promised += static_cast<std::uint64_t>(count);
             if (static_cast<std::uint64_t>(count) > file.size() / kLeastPoint + 1 || promised > file.size())
-                return fail(ErrorKind::input, lines.place() + "the file is too short for " +
-                                                  grouped(static_cast<std::uint64_t>(count)) + " points");
+                return fail(ErrorKind::input,
+                            say("cloud.too_short", {{"place", lines.place()}, {"count", count}}));
             continue;
         }
-        if (const std::string wrong = ambiguity(columns); !wrong.empty())
-            return fail(ErrorKind::input, lines.place() + wrong);
+        if (is_ambiguous(columns))
+            return fail(ErrorKind::input, say("cloud.decimal_commas", {{"place", lines.place()}}));
         Vec3d p;
         for (std::size_t axis = 0; axis < 3; ++axis) {
             if (axis < columns.count && to_coordinate(columns.word[axis], p[static_cast<int>(axis)]))
                 continue;
-            const std::string found = axis < columns.count
-                                          ? ", not " + quoted(columns.word[axis].substr(0, kLongestShown))
-                                          : ", and here are only " + std::to_string(columns.count);
-            return fail(ErrorKind::input, lines.place() + "a point needs three numbers x y z" + found);
+            if (axis >= columns.count)
+                return fail(ErrorKind::input, say("cloud.too_few_numbers",
+                                                  {{"place", lines.place()}, {"columns", columns.count}}));
+            const std::string word = quoted(columns.word[axis].substr(0, kLongestShown));
+            return fail(ErrorKind::input, say("cloud.no_number", {{"place", lines.place()}, {"word", word}}));
         }
         raw.vertices.push_back(p);
     }
     if (raw.vertices.size() < promised)
-        return fail(ErrorKind::input, "the file is cut off: it promises " + grouped(promised) +
-                                          " points and has " + grouped(raw.vertices.size()) +
-                                          "; copy or export it again");
+        return fail(ErrorKind::input,
+                    say("cloud.cut_off", {{"promised", promised}, {"points", raw.vertices.size()}}));
     return finish_cloud(std::move(raw));
 }
 

@@ -11,9 +11,6 @@
 namespace snug {
 namespace {
 
-constexpr const char* kUnderstood =
-    "Snug reads STL, OBJ, PLY, OFF, glTF, 3MF and points as PLY, XYZ or PTS: export it as one of these";
-
 bool looks_like_ply(Bytes file) {
     TextScan text(file.first(std::min<std::size_t>(file.size(), 256)));
     return text.word('\0') == "ply" && text.word('\0').empty();
@@ -39,7 +36,7 @@ Result<Mesh> read_as(MeshFormat format, bool or_cloud, Bytes file) {
         case MeshFormat::off:
             return or_cloud ? read_off_or_cloud(file) : read_off(file);
     }
-    return fail(ErrorKind::input, kUnderstood);
+    return fail(ErrorKind::input, say("read.understood"));
 }
 
 /// Calls `read` with the file, or with its text where that is UTF-16.
@@ -56,7 +53,7 @@ bool ends_with(std::string_view name, std::string_view lower) {
 }  // namespace
 
 Result<MeshFormat> mesh_format(Bytes file, std::string_view name) {
-    if (file.empty()) return fail(ErrorKind::input, "the file is empty");
+    if (file.empty()) return fail(ErrorKind::input, say("read.empty"));
     if (looks_like_ply(file)) return MeshFormat::ply;
     if (is_whole_binary_stl(file) || is_ascii_stl(file)) return MeshFormat::stl;
     if (const auto foreign = foreign_format(file)) return tl::unexpected(*foreign);
@@ -68,7 +65,7 @@ Result<MeshFormat> mesh_format(Bytes file, std::string_view name) {
     if (ends_with(name, ".obj")) return MeshFormat::obj;
     if (ends_with(name, ".ply")) return MeshFormat::ply;
     if (ends_with(name, ".off")) return MeshFormat::off;
-    return fail(ErrorKind::input, std::string("this is no mesh that Snug knows; ") + kUnderstood);
+    return fail(ErrorKind::input, say("read.unknown", {{"understood", say("read.understood")}}));
 }
 
 Result<Mesh> read_mesh(Bytes file, std::string_view name) {

@@ -82,10 +82,7 @@ class ObjReader {
         for (const Polygon& polygon : waiting_)
             append_polygon(mesh_, std::span(waiting_corners_).subspan(polygon.first, polygon.count));
         const bool points_alone = mesh_.read.faces == 0 && !mesh_.vertices.empty();
-        if (points_alone && has_curves_)
-            return fail(ErrorKind::input,
-                        "there are lines, curves or free-form surfaces but no faces: export the object as a "
-                        "mesh of triangles");
+        if (points_alone && has_curves_) return fail(ErrorKind::input, say("obj.no_faces"));
         return points_alone && as_cloud ? finish_cloud(std::move(mesh_)) : finish(std::move(mesh_));
     }
 
@@ -94,7 +91,7 @@ class ObjReader {
         std::size_t first, count;  ///< of its waiting_corners_
     };
 
-    bool refuse(std::string message) {
+    bool refuse(Message message) {
         error_ = {ErrorKind::input, std::move(message)};
         return false;
     }
@@ -105,7 +102,7 @@ class ObjReader {
             if (text_.plain_number(p[axis])) continue;
             const std::string_view word = statement.word();
             if (!to_coordinate(word, p[axis]))
-                return refuse(text_.place() + "a vertex needs three numbers, not " + quoted(word));
+                return refuse(say("mesh.no_number_at", {{"place", text_.place()}, {"word", quoted(word)}}));
         }
         mesh_.vertices.push_back(p);
         return true;
@@ -126,11 +123,12 @@ class ObjReader {
             if (word.empty()) break;
             std::int64_t index = 0;
             if (!to_number(word.substr(0, word.find('/')), index) || index == 0 || index > kMostVertices)
-                return refuse(text_.place() + quoted(word) + " is no vertex number; they count from 1");
+                return refuse(say("obj.no_vertex", {{"place", text_.place()}, {"word", quoted(word)}}));
             const auto known = static_cast<std::int64_t>(mesh_.vertices.size());
             if (index < 0 && index < -known)
-                return refuse(text_.place() + "the face wants vertex " + std::to_string(index) + " of only " +
-                              counted(mesh_.vertices.size(), "vertex", "vertices") + " before it");
+                return refuse(say("obj.few_before", {{"place", text_.place()},
+                                                     {"index", std::to_string(index)},
+                                                     {"vertices", mesh_.vertices.size()}}));
             add_corner(static_cast<std::uint32_t>(index < 0 ? known + index : index - 1));
         }
         ++mesh_.read.faces;
@@ -167,9 +165,9 @@ class ObjReader {
 
     bool highest_is_known() {
         if (highest_line_ == 0 || highest_ < mesh_.vertices.size()) return true;
-        return refuse("line " + std::to_string(highest_line_) + ": the face wants vertex " +
-                      std::to_string(highest_ + 1ull) + ", but the file has " +
-                      counted(mesh_.vertices.size(), "vertex", "vertices"));
+        return refuse(say("obj.wrong_index", {{"place", at_line(highest_line_)},
+                                              {"vertex", std::to_string(highest_ + 1ull)},
+                                              {"vertices", mesh_.vertices.size()}}));
     }
 
     static constexpr std::int64_t kMostVertices = 0xfffffffe;

@@ -40,24 +40,22 @@ class OffReader {
         return as_cloud && faces_ == 0 ? finish_cloud(std::move(mesh)) : finish(std::move(mesh));
     }
 
-    bool refuse(std::string message) {
+    bool refuse(Message message) {
         error_ = {ErrorKind::input, std::move(message)};
         return false;
     }
 
-    bool read_count(std::string_view word, const char* what, std::size_t& count) {
+    bool read_count(std::string_view word, const Message& what, std::size_t& count) {
         std::int64_t value = 0;
         const bool is_number = to_number(word, value);
         if (is_number && value > 0xfffffffe)
-            return refuse(text_.place() + grouped(static_cast<unsigned long long>(value)) + " " + what +
-                          " are more than can be read");
+            return refuse(say("off.too_many", {{"place", text_.place()}, {"count", value}, {"what", what}}));
         if (!is_number || value < 0)
-            return refuse(text_.place() + "the number of " + what +
-                          " is missing or no number: " + quoted(word));
+            return refuse(
+                say("off.no_count", {{"place", text_.place()}, {"what", what}, {"word", quoted(word)}}));
         // Each vertex and face needs at least a digit and a blank.
         if (static_cast<std::uint64_t>(value) > size_)
-            return refuse("the file says " + grouped(static_cast<unsigned long long>(value)) + " " + what +
-                          " but is too short for them; copy or export it again");
+            return refuse(say("off.too_short", {{"count", value}, {"what", what}}));
         count = static_cast<std::size_t>(value);
         return true;
     }
@@ -68,14 +66,13 @@ class OffReader {
         if (!to_number(word, count)) {
             const auto keyword = off_keyword(word);
             if (!keyword || keyword->other_space)
-                return refuse(text_.place() + quoted(word) +
-                              " is no kind of OFF that Snug reads: export it as plain OFF, PLY or STL");
+                return refuse(say("off.kind", {{"place", text_.place()}, {"word", quoted(word)}}));
             stride_ = keyword->stride();
             word = keyword->glued.empty() ? text_.word_anywhere() : keyword->glued;
         }
-        if (same_word(word, "binary"))
-            return refuse("this is a binary OFF file: export it as text, or as PLY or STL");
-        if (!read_count(word, "vertices", vertices_) || !read_count(text_.word_anywhere(), "faces", faces_))
+        if (same_word(word, "binary")) return refuse(say("off.binary"));
+        if (!read_count(word, say("off.vertices"), vertices_) ||
+            !read_count(text_.word_anywhere(), say("off.faces"), faces_))
             return false;
         pass_edge_count();
         return true;
@@ -109,10 +106,10 @@ class OffReader {
             for (int axis = 0; axis < 3; ++axis) {
                 const std::string_view word = axis == 0 ? first_word(by_lines) : further_word(by_lines);
                 if (word.empty() && text_.at_end())
-                    return refuse("the file is cut off: it says " + counted(vertices_, "vertex", "vertices") +
-                                  " but ends after " + grouped(v));
+                    return refuse(say("off.few_vertices", {{"vertices", vertices_}, {"found", v}}));
                 if (!to_coordinate(word, p[axis]))
-                    return refuse(text_.place() + "a vertex needs three numbers, not " + quoted(word));
+                    return refuse(
+                        say("mesh.no_number_at", {{"place", text_.place()}, {"word", quoted(word)}}));
             }
             for (std::size_t more = 3; !by_lines && more < stride_; ++more) text_.word_anywhere();
             mesh_.vertices.push_back(p);
@@ -127,17 +124,18 @@ class OffReader {
             std::int64_t count = 0;
             const std::string_view word = first_word(by_lines);
             if (word.empty() && text_.at_end())
-                return refuse("the file is cut off: it says " + counted(faces_, "face", "faces") +
-                              " but ends after " + grouped(f));
+                return refuse(say("off.few_faces", {{"faces", faces_}, {"found", f}}));
             if (!to_number(word, count) || count < 0 || static_cast<std::uint64_t>(count) > size_)
-                return refuse(text_.place() + quoted(word) + " is no number of corners");
+                return refuse(say("off.no_corners", {{"place", text_.place()}, {"word", quoted(word)}}));
             corners.clear();
             for (std::int64_t c = 0; c < count; ++c) {
                 std::int64_t index = 0;
                 const std::string_view shown = further_word(by_lines);
                 if (!to_number(shown, index) || index < 0 || static_cast<std::uint64_t>(index) >= vertices_)
-                    return refuse(text_.place() + quoted(shown) + " is no vertex; they run from 0 to " +
-                                  std::to_string(vertices_ == 0 ? 0 : vertices_ - 1));
+                    return refuse(
+                        say("off.no_vertex", {{"place", text_.place()},
+                                              {"word", quoted(shown)},
+                                              {"last", std::to_string(vertices_ == 0 ? 0 : vertices_ - 1)}}));
                 corners.push_back(static_cast<std::uint32_t>(index));
             }
             append_polygon(mesh_, corners);

@@ -26,8 +26,7 @@ class PlyReader {
             if (element.properties.empty()) continue;
             if (!read_element(element)) return tl::unexpected(error_);
         }
-        if (!has_vertices_)
-            return fail(ErrorKind::input, "the PLY has no element \"vertex\" with x, y and z");
+        if (!has_vertices_) return fail(ErrorKind::input, say("ply.no_vertices"));
         for (const Faces& faces : early_faces_) {
             element_ = faces.element;
             values_ = faces.values;
@@ -48,18 +47,19 @@ class PlyReader {
         Values values;  ///< at the first of them
     };
 
-    bool refuse(const std::string& message) {
-        error_ = {ErrorKind::input, message};
+    bool refuse(Message message) {
+        error_ = {ErrorKind::input, std::move(message)};
         return false;
     }
 
     bool cut_off(std::size_t number) {
-        const std::string where =
-            quoted(element_->name) + " " + grouped(number + 1) + " of " + grouped(element_->count);
+        const Message where =
+            say("ply.element_of",
+                {{"name", quoted(element_->name)}, {"number", number + 1}, {"count", element_->count}});
         if (const std::string_view word = values_.wrong_word(); !word.empty())
-            return refuse(values_.place() + quoted(word) + " is no number that can stand in " + where);
-        return refuse(values_.place() + "the file is cut off or damaged at " + where +
-                      "; copy or export it again");
+            return refuse(
+                say("ply.no_number", {{"place", values_.place()}, {"word", quoted(word)}, {"where", where}}));
+        return refuse(say("ply.cut_off", {{"place", values_.place()}, {"where", where}}));
     }
 
     bool read_element(const PlyElement& element) {
@@ -104,7 +104,7 @@ class PlyReader {
         for (int axis = 0; axis < 3; ++axis) {
             const std::size_t at = element.find(std::string(1, static_cast<char>('x' + axis)));
             if (at == element.properties.size() || element.properties[at].count_type)
-                return refuse("the vertices of this PLY have no x, y and z");
+                return refuse(say("ply.no_xyz"));
             axis_of[at] = axis;
         }
         has_vertices_ = true;
@@ -126,7 +126,7 @@ class PlyReader {
     bool read_or_pass_faces(const PlyElement& element) {
         const PlyProperty& first = element.properties[element.corners.first];
         if (element.corners.count == 1 && (!first.count_type || !is_integer(first.type)))
-            return refuse("the " + first.name + " of this PLY are no list of whole numbers");
+            return refuse(say("ply.no_whole_numbers", {{"name", first.name}}));
         const bool last_vertices_are_known =
             std::none_of(&element, header_.elements.data() + header_.elements.size(),
                          [](const PlyElement& later) { return later.name == "vertex"; });
@@ -182,8 +182,8 @@ class PlyReader {
             }
             if (corner < 0 || static_cast<std::uint64_t>(corner) >= mesh_.vertices.size()) {
                 has_wrong_index_ = true;
-                wrong_index_ =
-                    ply_wrong_index(strip ? "triangle strip" : "face", number, corner, mesh_.vertices.size());
+                wrong_index_ = ply_wrong_index(say(strip ? "ply.strip" : "ply.face"), number, corner,
+                                               mesh_.vertices.size());
                 return;
             }
             polygon_.push_back(static_cast<std::uint32_t>(corner));

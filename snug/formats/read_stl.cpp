@@ -16,8 +16,7 @@ constexpr std::size_t kStart = 4096;  // bytes that are looked at to tell text f
 
 Result<Mesh> read_binary(Bytes file) {
     if (file.size() < kStlHeader)
-        return fail(ErrorKind::input, "the file is cut off: a binary STL has at least 84 bytes, this one " +
-                                          grouped(file.size()) + "; copy or export it again");
+        return fail(ErrorKind::input, say("stl.too_short", {{"bytes", file.size()}}));
     const std::size_t count = read_u32(file.data() + 80);
     const std::size_t held = (file.size() - kStlHeader) / kStlFacet;
     if (held < count) return tl::unexpected(stl_cut_off(count, held));
@@ -56,9 +55,9 @@ bool is_text(Bytes start) {
 Error no_stl(Bytes start) {
     const std::string_view text(reinterpret_cast<const char*>(start.data()), start.size());
     const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n"), text.size());
-    return {ErrorKind::input, "this is text but no STL: it begins with " +
-                                  quoted(text.substr(begin, text.find_first_of("\r\n", begin) - begin)) +
-                                  "; download or export the object again"};
+    return {
+        ErrorKind::input,
+        say("stl.text", {{"text", quoted(text.substr(begin, text.find_first_of("\r\n", begin) - begin))}})};
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ Result<void> pass_records(const ByteSource& source, const Records& records,
         const std::lock_guard lock(telling);
         if (!cancelled && !go_on(progress, share)) cancelled = true;
     });
-    if (cancelled) return fail(ErrorKind::cancelled, "cancelled");
+    if (cancelled) return fail(ErrorKind::cancelled, say("cancelled"));
     return first.result();
 }
 

@@ -10,7 +10,6 @@
 #include <string>
 
 #include "snug/base/result.h"
-#include "snug/base/text.h"
 #include "snug/base/vec.h"
 
 // Binary STL: 80 bytes of anything, a count, and 50 bytes a triangle: a normal, three corners, an attribute.
@@ -63,8 +62,7 @@ inline void copy_stl_corners(const std::byte* facet, std::array<Vec3f, 3>& corne
 }
 
 [[nodiscard]] inline Error stl_cut_off(std::uint64_t count, std::uint64_t held) {
-    return {ErrorKind::input, "the file is cut off: it says " + counted(count, "triangle", "triangles") +
-                                  " but holds " + grouped(held) + "; copy or export it again"};
+    return {ErrorKind::input, say("stl.cut_off", {{"triangles", count}, {"held", held}})};
 }
 
 }  // namespace snug

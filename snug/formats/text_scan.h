@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "snug/base/message.h"
+
 namespace snug {
 
 enum class CharKind : std::uint8_t { in_word, blank, line_end };
@@ -52,6 +54,11 @@ inline const char* to_plain_number(const char* begin, const char* end, double& v
     return at;
 }
 
+/// "line 5: ", counted from 1.
+[[nodiscard]] inline Message at_line(std::size_t line) {
+    return say("at_line", {{"line", std::to_string(line)}});
+}
+
 /// A cursor over the bytes of a text file, line by line and word by word. Nothing is copied and no locale is
 /// asked. Lines end with LF, CR LF or CR. A byte order mark at the start is no part of the first word.
 class TextScan {
@@ -61,7 +68,7 @@ class TextScan {
     [[nodiscard]] bool at_end() const { return at_ == end_; }
     [[nodiscard]] std::size_t line() const { return line_; }
     /// "line 12: "
-    [[nodiscard]] std::string place() const { return "line " + std::to_string(line_) + ": "; }
+    [[nodiscard]] Message place() const { return at_line(line_); }
 
     /// The next word of this line; empty at its end. A comment (from `comment` on) ends the line.
     std::string_view word(char comment = '#') {

@@ -53,10 +53,10 @@ Result<void> check_required_extensions(XmlReader& xml) {
         if (prefix.empty()) continue;
         const std::string_view space = xml.space_of(prefix);
         if (is_known(space.empty() ? prefix : space)) continue;
-        return fail(ErrorKind::input, "it requires the extension \"" + quoted(prefix) + "\"" +
-                                          (space.empty() ? "" : " (" + quoted(space, 100) + ")") +
-                                          ", which Snug does not know, so its shape could be another than "
-                                          "what is read: export it as STL, or as 3MF without that extension");
+        std::vector<Message> address;
+        if (!space.empty()) address.push_back(as_it_is(" (" + quoted(space, 100) + ")"));
+        return fail(ErrorKind::input,
+                    say("threemf.extension", {{"prefix", quoted(prefix)}, {"address", address}}));
     }
     return {};
 }

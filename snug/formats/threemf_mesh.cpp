@@ -93,7 +93,7 @@ Result<void> read_3mf_mesh(XmlReader& xml, double mm_per_unit, ThreeMfObject& ob
         } else if (depth == 1 && !core && xml.name() == "beamlattice") {
             const auto beams = has_beams(xml);
             if (!beams) return tl::unexpected(beams.error());
-            if (*beams) object.unread = "a beam lattice";
+            if (*beams) object.unread = "threemf.beam_lattice";
             continue;
         } else if (depth != 1 || (name != "vertices" && name != "triangles")) {
             if (auto done = xml.skip(); !done) return tl::unexpected(done.error());

@@ -17,8 +17,8 @@
 namespace snug {
 namespace {
 
-tl::unexpected<Error> wrong(const XmlReader& xml, const std::string& what) {
-    return fail(ErrorKind::input, xml.place() + ": " + what);
+tl::unexpected<Error> wrong(const XmlReader& xml, Message what) {
+    return fail(ErrorKind::input, say("at_place", {{"place", xml.place()}, {"problem", std::move(what)}}));
 }
 
 Result<double> mm_per_unit(XmlReader& xml) {
@@ -28,7 +28,7 @@ Result<double> mm_per_unit(XmlReader& xml) {
     const std::string_view unit = xml.attribute("unit").value_or("millimeter");
     for (const auto& [name, mm] : kUnits)
         if (same_word(unit, name)) return mm;
-    return wrong(xml, "its unit " + quoted(unit) + " is none that 3MF knows");
+    return wrong(xml, say("threemf.unit", {{"unit", quoted(unit)}}));
 }
 
 /// Row by row, a matrix that rows of points are multiplied with; the last row is the shift.
@@ -55,7 +55,7 @@ class ModelReader {
         auto event = xml_.next();
         if (!event) return tl::unexpected(event.error());
         if (*event != XmlEvent::start || xml_.name() != "model" || !is_3mf_core(xml_.space()))
-            return wrong(xml_, "its first element is " + quoted(xml_.name()) + " and not the model of a 3MF");
+            return wrong(xml_, say("threemf.no_model", {{"name", quoted(xml_.name())}}));
         if (auto good = check_required_extensions(xml_); !good) return tl::unexpected(good.error());
         const auto mm = mm_per_unit(xml_);
         if (!mm) return tl::unexpected(mm.error());
@@ -99,8 +99,8 @@ class ModelReader {
         std::int64_t value = 0;
         const auto text = xml_.attribute(attribute);
         if (!text || !to_number(*text, value) || value < 0)
-            return wrong(xml_, "the " + std::string(attribute) + " of an element " + quoted(xml_.name()) +
-                                   " is not a whole number");
+            return wrong(xml_, say("threemf.no_whole_number",
+                                   {{"attribute", attribute}, {"name", quoted(xml_.name())}}));
         return value;
     }
 
@@ -108,9 +108,9 @@ class ModelReader {
         const auto number = id("id");
         if (!number) return tl::unexpected(number.error());
         if (++totals_.objects > ThreeMfTotals::kMostObjects)
-            return wrong(xml_, too_many_in_3mf(ThreeMfTotals::kMostObjects, "objects"));
+            return wrong(xml_, too_many_in_3mf("threemf.too_many_objects", ThreeMfTotals::kMostObjects));
         const auto [place, is_new] = model_.objects.try_emplace(*number);
-        if (!is_new) return wrong(xml_, "there are two objects with the id " + std::to_string(*number));
+        if (!is_new) return wrong(xml_, say("threemf.same_id", {{"id", std::to_string(*number)}}));
         ThreeMfObject& object = place->second;
         const std::string_view type = xml_.attribute("type").value_or("model");
         if (type == "support" || type == "solidsupport") object.role = ThreeMfRole::support;
@@ -128,9 +128,9 @@ class ModelReader {
 
     /// Shapes of extensions, in place of a mesh.
     void note_unread(ThreeMfObject& object) const {
-        if (xml_.name() == "booleanshape") object.unread = "cut out of another by a boolean operation";
-        if (xml_.name() == "levelset") object.unread = "given by a function (a level set)";
-        if (xml_.name() == "displacementmesh") object.unread = "a mesh that a picture displaces";
+        if (xml_.name() == "booleanshape") object.unread = "threemf.boolean";
+        if (xml_.name() == "levelset") object.unread = "threemf.level_set";
+        if (xml_.name() == "displacementmesh") object.unread = "threemf.displaced";
     }
 
     /// An item or a component.
@@ -138,16 +138,14 @@ class ModelReader {
         const auto number = id("objectid");
         if (!number) return tl::unexpected(number.error());
         if (++totals_.uses > ThreeMfTotals::kMostUses)
-            return wrong(xml_, too_many_in_3mf(ThreeMfTotals::kMostUses, "items and components"));
+            return wrong(xml_, too_many_in_3mf("threemf.too_many_uses", ThreeMfTotals::kMostUses));
         ThreeMfUse found;
         found.object = *number;
         if (const auto path = xml_.attribute(kThreeMfProduction, "path"))
             found.part = ThreeMfPackage::part_name(*path);
         if (const auto text = xml_.attribute("transform"); text && !text->empty()) {
             const auto place = parse_transform(*text, mm_);
-            if (!place)
-                return wrong(xml_,
-                             "the transform of object " + std::to_string(*number) + " is not twelve numbers");
+            if (!place) return wrong(xml_, say("threemf.transform", {{"object", std::to_string(*number)}}));
             found.place = *place;
         }
         uses.push_back(std::move(found));
@@ -166,9 +164,8 @@ Result<ThreeMfModel> read_3mf_model(Bytes xml, ThreeMfTotals& totals) {
     return ModelReader(xml, totals).read();
 }
 
-std::string too_many_in_3mf(std::uint64_t most, const char* what) {
-    return "it has or repeats more than " + grouped(most) + " " + what +
-           ": export it as one mesh (STL or PLY)";
+Message too_many_in_3mf(const char* code, std::uint64_t most) {
+    return say(code, {{"most", most}});
 }
 
 }  // namespace snug

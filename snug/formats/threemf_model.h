@@ -27,7 +27,7 @@ struct ThreeMfObject {
     RawMesh mesh;              ///< mm; every vertex is a number and used, every index is in range
     std::size_t left_out = 0;  ///< triangles with corners that are not there or no numbers
     std::vector<ThreeMfUse> components;
-    std::string unread;  ///< the shape that it has instead, which Snug does not read: "a beam lattice"
+    std::string unread;  ///< code of the shape that it has instead, which Snug does not read; or empty
 };
 
 /// One model part of a 3MF.
@@ -49,6 +49,6 @@ struct ThreeMfTotals {
 [[nodiscard]] Result<ThreeMfModel> read_3mf_model(Bytes xml, ThreeMfTotals& totals);
 
 /// The sentence of a file that has too much of something.
-[[nodiscard]] std::string too_many_in_3mf(std::uint64_t most, const char* what);
+[[nodiscard]] Message too_many_in_3mf(const char* code, std::uint64_t most);
 
 }  // namespace snug

@@ -70,7 +70,7 @@ ThreeMfPackage::ThreeMfPackage(ZipReader zip) : zip_(std::move(zip)) {
 Result<FileBytes> ThreeMfPackage::read(std::string_view part) {
     const auto found = parts_.find(part);
     if (found == parts_.end())
-        return fail(ErrorKind::input, quoted(part, 80) + " is not in it: export it again");
+        return fail(ErrorKind::input, say("threemf.no_part", {{"part", quoted(part, 80)}}));
     return zip_.unpack(zip_.members()[found->second]);
 }
 
@@ -82,7 +82,9 @@ Result<std::optional<std::string>> ThreeMfPackage::named_root() {
     XmlReader xml(*bytes);
     for (;;) {
         const auto event = xml.next();
-        if (!event) return fail(ErrorKind::input, std::string(kRelationships) + ", " + event.error().message);
+        if (!event)
+            return fail(ErrorKind::input,
+                        say("at_part", {{"part", kRelationships}, {"problem", event.error().message}}));
         if (*event == XmlEvent::done) return root;
         if (*event != XmlEvent::start || xml.name() != "Relationship") continue;
         if (xml.attribute("Type") != kModelType || xml.attribute("TargetMode") == "External") continue;

@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "snug/base/text.h"
 #include "snug/formats/threemf_package.h"
 #include "snug/formats/threemf_scene.h"
 
@@ -21,7 +20,7 @@ Result<Mesh> read_3mf(Bytes file, const SceneTools& tools) {
     if (!package) return tl::unexpected(package.error());
     const auto root = package->root();
     if (!root) return tl::unexpected(root.error());
-    if (!*root) return fail(ErrorKind::input, "this is no 3MF file: there is no 3D model in it");
+    if (!*root) return fail(ErrorKind::input, say("threemf.no_3mf"));
     ThreeMfScene scene(std::move(*package), **root);
     if (auto done = scene.load(); !done) return tl::unexpected(done.error());
 
@@ -29,12 +28,10 @@ Result<Mesh> read_3mf(Bytes file, const SceneTools& tools) {
     const ThreeMfRole role = has_faces(ThreeMfRole::thing) ? ThreeMfRole::thing : ThreeMfRole::support;
     const ThreeMfCount count = scene.count(role);
     const std::uint64_t faces = count.triangles + count.left_out;
-    if (faces == 0) return fail(ErrorKind::input, "there are no triangles in what it places");
+    if (faces == 0) return fail(ErrorKind::input, say("threemf.no_triangles"));
     if (count.left_out > count.triangles)
         return fail(ErrorKind::input,
-                    grouped(count.left_out) + " of its " + grouped(faces) +
-                        " triangles have corners that are not there or no numbers: repair or "
-                        "export it again");
+                    say("threemf.most_left_out", {{"left_out", count.left_out}, {"faces", faces}}));
     auto mesh = finish(scene.placed(role));
     if (!mesh) return mesh;
     mesh->read.in_mm = true;

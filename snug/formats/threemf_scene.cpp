@@ -24,12 +24,12 @@ void add_to(ThreeMfCount& sum, const ThreeMfCount& more) {
     sum.meshes = std::min(kMore, sum.meshes + more.meshes);
 }
 
-tl::unexpected<Error> too_many(std::uint64_t most, const char* what) {
-    return fail(ErrorKind::input, too_many_in_3mf(most, what));
+tl::unexpected<Error> too_many(const char* code, std::uint64_t most) {
+    return fail(ErrorKind::input, too_many_in_3mf(code, most));
 }
 
-std::string called(std::int64_t object, const std::string& part) {
-    return "object " + std::to_string(object) + " of " + quoted(part, 80);
+Message called(std::int64_t object, const std::string& part) {
+    return say("threemf.object_of", {{"object", std::to_string(object)}, {"part", quoted(part, 80)}});
 }
 
 }  // namespace
@@ -43,9 +43,11 @@ Result<const ThreeMfModel*> ThreeMfScene::model(const std::string& part) {
     if (!bytes) return tl::unexpected(bytes.error());
     constexpr std::string_view kSecret = "%3McF";
     if (std::string_view(reinterpret_cast<const char*>(bytes->data()), bytes->size()).substr(0, 5) == kSecret)
-        return fail(ErrorKind::input, quoted(part, 80) + " is encrypted: export it again without encryption");
+        return fail(ErrorKind::input, say("threemf.encrypted", {{"part", quoted(part, 80)}}));
     auto read = read_3mf_model(*bytes, totals_);
-    if (!read) return fail(ErrorKind::input, quoted(part, 80) + ", " + read.error().message);
+    if (!read)
+        return fail(ErrorKind::input,
+                    say("at_part", {{"part", quoted(part, 80)}, {"problem", read.error().message}}));
     for (const auto& [id, object] : read->objects) triangles_ += object.mesh.triangles.size();
     return &models_.emplace(part, std::move(*read)).first->second;
 }
@@ -61,10 +63,7 @@ Result<std::vector<ThreeMfUse>> ThreeMfScene::build() {
         for (const ThreeMfUse& use : object.components)
             if (use.part.empty()) alone.erase(use.object);
     if (alone.size() == 1) return std::vector<ThreeMfUse>{{{}, *alone.begin(), {}}};
-    return fail(ErrorKind::input,
-                "its build is empty, so it does not say which of its " +
-                    counted((*root)->objects.size(), "object", "objects") +
-                    " are meant: place them in the program that wrote it, and export it again");
+    return fail(ErrorKind::input, say("threemf.empty_build", {{"objects", (*root)->objects.size()}}));
 }
 
 Result<void> ThreeMfScene::load() {
@@ -85,20 +84,18 @@ Result<std::size_t> ThreeMfScene::add(const ThreeMfUse& use, const std::string& 
     const std::size_t number = place->second;
     if (!is_new) {
         if (!nodes_[number].open) return number;
-        return fail(ErrorKind::input,
-                    called(use.object, part) + " is a component of itself: export it again");
+        return fail(ErrorKind::input, say("threemf.in_itself", {{"part", called(use.object, part)}}));
     }
     const auto found = model(part);
     if (!found) return tl::unexpected(found.error());
     const auto object = (*found)->objects.find(use.object);
     if (object == (*found)->objects.end())
-        return fail(ErrorKind::input,
-                    called(use.object, part) + " is placed, but it is not there: export the file again");
+        return fail(ErrorKind::input, say("threemf.not_there", {{"part", called(use.object, part)}}));
     nodes_.push_back({&object->second, std::max(role, object->second.role), {}, {}, 0, true});
     if (nodes_[number].role != ThreeMfRole::other) {
         if (!object->second.unread.empty())
-            return fail(ErrorKind::input, called(use.object, part) + " is " + object->second.unread +
-                                              ", which Snug does not read: export it as a mesh, such as STL");
+            return fail(ErrorKind::input, say("threemf.unread", {{"part", called(use.object, part)},
+                                                                 {"shape", say(object->second.unread)}}));
         if (auto done = add_children(number, part, depth); !done) return tl::unexpected(done.error());
     }
     nodes_[number].open = false;
@@ -122,8 +119,7 @@ Result<void> ThreeMfScene::add_children(std::size_t number, const std::string& p
         height = std::max(height, nodes_[*child].height + 1);
     }
     if (height > kMostDepth || (depth == kMostDepth && !object.components.empty()))
-        return fail(ErrorKind::input, "its components lie more than " + std::to_string(kMostDepth) +
-                                          " deep within each other: export it as one mesh (STL or PLY)");
+        return fail(ErrorKind::input, say("threemf.deep", {{"most", std::to_string(kMostDepth)}}));
     Node& node = nodes_[number];
     node.count = count;
     node.children = std::move(children);
@@ -141,8 +137,8 @@ Result<void> ThreeMfScene::check_limits() const {
     const std::uint64_t most = std::max(kMostRepeated, triangles_);
     for (const ThreeMfRole role : {ThreeMfRole::thing, ThreeMfRole::support}) {
         const ThreeMfCount sum = count(role);
-        if (sum.triangles > most) return too_many(most, "triangles");
-        if (sum.meshes > kMostUses) return too_many(kMostUses, "items and components");
+        if (sum.triangles > most) return too_many("threemf.too_many_triangles", most);
+        if (sum.meshes > kMostUses) return too_many("threemf.too_many_uses", kMostUses);
     }
     return {};
 }

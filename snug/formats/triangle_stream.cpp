@@ -23,9 +23,7 @@ bool is_text(std::span<const std::byte> bytes) {
 
 Error not_in_pieces(std::span<const std::byte> beginning) {
     if (const auto foreign = foreign_format(beginning)) return *foreign;
-    return {ErrorKind::input,
-            "only a binary STL or a binary PLY is read in pieces, and this is none: export it as one, or "
-            "read it whole with --no-stream where there is memory for it"};
+    return {ErrorKind::input, say("read.pieces_formats")};
 }
 
 /// Whether the file is the text that read_stl() would take it for: only where it has not the very size of a
@@ -55,7 +53,7 @@ Result<TriangleStream> open_stl(ByteSource source) {
     if (*text) return tl::unexpected(not_in_pieces(header));
     if (const auto foreign = count == 0 ? foreign_format(header) : std::nullopt)
         return tl::unexpected(*foreign);
-    if (count == 0) return fail(ErrorKind::input, "there are no triangles in this file");
+    if (count == 0) return fail(ErrorKind::input, say("mesh.no_triangles"));
     const auto decode = [](const RecordPiece& piece,
                            std::span<TriangleStream::Corners> corners) -> Result<std::size_t> {
         for (std::size_t t = 0; t < piece.count; ++t)

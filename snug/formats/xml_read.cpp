@@ -45,8 +45,8 @@ Result<XmlEvent> XmlReader::next() {
     for (;;) {
         at_ = std::min(text_.find('<', at_), text_.size());
         if (at_ == text_.size()) {
-            if (!begun_) return wrong("there is no element in it");
-            if (!open_.empty()) return wrong("it is cut off within the element " + quoted(open_.back().name));
+            if (!begun_) return wrong(say("xml.nothing"));
+            if (!open_.empty()) return wrong(say("xml.cut_off", {{"name", quoted(open_.back().name)}}));
             return XmlEvent::done;
         }
         bool whole = true;
@@ -62,7 +62,7 @@ Result<XmlEvent> XmlReader::next() {
         } else {
             return starts_with(text_, at_, "</") ? end_tag() : start_tag();
         }
-        if (!whole) return wrong("it is cut off within a comment or a declaration");
+        if (!whole) return wrong(say("xml.cut_off_comment"));
     }
 }
 
@@ -105,13 +105,12 @@ bool XmlReader::pass_over_document_type() {
 }
 
 Result<XmlEvent> XmlReader::start_tag() {
-    if (begun_ && open_.empty()) return wrong("a second element follows the root");
+    if (begun_ && open_.empty()) return wrong(say("xml.two_roots"));
     begun_ = true;
     ++at_;
     const std::string_view name = word();
-    if (name.empty()) return wrong("a tag has no name");
-    if (open_.size() == kMostDepth)
-        return wrong("its elements lie more than " + std::to_string(kMostDepth) + " deep within each other");
+    if (name.empty()) return wrong(say("xml.no_name"));
+    if (open_.size() == kMostDepth) return wrong(say("xml.deep", {{"most", std::to_string(kMostDepth)}}));
     open_.push_back({name, bindings_.size()});
     const auto over = attributes();
     if (!over) return tl::unexpected(over.error());
@@ -138,16 +137,14 @@ Result<bool> XmlReader::attributes() {
         const std::string_view name = word();
         pass_spaces();
         if (name.empty() || at_ >= text_.size() || text_[at_] != '=')
-            return wrong("the tag of " + quoted(open_.back().name) + " is damaged or cut off");
+            return wrong(say("xml.tag", {{"name", quoted(open_.back().name)}}));
         ++at_;
         pass_spaces();
         const char quote = at_ < text_.size() ? text_[at_] : '\0';
         const std::size_t end = quote == '"' || quote == '\'' ? text_.find(quote, at_ + 1) : text_.npos;
-        if (end == text_.npos)
-            return wrong("the attribute " + quoted(name) +
-                         " has no quotes around its value, or no second one");
+        if (end == text_.npos) return wrong(say("xml.quotes", {{"name", quoted(name)}}));
         if (attributes_.size() == kMostAttributes)
-            return wrong("an element has more than " + std::to_string(kMostAttributes) + " attributes");
+            return wrong(say("xml.attributes", {{"most", std::to_string(kMostAttributes)}}));
         const std::size_t colon = name.find(':');
         const Name parted = colon == std::string_view::npos
                                 ? Name{{}, name}
@@ -162,7 +159,7 @@ Result<void> XmlReader::bind_namespaces() {
         const bool is_default = name.prefix.empty() && name.local == "xmlns";
         if (!is_default && name.prefix != "xmlns") continue;
         if (bindings_.size() == kMostBindings)
-            return wrong("more than " + std::to_string(kMostBindings) + " namespaces are declared");
+            return wrong(say("xml.namespaces", {{"most", std::to_string(kMostBindings)}}));
         bindings_.push_back({is_default ? std::string_view() : name.local, without_xml_spaces(raw)});
     }
     return {};
@@ -173,9 +170,8 @@ Result<XmlEvent> XmlReader::end_tag() {
     const std::string_view name = word();
     pass_spaces();
     if (open_.empty() || name != open_.back().name || at_ >= text_.size() || text_[at_] != '>') {
-        const std::string wanted =
-            open_.empty() ? "" : ", where that of " + quoted(open_.back().name) + " is due";
-        return wrong("there is the end of an element " + quoted(name) + wanted);
+        if (open_.empty()) return wrong(say("xml.end", {{"name", quoted(name)}}));
+        return wrong(say("xml.wrong_end", {{"name", quoted(name)}, {"wanted", quoted(open_.back().name)}}));
     }
     ++at_;
     leave();
@@ -223,13 +219,13 @@ std::optional<std::string_view> XmlReader::value_of(const Attribute& attribute) 
     return without_xml_spaces(expanded_);
 }
 
-std::string XmlReader::place() const {
+Message XmlReader::place() const {
     const auto end = text_.begin() + static_cast<std::ptrdiff_t>(std::min(at_, text_.size()));
-    return "line " + grouped(1 + static_cast<unsigned long long>(std::count(text_.begin(), end, '\n')));
+    return say("at_line", {{"line", 1 + std::count(text_.begin(), end, '\n')}});
 }
 
-tl::unexpected<Error> XmlReader::wrong(const std::string& what) const {
-    return fail(ErrorKind::input, place() + ": " + what);
+tl::unexpected<Error> XmlReader::wrong(Message what) const {
+    return fail(ErrorKind::input, say("at_place", {{"place", place()}, {"problem", std::move(what)}}));
 }
 
 }  // namespace snug

@@ -49,7 +49,7 @@ class XmlReader {
     [[nodiscard]] std::string_view space_of(std::string_view prefix) const;
 
     /// "line 12"
-    [[nodiscard]] std::string place() const;
+    [[nodiscard]] Message place() const;
 
   private:
     struct Name {
@@ -69,7 +69,7 @@ class XmlReader {
 
     bool pass_over(std::string_view until);
     bool pass_over_document_type();
-    [[nodiscard]] tl::unexpected<Error> wrong(const std::string& what) const;
+    [[nodiscard]] tl::unexpected<Error> wrong(Message what) const;
     Result<XmlEvent> start_tag();
     Result<XmlEvent> end_tag();
     Result<bool> attributes();  // true where the element is over with its tag

@@ -21,8 +21,8 @@ constexpr std::uint64_t kMember = 0x04034b50, kEntry = 0x02014b50, kEnd = 0x0605
 constexpr std::size_t kMemberBytes = 30, kEntryBytes = 46, kEndBytes = 22, kEnd64Bytes = 56,
                       kLocatorBytes = 20;
 
-tl::unexpected<Error> damaged(const std::string& what) {
-    return fail(ErrorKind::input, "the zip archive is damaged (" + what + "): copy or download it again");
+tl::unexpected<Error> damaged(Message what) {
+    return fail(ErrorKind::input, say("zip.damaged", {{"what", std::move(what)}}));
 }
 
 bool has(Bytes file, std::uint64_t at, std::size_t bytes, std::uint64_t signature) {
@@ -65,9 +65,7 @@ std::optional<std::uint64_t> find_end64(Bytes file, std::size_t end) {
 
 Result<Directory> find_directory(Bytes file) {
     const auto end = find_end(file);
-    if (!end)
-        return fail(ErrorKind::input,
-                    "the zip archive has no directory, so it is cut off: copy or download it again");
+    if (!end) return fail(ErrorKind::input, say("zip.no_directory"));
     Directory found{little_endian(file, *end + 16, 4), little_endian(file, *end + 12, 4), *end};
     std::uint64_t disk = little_endian(file, *end + 4, 2);
     const bool wants64 = found.begin == kInZip64 || found.size == kInZip64 ||
@@ -79,10 +77,8 @@ Result<Directory> find_directory(Bytes file) {
     } else if (end64) {
         found.end = *end64;
     }
-    if (disk != 0)
-        return fail(ErrorKind::input,
-                    "the zip archive is one part of several: join them, or pack it again in one");
-    if (found.size > found.end) return damaged("its directory is longer than the file");
+    if (disk != 0) return fail(ErrorKind::input, say("zip.several_parts"));
+    if (found.size > found.end) return damaged(say("zip.long_directory"));
     return found;
 }
 
@@ -103,10 +99,10 @@ class Entries {
     [[nodiscard]] std::uint64_t end() const { return end_; }
 
     Result<ZipMember> next() {
-        if (!has(file_, at_, kEntryBytes, kEntry)) return damaged("its directory has an entry that is none");
+        if (!has(file_, at_, kEntryBytes, kEntry)) return damaged(say("zip.no_entry"));
         const std::uint64_t name = field(28, 2), extra = field(30, 2), comment = field(32, 2);
         const std::uint64_t bytes = kEntryBytes + name + extra + comment;
-        if (end_ - at_ < bytes) return damaged("an entry of its directory is cut off");
+        if (end_ - at_ < bytes) return damaged(say("zip.cut_entry"));
         ZipMember member;
         const Bytes text = part_of(file_, at_ + kEntryBytes, name);
         member.name = zip_name({reinterpret_cast<const char*>(text.data()), text.size()});
@@ -118,7 +114,7 @@ class Entries {
         member.size = field(24, 4);
         member.begin = field(42, 4);
         if (!take_zip64(part_of(file_, at_ + kEntryBytes + name, extra), member))
-            return damaged("the size of " + quoted(member.name) + " is missing");
+            return damaged(say("zip.no_size", {{"name", quoted(member.name)}}));
         if (auto found = find_data(member); !found) return tl::unexpected(found.error());
         at_ += bytes;
         return member;
@@ -155,14 +151,14 @@ class Entries {
 
     /// From the member's own header to its data.
     Result<void> find_data(ZipMember& member) const {
-        const auto wrong = [&] { return damaged(quoted(member.name) + " is not where the directory says"); };
+        const auto wrong = [&] { return damaged(say("zip.not_there", {{"name", quoted(member.name)}})); };
         if (member.begin > file_.size()) return wrong();
         const std::uint64_t header = member.begin + shift_;
         if (!has(file_, header, kMemberBytes, kMember)) return wrong();
         member.begin = header + kMemberBytes + little_endian(file_, header + 26, 2) +
                        little_endian(file_, header + 28, 2);
         if (member.begin > file_.size() || file_.size() - member.begin < member.packed)
-            return damaged(quoted(member.name) + " goes beyond the end of the file");
+            return damaged(say("zip.beyond_end", {{"name", quoted(member.name)}}));
         return {};
     }
 
@@ -176,10 +172,7 @@ Result<void> refuse_shared_bytes(const std::vector<ZipMember>& members, const En
         ranges.push_back({member.begin - kMemberBytes, member.begin + member.packed});
     std::sort(ranges.begin(), ranges.end());
     for (std::size_t i = 1; i < ranges.size(); ++i)
-        if (ranges[i].first < ranges[i - 1].second)
-            return fail(ErrorKind::input,
-                        "members of the zip archive share bytes, as in archives that are made to fill a "
-                        "disk: pack it again");
+        if (ranges[i].first < ranges[i - 1].second) return fail(ErrorKind::input, say("zip.shared_bytes"));
     return {};
 }
 

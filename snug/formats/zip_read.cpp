@@ -66,28 +66,21 @@ Result<ZipReader> ZipReader::open(Bytes file, Inflate inflate) {
 
 Result<FileBytes> ZipReader::unpack(const ZipMember& member) {
     const std::string name = quoted(member.name, 80);
-    if (member.encrypted)
-        return fail(ErrorKind::input,
-                    name + " in the zip archive is encrypted: pack it again without a password");
+    if (member.encrypted) return fail(ErrorKind::input, say("zip.encrypted", {{"name", name}}));
     if (member.method != kStored && member.method != kDeflated)
         return fail(ErrorKind::input,
-                    name + " in the zip archive is packed by method " + std::to_string(member.method) +
-                        ", which Snug does not read: pack it again with the usual one (DEFLATE)");
+                    say("zip.method", {{"name", name}, {"method", std::to_string(member.method)}}));
     if (member.size > left_)
         return fail(ErrorKind::input,
-                    name + " in the zip archive unpacks to " + megabytes(member.size) +
-                        "; with what was unpacked before it is more than the " +
-                        megabytes(most_unpacked(file_.size())) +
-                        " that Snug takes from an archive of this size (100 times its bytes, or "
-                        "64 MiB): export it as STL or PLY");
+                    say("zip.too_large", {{"name", name},
+                                          {"size", megabytes(member.size)},
+                                          {"most", megabytes(most_unpacked(file_.size()))}}));
     left_ -= member.size;
-    const auto wrong = [&] {
-        return fail(ErrorKind::input, name + " in the zip archive is damaged: copy or download it again");
-    };
+    const auto wrong = [&] { return fail(ErrorKind::input, say("zip.damaged_member", {{"name", name}})); };
     const Bytes packed = part_of(file_, member.begin, member.packed);
     if (member.method == kStored && packed.size() != member.size) return wrong();
     if (member.method == kDeflated && !inflate_)
-        return fail(ErrorKind::input, name + " in the zip archive is packed, which cannot be unpacked here");
+        return fail(ErrorKind::input, say("zip.not_here", {{"name", name}}));
     auto bytes = member.method == kStored ? Result<FileBytes>(FileBytes(packed.begin(), packed.end()))
                                           : inflate_(packed, static_cast<std::size_t>(member.size));
     if (!bytes || bytes->size() != member.size || checksum(*bytes) != member.checksum) return wrong();

@@ -96,14 +96,10 @@ Vec3d origin_for(const Box3d& box) {
 template <class T>
 Result<Mesh> finish(RawMeshOf<T> raw) {
     if (raw.read.faces == 0) raw.read.faces = raw.triangles.size() + raw.read.left_out_faces;
-    if (raw.read.faces == 0 && raw.vertices.empty())
-        return fail(ErrorKind::input, "there are no triangles in this file");
+    if (raw.read.faces == 0 && raw.vertices.empty()) return fail(ErrorKind::input, say("mesh.no_triangles"));
     if (raw.read.faces == 0)
-        return fail(ErrorKind::input,
-                    "there are " + counted(raw.vertices.size(), "point", "points") +
-                        " but no triangles: this is a point cloud; make a mesh of it first");
-    if (raw.vertices.size() > kMostVertices)
-        return fail(ErrorKind::input, "there are more than 2^32 - 2 vertices");
+        return fail(ErrorKind::input, say("mesh.cloud", {{"points", raw.vertices.size()}}));
+    if (raw.vertices.size() > kMostVertices) return fail(ErrorKind::input, say("mesh.too_many_vertices"));
     drop_unused(raw);
     auto box = box_of(raw.vertices);
     if (!box) {
@@ -111,15 +107,14 @@ Result<Mesh> finish(RawMeshOf<T> raw) {
         box = box_of(raw.vertices);
     }
     if (auto error = too_much_left_out(raw.read)) return tl::unexpected(std::move(*error));
-    if (raw.triangles.empty()) return fail(ErrorKind::input, "there are no triangles in this file");
+    if (raw.triangles.empty()) return fail(ErrorKind::input, say("mesh.no_triangles"));
     return recentred(std::move(raw), *box);
 }
 
 template <class T>
 Result<Mesh> finish_cloud(RawMeshOf<T> raw) {
-    if (raw.vertices.empty()) return fail(ErrorKind::input, "there are no points in this file");
-    if (raw.vertices.size() > kMostVertices)
-        return fail(ErrorKind::input, "there are more than 2^32 - 2 points");
+    if (raw.vertices.empty()) return fail(ErrorKind::input, say("cloud.no_points"));
+    if (raw.vertices.size() > kMostVertices) return fail(ErrorKind::input, say("cloud.too_many"));
     const std::size_t points = raw.vertices.size();
     auto box = box_of(raw.vertices);
     if (!box) {

@@ -104,7 +104,7 @@ Result<TriangleTree> TriangleTree::build(std::span<const Vec3d> vertices, std::s
     constexpr double kSteps = 7;
     double step = 0;
     const auto cancelled = [&] { return !go_on(progress, std::min(++step / kSteps, 1.0)); };
-    const auto failure = [] { return fail(ErrorKind::cancelled, "cancelled"); };
+    const auto failure = [] { return fail(ErrorKind::cancelled, say("cancelled")); };
 
     std::vector<CurvePlace> places = places_on_curve(vertices, triangles);
     if (cancelled()) return failure();

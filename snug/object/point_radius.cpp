@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "snug/base/parallel.h"
-#include "snug/base/text.h"
 
 namespace snug {
 namespace {
@@ -45,8 +44,8 @@ float rounded_up(double value) {
 
 Result<PointRadii> point_radii(const Mesh& cloud, const CloudPlaces& places, double fixed) {
     if (!(fixed >= 0 && fixed <= static_cast<double>(std::numeric_limits<float>::max())))
-        return fail(ErrorKind::usage, "the radius of a point must be 0 mm (from the spacing) or more");
-    if (places.size() < 2) return fail(ErrorKind::input, "the object has no size: all its points are one");
+        return fail(ErrorKind::usage, say("cloud.radius"));
+    if (places.size() < 2) return fail(ErrorKind::input, say("object.one_point"));
 
     PointRadii radii;
     if (fixed > 0) {

@@ -11,8 +11,7 @@ namespace snug {
 
 Result<Object> prepare(Mesh mesh, const Design& design) {
     const Vec3d size = bounds(mesh).size();
-    if (std::max({size.x, size.y, size.z}) <= 0)
-        return fail(ErrorKind::input, "the object has no size: all its points are one");
+    if (std::max({size.x, size.y, size.z}) <= 0) return fail(ErrorKind::input, say("object.one_point"));
     if (!mesh.read.in_mm)
         if (const auto error = implausible_size(size, design)) return tl::unexpected(*error);
 

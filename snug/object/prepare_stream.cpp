@@ -12,12 +12,8 @@ namespace snug {
 namespace {
 
 std::optional<Error> needs_all_at_once(const ObjectOptions& options) {
-    if (options.cap)
-        return Error{ErrorKind::usage, "holes cannot be closed in an object that is read in pieces"};
-    if (!options.clean.none())
-        return Error{
-            ErrorKind::usage,
-            "parts cannot be dropped from an object that is read in pieces, nor can it be cut by a plane"};
+    if (options.cap) return Error{ErrorKind::usage, say("pieces.cap")};
+    if (!options.clean.none()) return Error{ErrorKind::usage, say("pieces.clean")};
     return {};
 }
 
@@ -57,8 +53,7 @@ Result<Object> prepare(TriangleStream stream, const Design& design, const Progre
     const Vec3d origin = origin_for(bounds->file);
     const Box3d box = relative_to(origin, bounds->file);
     const Vec3d size = box.size();
-    if (std::max({size.x, size.y, size.z}) <= 0)
-        return fail(ErrorKind::input, "the object has no size: all its points are one");
+    if (std::max({size.x, size.y, size.z}) <= 0) return fail(ErrorKind::input, say("object.one_point"));
     if (const auto error = implausible_size(size, design)) return tl::unexpected(*error);
     // The first pass could not know the way from the file to the object.
     if (by_length || !(origin == Vec3d{})) {

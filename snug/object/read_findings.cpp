@@ -19,32 +19,23 @@ void find_left_out(const ReadNotes& read, std::size_t points, std::vector<Findin
     if (read.left_out_faces > 0)
         findings.push_back(
             {severity(read.left_out_faces, read.faces),
-             "left_out",
-             grouped(read.left_out_faces) + " of " + counted(read.faces, "face", "faces") +
-                 " of the file were left out: they have fewer than three corners, or a corner "
-                 "whose place is no number. Look whether the object is whole, or repair it and "
-                 "export it again",
-             {}});
+             say("left_out/faces", {{"left_out", read.left_out_faces}, {"faces", read.faces}})});
     if (read.left_out_points > 0)
-        findings.push_back({severity(read.left_out_points, points),
-                            "left_out",
-                            grouped(read.left_out_points) + " of " + counted(points, "point", "points") +
-                                " of the file were left out: their places are no numbers. Look whether the "
-                                "object is whole, or scan it again",
-                            {}});
+        findings.push_back(
+            {severity(read.left_out_points, points),
+             say("left_out/points", {{"left_out", read.left_out_points}, {"points", points}})});
 }
 
 void find_left_out_objects(const std::vector<std::string>& names, std::vector<Finding>& findings) {
     if (names.empty()) return;
-    std::string list;
+    std::vector<Message> named, more;
     for (std::size_t i = 0; i < std::min(names.size(), kObjectsNamed); ++i)
-        list += (i > 0 ? ", " : "") + quoted(names[i], 80);
-    if (names.size() > kObjectsNamed) list += " and " + grouped(names.size() - kObjectsNamed) + " more";
-    findings.push_back({Severity::warning,
-                        "left_out_objects",
-                        "there are several objects in the file, and the foams are for one of them: " + list +
-                            (names.size() == 1 ? " is" : " are") + " left out. Make foams for each by itself",
-                        {}});
+        named.push_back(as_it_is(quoted(names[i], 80)));
+    if (names.size() > kObjectsNamed)
+        more.push_back(say("and_more", {{"count", names.size() - kObjectsNamed}}));
+    findings.push_back(
+        {Severity::warning,
+         say("left_out_objects", {{"names", named}, {"more", more}, {"objects", names.size()}})});
 }
 
 }  // namespace
@@ -53,21 +44,9 @@ void find_read_notes(const ReadNotes& read, std::size_t left, const std::optiona
                      std::vector<Finding>& findings) {
     find_left_out(read, left + read.left_out_points, findings);
     find_left_out_objects(read.left_out_objects, findings);
-    if (read.no_end)
-        findings.push_back(
-            {Severity::warning,
-             "no_end",
-             "the file stops without \"endsolid\", so its end may be missing: look whether the "
-             "object is whole, or copy or export it again",
-             {}});
+    if (read.no_end) findings.push_back({Severity::warning, say("no_end")});
     if (read.in_mm && units && *units != Unit::mm)
-        findings.push_back(
-            {Severity::warning,
-             "unit_stated",
-             "the design says that the file is in " + std::string(name_of(*units)) +
-                 ", but the file states its unit itself, and that counts. If the object has the "
-                 "wrong size, choose its scale or its longest side",
-             {}});
+        findings.push_back({Severity::warning, say("unit_stated", {{"unit", name_of(*units)}})});
 }
 
 }  // namespace snug

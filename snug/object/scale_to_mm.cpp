@@ -25,16 +25,14 @@ std::optional<Error> implausible_size(Vec3d size, const Design& design) {
     const bool tiny = mm.x < block.x && mm.y < block.y && mm.z < block.z;
     const bool huge = std::max({mm.x, mm.y, mm.z}) > kLongestPlausible;
     if (!tiny && !huge) return {};
-    std::string sentence = "the object would be " + dimensions(mm, 3) + " mm, " +
-                           (tiny ? "smaller than one block" : "longer than 5 m") +
-                           ". Which unit is it in? Read as ";
-    for (const Unit unit : {Unit::mm, Unit::cm, Unit::m, Unit::in})
-        sentence += std::string(unit == Unit::mm   ? ""
-                                : unit == Unit::in ? ", or as "
-                                                   : ", as ") +
-                    std::string(name_of(unit)) + " it measures " + dimensions(mm * millimetres(unit), 1) +
-                    " mm";
-    return Error{ErrorKind::input, sentence + ". Choose with --units mm|cm|m|in"};
+    const auto read_as = [&](Unit unit) { return dimensions(mm * millimetres(unit), 1); };
+    return Error{ErrorKind::input,
+                 say("unit.implausible", {{"size", dimensions(mm, 3)},
+                                          {"problem", say(tiny ? "unit.tiny" : "unit.huge")},
+                                          {"mm", read_as(Unit::mm)},
+                                          {"cm", read_as(Unit::cm)},
+                                          {"m", read_as(Unit::m)},
+                                          {"in", read_as(Unit::in)}})};
 }
 
 }  // namespace snug

@@ -35,7 +35,7 @@ Result<Mesh> sample(std::string_view name) {
         if (each.name == name) return each.make();
         known += (known.empty() ? "" : ", ") + std::string(each.name);
     }
-    return fail(ErrorKind::usage, "there is no sample " + quoted(name) + "; choose one of " + known);
+    return fail(ErrorKind::usage, say("sample.unknown", {{"name", quoted(name)}, {"known", known}}));
 }
 
 }  // namespace snug

@@ -236,8 +236,7 @@ Result<FittedCase> fit_case(const Mesh& mesh, const Design& design, std::uint64_
     }
     const Vec3d counts = search.blocks(best.lengths) + walls;
     if (std::max({counts.x, counts.y, counts.z}) > kMostBlocks)
-        return fail(ErrorKind::usage, "the object and its walls would need " + dimensions(counts, 0) +
-                                          " blocks, more than 4096 on an axis: choose larger blocks");
+        return fail(ErrorKind::usage, say("space.too_many_blocks", {{"blocks", dimensions(counts, 0)}}));
     return FittedCase{euler_of(rotation_of(best.turn)), vec_cast<int>(counts), looked_at};
 }
 
@@ -255,17 +254,18 @@ Result<Vec3d> fitting_rotation(const Mesh& mesh, const Design& design, const Des
     Sample bare = search.turned_into(room, excess);
     if (excess <= 0) return euler_of(rotation_of(bare.turn));
     bare = search.measured(bare);
-    std::string too_long;
+    std::vector<Message> too_long, one_axis;
     for (int axis = 0; axis < 3; ++axis)
         if (const double over = bare.lengths[axis] - room[axis]; over > 0)
-            too_long += (too_long.empty() ? "" : " and ") + number(std::max(over, 0.1), 1) + " mm along " +
-                        std::string(1, "xyz"[axis]);
+            too_long.push_back(
+                say(too_long.empty() ? "fit.too_long" : "fit.too_long_too",
+                    {{"mm", number(std::max(over, 0.1), 1)}, {"axis", std::string(1, "xyz"[axis])}}));
+    if (design.search.upright) one_axis.push_back(say("fit.one_axis_upright"));
     const Vec3d blocks = search.blocks(bare.lengths);
-    return fail(ErrorKind::does_not_fit,
-                "the object fits the design space of " + dimensions(space.size()) +
-                    " mm in no orientation that was tried: lying best it is still too long by " + too_long +
-                    (design.search.upright ? " (one axis is kept upright)" : "") + "; " +
-                    dimensions(blocks, 0) + " blocks would hold it without any wall");
+    return fail(ErrorKind::does_not_fit, say("fit.no_orientation", {{"space", dimensions(space.size())},
+                                                                    {"too_long", too_long},
+                                                                    {"one_axis", one_axis},
+                                                                    {"blocks", dimensions(blocks, 0)}}));
 }
 
 }  // namespace snug

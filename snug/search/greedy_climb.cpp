@@ -66,8 +66,7 @@ Result<Climb> start_climb(const PreparedSurface& surface, const Design& design, 
     const auto fit = evaluate(climb, surface, design.placement.rotation_deg);
     if (!fit)
         return fail(ErrorKind::does_not_fit,
-                    "the object leaves the design space of " + dimensions(space.size()) +
-                        " mm as it stands: make the space larger or turn the object before optimizing");
+                    say("search.leaves_space", {{"space", dimensions(space.size())}}));
     stand_at(climb, design.placement.rotation_deg, *fit);
     const Walls wanted = wanted_wall_mm(design.space);
     for (std::size_t side = 0; side < climb.least_wall.size(); ++side)

@@ -269,8 +269,7 @@ Result<PlacementSearch> PlacementSearch::start(const Mesh& mesh, const PreparedS
     const auto exact = exact_cut(surface, space, design.cut, at.rotation_deg, at.offset_mm, available);
     if (!exact)
         return fail(ErrorKind::does_not_fit,
-                    "the object leaves the design space of " + dimensions(space.size()) +
-                        " mm as it stands: make the space larger or turn the object before optimizing");
+                    say("search.leaves_space", {{"space", dimensions(space.size())}}));
     const Walls wanted = wanted_wall_mm(design.space);
     bool alike = !design.case_options.inside_mm || !has_shape(design.case_options);
     for (std::size_t side = 0; side < 6; ++side) {

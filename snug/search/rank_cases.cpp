@@ -34,7 +34,7 @@ RankedCase tried(const KnownCase& known, const Design& design, const Cargo& carg
     apply(known, options);
     const Clearance clearance = design.cut.whole_clearance_mm();
     const Box3d room = grown({size * -0.5, size * 0.5}, clearance);
-    const auto fitted = problem_of(options) ? Result<CaseSpace>(fail(ErrorKind::usage, ""))
+    const auto fitted = problem_of(options) ? Result<CaseSpace>(tl::unexpected(Error()))
                                             : case_space(options, design.space.block_mm);
     const Vec3d block = fitted ? fitted->space.block_mm : design.space.block_mm;
     const Vec3d needed = fitted_blocks(room, block, walls);

@@ -46,8 +46,7 @@ std::optional<Error> settle_counts(const PreparedSurface& surface, Design& desig
         grown(place(surface, at.rotation_deg, at.offset_mm).bounds, design.cut.whole_clearance_mm()),
         design.space.block_mm, *design.space.wall_mm);
     if (std::max({counts.x, counts.y, counts.z}) > kMostBlocks)
-        return Error{ErrorKind::usage, "the object and its walls would need " + dimensions(counts, 0) +
-                                           " blocks, more than 4096 on an axis: choose larger blocks"};
+        return Error{ErrorKind::usage, say("space.too_many_blocks", {{"blocks", dimensions(counts, 0)}})};
     design.space.blocks = vec_cast<int>(counts);
     design.placement.offset_mm = at.offset_mm + fitted_shift(design.space.block_mm, *design.space.wall_mm);
     return {};
@@ -96,9 +95,7 @@ Result<SearchReport> search_design(const Mesh& mesh, const PreparedSurface& surf
     SearchReport report;
     report.seed = design.search.seed;
     if (task.fit_case && design.case_options.inside_mm)
-        return fail(ErrorKind::usage,
-                    "the smallest case is looked for where none is given: leave the case out, or search for "
-                    "the best placement in it");
+        return fail(ErrorKind::usage, say("search.case_given"));
     Design searched = design;
     if (auto error = settle_counts(surface, searched); error && !task.fit_case) return tl::unexpected(*error);
     if (searched.space.blocks || searched.case_options.inside_mm) {

@@ -114,13 +114,9 @@ Result<CaseSpace> case_space(const CaseOptions& options, Vec3d block_mm) {
                               : std::floor((length + kRounding) / block_mm[axis]);
         if (count < 1 || (freely && length < kLeastBlockSize))
             return fail(ErrorKind::does_not_fit,
-                        "the case leaves " + dimensions({free.z, free.y, free.x}) +
-                            " mm (length, width, height) within its play, less than one block of " +
-                            dimensions({block_mm.z, block_mm.y, block_mm.x}) +
-                            " mm: choose smaller blocks or a larger case");
-        if (count > kMostBlocks)
-            return fail(ErrorKind::usage,
-                        "the case would take more than 4096 blocks on an axis: choose larger blocks");
+                        say("case.too_small", {{"inside", dimensions({free.z, free.y, free.x})},
+                                               {"block", dimensions({block_mm.z, block_mm.y, block_mm.x})}}));
+        if (count > kMostBlocks) return fail(ErrorKind::usage, say("case.too_many_blocks"));
         fitted.space.blocks[axis] = static_cast<int>(count);
         fitted.space.block_mm[axis] = freely ? length / count : block_mm[axis];
         const double rest = freely ? 0 : length - count * block_mm[axis];

@@ -9,6 +9,7 @@
 #include "snug/make.h"
 #include "snug/samples/samples.h"
 #include "snug/space/fitted_space.h"
+#include "snug/words/words.h"
 
 #include "tests/support/random.h"
 
@@ -59,7 +60,7 @@ Packing packed(const Mesh& mesh, const Design& design) {
 
 std::vector<std::string> codes(const Packing& packing) {
     std::vector<std::string> found;
-    for (const Finding& finding : packing.findings) found.push_back(finding.code);
+    for (const Finding& finding : packing.findings) found.emplace_back(finding.code());
     return found;
 }
 
@@ -76,7 +77,8 @@ TEST(Findings, AMissingBaseIsADangerUntilItIsCapped) {
     // 2 x 2 columns inside see only the top: three of their four blocks would be foam.
     ASSERT_EQ(codes(open), Codes{"open"});
     EXPECT_EQ(open.findings[0].severity, Severity::danger);
-    EXPECT_NE(open.findings[0].message.find("12 blocks"), std::string::npos) << open.findings[0].message;
+    EXPECT_NE(text(open.findings[0].message).find("12 blocks"), std::string::npos)
+        << text(open.findings[0].message);
 
     design.object.cap = true;
     const Packing capped = packed(open_below, design);
@@ -118,8 +120,8 @@ TEST(Findings, WhatWasAskedForAndDidNothingIsSaid) {
     design.object.clean.drop_below_mm = 5;
     const Packing kept = packed(closed, design);
     ASSERT_EQ(codes(kept), Codes{"nothing_dropped"});
-    EXPECT_NE(kept.findings[0].message.find("the smallest is 60 mm"), std::string::npos)
-        << kept.findings[0].message;
+    EXPECT_NE(text(kept.findings[0].message).find("the smallest is 60 mm"), std::string::npos)
+        << text(kept.findings[0].message);
 }
 
 TEST(Findings, APlaneThatMeetsNothingSaysWhereTheObjectLies) {
@@ -130,8 +132,8 @@ TEST(Findings, APlaneThatMeetsNothingSaysWhereTheObjectLies) {
     const Packing missed = packed(closed, design);
     ASSERT_EQ(codes(missed), Codes{"cut_missed"});
     EXPECT_EQ(missed.findings[0].severity, Severity::warning);
-    EXPECT_NE(missed.findings[0].message.find("from 1010 to 1070 mm"), std::string::npos)
-        << missed.findings[0].message;
+    EXPECT_NE(text(missed.findings[0].message).find("from 1010 to 1070 mm"), std::string::npos)
+        << text(missed.findings[0].message);
     design.object.clean.cut_plane = {{2, 0, 0, 1040}};
     EXPECT_EQ(codes(packed(closed, design)), Codes{"cut_off"});
 }
@@ -139,10 +141,11 @@ TEST(Findings, APlaneThatMeetsNothingSaysWhereTheObjectLies) {
 /// The numbers that a finding gives behind an option; none where it does not name it.
 std::optional<Vec3d> advised(const Packing& packing, const std::string& option, char separator) {
     for (const Finding& finding : packing.findings) {
-        const std::size_t at = finding.message.find(option + " ");
+        const std::string message = text(finding.message);
+        const std::size_t at = message.find(option + " ");
         if (at == std::string::npos) continue;
         Vec3d numbers;
-        const char* next = finding.message.c_str() + at + option.size() + 1;
+        const char* next = message.c_str() + at + option.size() + 1;
         for (int axis = 0; axis < 3; ++axis) {
             char* end = nullptr;
             numbers[axis] = std::strtod(next, &end);
@@ -182,10 +185,10 @@ TEST(Findings, WhatAThinWallAdvisesIsDoneAndThenTheWallsAreThere) {
             design.space.blocks = vec_cast<int>(*blocks);
             ++counts;
         } else {
-            ADD_FAILURE() << thin.findings.front().message;
+            ADD_FAILURE() << text(thin.findings.front().message);
         }
         const Packing mended = packed(mesh, design);
-        EXPECT_FALSE(has_thin_wall(mended)) << mended.findings.front().message;
+        EXPECT_FALSE(has_thin_wall(mended)) << text(mended.findings.front().message);
     }
     EXPECT_GT(moves, 5);
     EXPECT_GT(counts, 5);
@@ -198,8 +201,8 @@ TEST(Findings, AFittedSpaceIsAdvisedOtherWallsAndACaseNoBlocks) {
     fitted.space.wall_mm = Walls{10, 50, 50, 50, 50, 50};
     const Packing thin = packed(mesh, fitted);
     ASSERT_EQ(codes(thin), Codes{"thin_floor"});
-    EXPECT_NE(thin.findings[0].message.find("--wall 25,50,50,50,50,50 would do"), std::string::npos)
-        << thin.findings[0].message;
+    EXPECT_NE(text(thin.findings[0].message).find("--wall 25,50,50,50,50,50 would do"), std::string::npos)
+        << text(thin.findings[0].message);
     fitted.space.wall_mm = Walls{25, 50, 50, 50, 50, 50};
     EXPECT_EQ(codes(packed(mesh, fitted)), Codes{});
 
@@ -208,9 +211,11 @@ TEST(Findings, AFittedSpaceIsAdvisedOtherWallsAndACaseNoBlocks) {
     cased.case_options.inside_mm = Vec3d{96, 216, 216};
     const Packing low = packed(mesh, cased);
     ASSERT_TRUE(has_thin_wall(low));
-    EXPECT_EQ(low.findings[0].message.find("blocks"), std::string::npos) << low.findings[0].message;
-    EXPECT_NE(low.findings[0].message.find("take a case of 216 x 216 x 186 mm inside"), std::string::npos)
-        << low.findings[0].message;
+    EXPECT_EQ(text(low.findings[0].message).find("blocks"), std::string::npos)
+        << text(low.findings[0].message);
+    EXPECT_NE(text(low.findings[0].message).find("take a case of 216 x 216 x 186 mm inside"),
+              std::string::npos)
+        << text(low.findings[0].message);
     cased.case_options.inside_mm = Vec3d{186, 216, 216};
     EXPECT_FALSE(has_thin_wall(packed(mesh, cased)));
 }
@@ -222,7 +227,8 @@ TEST(Findings, AnOpeningAtTheSideLetsNoFoamIn) {
 TEST(Findings, AnOpenTubeAlongTheInsertionAxisIsADanger) {
     const Packing tube = packed(box({0, 0, 0}, {58, 58, 58}, {0, 1}), design_of({10, 10, 10}, 15));
     ASSERT_EQ(codes(tube), Codes{"open"});
-    EXPECT_NE(tube.findings[0].message.find("16 blocks"), std::string::npos) << tube.findings[0].message;
+    EXPECT_NE(text(tube.findings[0].message).find("16 blocks"), std::string::npos)
+        << text(tube.findings[0].message);
 }
 
 TEST(Findings, WallsAreNamedWhereTheyAreThinOrGone) {
@@ -252,7 +258,8 @@ TEST(Findings, NobodyIsToldToTakeMoreBlocksWhereACaseDecidesThem) {
             const Packing made = packed(part, design);
             EXPECT_FALSE(made.findings.empty());
             for (const Finding& finding : made.findings)
-                EXPECT_EQ(finding.message.find("more blocks"), std::string::npos) << finding.message;
+                EXPECT_EQ(text(finding.message).find("more blocks"), std::string::npos)
+                    << text(finding.message);
         }
 }
 
@@ -319,7 +326,7 @@ TEST(Prepare, AsksForTheUnitOnlyWhenTheSizeIsImplausible) {
     Design design;
     const auto message = [&](float size) {
         const auto object = prepare(box({0, 0, 0}, {size, size, size}), design);
-        return object ? std::string() : object.error().message;
+        return object ? std::string() : text(object.error().message);
     };
     EXPECT_EQ(message(60), "");
     EXPECT_NE(message(0.2f).find("as m it measures 200 x 200 x 200 mm"), std::string::npos) << message(0.2f);

@@ -14,6 +14,7 @@
 #include "snug/object/point_radius.h"
 #include "snug/samples/samples.h"
 #include "snug/space/place_object.h"
+#include "snug/words/words.h"
 
 #include "tests/support/models.h"
 #include "tests/support/random.h"
@@ -185,7 +186,7 @@ TEST(Cloud, AnEndThatWasNotSeenIsADangerUntilItIsClosed) {
     design.space.blocks.reset();
     const auto open = [](const Packing& packing) {
         return std::any_of(packing.findings.begin(), packing.findings.end(),
-                           [](const Finding& finding) { return finding.code == "open"; });
+                           [](const Finding& finding) { return finding.code() == "open"; });
     };
     for (const std::string_view name : {"torus", "vase"}) {
         for (const double noise : {0.0, 0.5}) {
@@ -197,7 +198,7 @@ TEST(Cloud, AnEndThatWasNotSeenIsADangerUntilItIsClosed) {
             const auto packing = pack(*prepare(stood, design), design);
             ASSERT_TRUE(packing.has_value() && packing->foams);
             EXPECT_TRUE(open(*packing));
-            EXPECT_EQ(packing->findings.front().code, "open");
+            EXPECT_EQ(packing->findings.front().code(), "open");
             design.object.cap = true;
             const auto closed = pack(*prepare(stood, design), design);
             ASSERT_TRUE(closed.has_value());
@@ -227,7 +228,7 @@ TEST(Cloud, IsPackedLikeAMeshAndTellsWhatIsNotKnown) {
     const std::string report = report_json(*object, project, *made);
     for (const char* null : {"\"watertight\": null", "\"volume_mm3\": null", "\"gap\": null"})
         EXPECT_NE(report.find(null), std::string::npos) << null;
-    EXPECT_EQ(packing->findings.back().code, "cloud");
+    EXPECT_EQ(packing->findings.back().code(), "cloud");
 
     // The mesh that it was sampled from lies in the same foams, where it lies as the cloud does.
     const Reach grown = reach(1, false);
@@ -318,7 +319,7 @@ TEST(PointRadius, EqualAndStrayPointsTakeNoTimeAndNoFoam) {
     equal.vertices.assign(1000000, Vec3f{1, 2, 3});
     const auto refused = radii_of(equal, 5);
     ASSERT_FALSE(refused.has_value());
-    EXPECT_NE(refused.error().message.find("all its points are one"), std::string::npos);
+    EXPECT_NE(text(refused.error().message).find("all its points are one"), std::string::npos);
     equal.vertices.push_back({2, 2, 3});
     EXPECT_EQ(radii_of(equal)->radius.back(), 1.0f);
 

@@ -12,6 +12,7 @@
 #include "snug/formats/read.h"
 #include "snug/make.h"
 #include "snug/samples/samples.h"
+#include "snug/words/words.h"
 
 #include "tests/support/models.h"
 #include "tests/support/random_design.h"
@@ -52,20 +53,21 @@ Result<Streamed> pack_stream(TriangleStream stream, const Design& design, const 
 
 void expect_same(const FileBytes& bytes, const Design& design) {
     auto mesh = read_mesh(bytes, "object");
-    ASSERT_TRUE(mesh) << mesh.error().message;
+    ASSERT_TRUE(mesh) << snug::text(mesh.error().message);
     const auto object = prepare(std::move(*mesh), design);
     const auto stream = TriangleStream::open(source_of(bytes));
-    ASSERT_TRUE(stream) << stream.error().message;
+    ASSERT_TRUE(stream) << snug::text(stream.error().message);
     const auto streamed = pack_stream(*stream, design);
     if (!object) {
         ASSERT_FALSE(streamed);
-        EXPECT_EQ(streamed.error().message, object.error().message);
+        EXPECT_EQ(snug::text(streamed.error().message), snug::text(object.error().message));
         return;
     }
     const auto packing = pack(*object, design);
-    ASSERT_EQ(streamed.has_value(), packing.has_value()) << (streamed ? "" : streamed.error().message);
+    ASSERT_EQ(streamed.has_value(), packing.has_value())
+        << (streamed ? "" : snug::text(streamed.error().message));
     if (!packing) {
-        EXPECT_EQ(streamed.error().message, packing.error().message);
+        EXPECT_EQ(snug::text(streamed.error().message), snug::text(packing.error().message));
         return;
     }
     EXPECT_EQ(streamed->object.read.triangles, object->read.triangles);
@@ -182,9 +184,9 @@ TEST(Stream, PlyFilesThatCannotBeReadInPiecesSaySo) {
         const auto* begin = reinterpret_cast<const std::byte*>(text.data());
         const FileBytes bytes(begin, begin + text.size());
         const auto stream = TriangleStream::open(source_of(bytes));
-        if (!stream) return stream.error().message;
+        if (!stream) return snug::text(stream.error().message);
         const auto passed = stream->pass([](auto, std::size_t) {});
-        return passed ? std::string() : passed.error().message;
+        return passed ? std::string() : snug::text(passed.error().message);
     };
     const std::string vertices = "element vertex 3\nproperty float x\nproperty float y\nproperty float z\n";
     const std::string faces = "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
@@ -256,13 +258,13 @@ TEST(Stream, IsPackedItselfInWhicheverPlacement) {
 TEST(Stream, BadFilesAreSentences) {
     const auto opened = [](const FileBytes& bytes) {
         const auto stream = TriangleStream::open(source_of(bytes));
-        return stream ? std::string() : stream.error().message;
+        return stream ? std::string() : snug::text(stream.error().message);
     };
     FileBytes good = stl_of(*sample("torus"));
     EXPECT_EQ(opened(good), "");
     FileBytes cut(good.begin(), good.end() - 70);
     EXPECT_NE(opened(cut).find("cut off"), std::string::npos);
-    EXPECT_EQ(opened(cut), read_stl(cut).error().message) << "the same sentence as in memory";
+    EXPECT_EQ(opened(cut), snug::text(read_stl(cut).error().message)) << "the same sentence as in memory";
     EXPECT_NE(opened(FileBytes(20)).find("binary STL"), std::string::npos);
     FileBytes none(84);
     EXPECT_NE(opened(none).find("no triangles"), std::string::npos);
@@ -282,8 +284,8 @@ TEST(Stream, OfTwoElementsOfOneKindNoneIsTakenForTheOther) {
     bytes.resize(bytes.size() + 2 * 36 + 13, std::byte{3});
     const auto stream = TriangleStream::open(source_of(bytes));
     ASSERT_FALSE(stream);
-    EXPECT_NE(stream.error().message.find("not the only one of its kind"), std::string::npos)
-        << stream.error().message;
+    EXPECT_NE(snug::text(stream.error().message).find("not the only one of its kind"), std::string::npos)
+        << snug::text(stream.error().message);
 }
 
 /// Puts what is no place into corners of some of the triangles of a binary STL, or into vertices of a PLY.
@@ -323,18 +325,18 @@ TEST(Stream, WhatIsLeftOutInPiecesIsLeftOutInMemory) {
         for (const FileBytes& bytes : {stl, ply}) {
             const auto whole = read_mesh(bytes, "object");
             const auto stream = TriangleStream::open(source_of(bytes));
-            ASSERT_TRUE(stream) << stream.error().message;
+            ASSERT_TRUE(stream) << snug::text(stream.error().message);
             const auto streamed = pack_stream(*stream, design);
             if (!whole) {
                 ASSERT_FALSE(streamed);
-                EXPECT_EQ(streamed.error().message, whole.error().message);
+                EXPECT_EQ(snug::text(streamed.error().message), snug::text(whole.error().message));
                 continue;
             }
             expect_same(bytes, design);
             if (!streamed) continue;
             EXPECT_EQ(streamed->object.mesh.read.faces, whole->read.faces);
             EXPECT_EQ(streamed->object.mesh.read.left_out_faces, whole->read.left_out_faces);
-            const auto told = [](const Finding& finding) { return finding.code == "left_out"; };
+            const auto told = [](const Finding& finding) { return finding.code() == "left_out"; };
             const auto& findings = streamed->packing.findings;
             EXPECT_EQ(std::any_of(findings.begin(), findings.end(), told),
                       streamed->packing.foams && whole->read.left_out_faces > 0);
@@ -356,7 +358,7 @@ TEST(Stream, AFileThatShrinksAndACancelledPassEndWithTheirError) {
     const auto stream = TriangleStream::open(shrinking);
     const auto packed = pack_stream(*stream, design);
     ASSERT_FALSE(packed);
-    EXPECT_EQ(packed.error().message, "the file has shrunk");
+    EXPECT_EQ(snug::text(packed.error().message), "the file has shrunk");
     const auto again = TriangleStream::open(source_of(bytes));
     const auto cancelled = pack_stream(*again, design, [](double) { return false; });
     ASSERT_FALSE(cancelled);

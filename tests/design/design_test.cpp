@@ -6,6 +6,7 @@
 #include "snug/base/text.h"
 #include "snug/design/presets.h"
 #include "snug/design/project.h"
+#include "snug/words/words.h"
 
 #include "tests/support/random.h"
 
@@ -59,7 +60,7 @@ Design random_design_options(Random& random) {
 
 std::string problem_of(std::string_view json) {
     const auto project = parse_project(json);
-    return project ? "" : project.error().message;
+    return project ? "" : snug::text(project.error().message);
 }
 
 TEST(Project, ReadsBackAsItWasWritten) {
@@ -112,7 +113,7 @@ TEST(Project, AnyDamageIsASentenceAndNeverACrash) {
                 text.erase(at, static_cast<std::size_t>(random.integer(1, 9)));
         }
         const auto project = parse_project(text);
-        ASSERT_TRUE(project || !project.error().message.empty()) << seed;
+        ASSERT_TRUE(project || !snug::text(project.error().message).empty()) << seed;
     }
 }
 
@@ -121,7 +122,7 @@ TEST(Design, RefusesWhatNoOneCanCut) {
         Design design;
         change(design);
         const auto result = checked(design);
-        return result ? std::string() : result.error().message;
+        return result ? std::string() : snug::text(result.error().message);
     };
     EXPECT_EQ(refused([](Design&) {}), "");
     EXPECT_NE(refused([](Design& d) { d.space.blocks = Vec3i{0, 1, 1}; }), "");
@@ -153,8 +154,9 @@ TEST(Presets, OwnOnesAreReadAndWrongOnesNamed) {
     EXPECT_EQ(own->front().block_mm, (Vec3d{20, 12, 12}));
     const auto wrong = parse_presets(R"([{"name": "a", "block_mm": [1, 2, 3]}, {"name": "b"}])");
     ASSERT_FALSE(wrong.has_value());
-    EXPECT_EQ(wrong.error().message, "preset 2.block_mm is missing");
-    EXPECT_NE(find_preset(*own, "theirs").error().message.find("known are: ours"), std::string::npos);
+    EXPECT_EQ(snug::text(wrong.error().message), "preset 2.block_mm is missing");
+    EXPECT_NE(snug::text(find_preset(*own, "theirs").error().message).find("known are: ours"),
+              std::string::npos);
 }
 
 TEST(Text, NumbersAreShortAndPlain) {

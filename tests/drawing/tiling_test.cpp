@@ -11,6 +11,7 @@
 #include "snug/drawing/clip.h"
 #include "snug/drawing/drawing_svg.h"
 #include "snug/drawing/page_builder.h"
+#include "snug/words/words.h"
 
 #include "tests/support/drawing_cells.h"
 #include "tests/support/random.h"
@@ -131,7 +132,7 @@ TEST(TilingTest, PaperThatIsTooSmallIsRefused) {
     PageBuilder page("page", {500, 500});
     const auto pages = tiled(page.finish(), {105, 148});
     ASSERT_FALSE(pages);
-    EXPECT_NE(pages.error().message.find("A4"), std::string::npos);
+    EXPECT_NE(text(pages.error().message).find("A4"), std::string::npos);
 }
 
 TEST(DrawingSvgTest, KeepsTheOrderAndEscapesWords) {

@@ -5,6 +5,7 @@
 #include "snug/drawing/text_lines.h"
 #include "snug/make.h"
 #include "snug/samples/samples.h"
+#include "snug/words/words.h"
 
 #include "tests/support/drawing_cells.h"
 #include "tests/support/shapes.h"
@@ -58,8 +59,8 @@ TEST(WorkshopTest, FiguresFollowDensityAndPrice) {
 
 TEST(WorkshopTest, ThePackingSheetNamesDangersFirstAndWhatNobodyChecked) {
     Packed vase = packed(*sample("vase"), Workshop::sponge);
-    vase.packing.findings = {{Severity::danger, "x", "The foam would crush the neck.", {}},
-                             {Severity::note, "y", "There are two parts.", {}}};
+    vase.packing.findings = {{Severity::danger, as_it_is("The foam would crush the neck.")},
+                             {Severity::note, as_it_is("There are two parts.")}};
     vase.project.design.workshop.mass_kg = 1.25;
     const auto pack = workshop_pack(vase.object, vase.packing, vase.project);
     ASSERT_TRUE(pack);
@@ -79,7 +80,7 @@ TEST(WorkshopTest, NothingLeavesThePage) {
     for (const char* paper : {"a4", "letter", "a3"}) {
         vase.project.design.workshop.paper = paper;
         const auto pack = workshop_pack(vase.object, vase.packing, vase.project);
-        ASSERT_TRUE(pack) << pack.error().message;
+        ASSERT_TRUE(pack) << snug::text(pack.error().message);
         for (const DrawingDocument& document : pack->documents)
             for (const Drawing& page : document.pages)
                 for (const DrawingItem& item : page.items) {
@@ -138,13 +139,13 @@ TEST(WorkshopTest, OptionsSurviveTheProjectFile) {
     workshop.print.dowels = false;
     workshop.print.dowel_length_mm = 30;
     const auto read = parse_project(project_json(project));
-    ASSERT_TRUE(read) << read.error().message;
+    ASSERT_TRUE(read) << snug::text(read.error().message);
     EXPECT_EQ(*read, project);
     std::string wrong = project_json(project);
     wrong.replace(wrong.find(": \"print\""), 9, ": \"knit\"");
     ASSERT_FALSE(parse_project(wrong));
-    EXPECT_NE(parse_project(wrong).error().message.find("workshop.for"), std::string::npos)
-        << parse_project(wrong).error().message;
+    EXPECT_NE(snug::text(parse_project(wrong).error().message).find("workshop.for"), std::string::npos)
+        << snug::text(parse_project(wrong).error().message);
 }
 
 TEST(WorkshopTest, ProjectsFromBeforeThereWerePacksAreRead) {

@@ -13,6 +13,7 @@
 #include "snug/samples/samples.h"
 #include "snug/solid/solid.h"
 #include "snug/space/available.h"
+#include "snug/words/words.h"
 
 #include "tests/support/brute_force.h"
 #include "tests/support/random_design.h"
@@ -371,7 +372,7 @@ TEST(Notches, WithoutRoomAreASentenceAndTheFoamStaysWhole) {
         EXPECT_TRUE(packing.notches.empty());
         EXPECT_EQ(packing.blocks, packed(bar, plain).blocks);
         EXPECT_TRUE(std::any_of(packing.findings.begin(), packing.findings.end(), [](const Finding& finding) {
-            return finding.code == "no_notches" && finding.message.find("mm") != std::string::npos;
+            return finding.code() == "no_notches" && text(finding.message).find("mm") != std::string::npos;
         }));
     }
 }
@@ -428,7 +429,7 @@ TEST(Bearing, OfASphereOnFineFoamIsItsWholeShadowOnceItSankThroughOneBlock) {
     EXPECT_TRUE(findings.empty());
     find_bearing_problems(*report, 50, 17.2, findings);
     ASSERT_EQ(findings.size(), 2u) << "50 kg on 50 cm2";
-    EXPECT_EQ(findings[0].code, "creep");
+    EXPECT_EQ(findings[0].code(), "creep");
 }
 
 // ---- all of it together
@@ -482,7 +483,7 @@ TEST(Fit, OfAnyKindComesOutIsClosedAndNeverAddsFoam) {
         const Design design = random_fit(random);
         const auto object = prepare(*sample(random.chance(0.5) ? "camera" : "vase"), design);
         const auto packing = pack(*object, design);
-        ASSERT_TRUE(packing) << packing.error().message;
+        ASSERT_TRUE(packing) << text(packing.error().message);
         if (!packing->foams) continue;
         expect_comes_out_and_is_whole(*packing);
         notched += !packing->notches.empty();

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "snug/formats/read_cloud.h"
+#include "snug/words/words.h"
 
 #include "cli/inflate.h"
 #include "tests/support/read_checks.h"
@@ -51,7 +52,7 @@ TEST(Bundle, ASceneTakesWhatLiesBesideItInTheZip) {
     EXPECT_EQ(mesh.triangles.size(), 2u);
     const auto alone = read(zip_of({{"s/scene.gltf", "{}"}}));
     ASSERT_FALSE(alone);
-    expect_holds(alone.error().message, "a b.bin");
+    expect_holds(snug::text(alone.error().message), "a b.bin");
 }
 
 TEST(Bundle, OurOwnPackGivesItsObjectAndNeverAFoam) {
@@ -60,7 +61,7 @@ TEST(Bundle, OurOwnPackGivesItsObjectAndNeverAFoam) {
         {"lower.obj", kOther}, {"project.snug.json", project}, {"upper.obj", kOther}};
     const auto without = read(zip_of(pack));
     ASSERT_FALSE(without);
-    expect_holds(without.error().message, "not their object \"vase.obj\"");
+    expect_holds(snug::text(without.error().message), "not their object \"vase.obj\"");
     std::vector<ZipPart> with = pack;
     with.push_back({"vase.obj", kObj});
     const Mesh mesh = good(read(zip_of(with)));
@@ -88,13 +89,13 @@ TEST(Bundle, A3mfInAZipIsReadAndAZipInAZipIsNot) {
     for (const char* name : {"a.zip", "a.3mf", "a.stl"}) EXPECT_FALSE(read(zip_of({{name, zip}}))) << name;
     const auto nothing = read(zip_of({{"readme.txt", "x"}}));
     ASSERT_FALSE(nothing);
-    expect_holds(nothing.error().message, "no object in it");
+    expect_holds(snug::text(nothing.error().message), "no object in it");
 }
 
 TEST(Bundle, AnErrorNamesTheFileInTheZip) {
     const auto wrong = read(zip_of({{"folder/a.obj", "v 0 0 0\nf 1 2 3\n"}}));
     ASSERT_FALSE(wrong);
-    expect_holds(wrong.error().message, "\"folder/a.obj\" in the zip archive: line 2");
+    expect_holds(snug::text(wrong.error().message), "\"folder/a.obj\" in the zip archive: line 2");
 }
 
 }  // namespace

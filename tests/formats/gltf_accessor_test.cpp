@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "snug/words/words.h"
+
 #include "tests/support/gltf_checks.h"
 
 // Numbers in a scene's bytes: types, scales, strides, replacements, and what they claim.
@@ -100,7 +102,7 @@ TEST(Gltf, NumbersThatAreNoneAreLeftOutAndCounted) {
     const float none = std::numeric_limits<float>::quiet_NaN();
     std::memcpy(&scene.binary[7 * 12], &none, 4);  // point 7: in four of twelve triangles, or five
     const auto mesh = read_gltf(scene.glb(), {});
-    ASSERT_TRUE(mesh.has_value()) << mesh.error().message;
+    ASSERT_TRUE(mesh.has_value()) << text(mesh.error().message);
     EXPECT_EQ(mesh->read.faces, 12U);
     EXPECT_EQ(mesh->triangles.size() + mesh->read.left_out_faces, 12U);
     EXPECT_GT(mesh->read.left_out_faces, 2U);

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "snug/words/words.h"
+
 #include "tests/support/gltf_checks.h"
 
 // Scenes that were made to take time or memory: whatever their JSON repeats, work stays in proportion to
@@ -45,7 +47,7 @@ TEST(Gltf, ADecoderThatFailsIsNotAskedForTheSameAgain) {
     pack_places(meshopt, where, 8);
     repeat_nodes(meshopt);
     const auto plain = read_gltf(meshopt.glb(), tools);
-    ASSERT_TRUE(plain.has_value()) << plain.error().message;
+    ASSERT_TRUE(plain.has_value()) << snug::text(plain.error().message);
     EXPECT_EQ(plain->triangles.size(), 12'000U);
     EXPECT_EQ(asked, 1);
 
@@ -106,7 +108,7 @@ TEST(Gltf, WhatMeshoptPackedBesideASmallSceneMayBeLarge) {
         return bytes;
     };
     const auto mesh = read_gltf(file_of(scene.gltf("scene.bin")), tools);
-    EXPECT_TRUE(mesh.has_value()) << mesh.error().message;
+    EXPECT_TRUE(mesh.has_value()) << snug::text(mesh.error().message);
 }
 
 TEST(Gltf, WeightsAndShapesOfManyNodesAreReadWithinABudget) {

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "snug/words/words.h"
+
 #include "tests/support/gltf_checks.h"
 
 // Geometry that decoders unpack: what is asked of them, what is checked before and after.
@@ -49,7 +51,7 @@ TEST(Gltf, WhatMeshoptPackedIsAskedForOnceAndUnfiltered) {
     std::memset(scene.binary.data(), 0x55, 96);
     scene.node({{"mesh", 0}, {"translation", {1, 0, 0}}});
     const auto twice = read_gltf(scene.glb(), tools);
-    ASSERT_TRUE(twice.has_value()) << twice.error().message;
+    ASSERT_TRUE(twice.has_value()) << text(twice.error().message);
     EXPECT_EQ(twice->triangles.size(), 24U);
     EXPECT_EQ(asked, 1);
 

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "snug/words/words.h"
+
 #include "tests/support/gltf_checks.h"
 
 // What a viewer shows when it opens a scene, and where.
@@ -17,7 +19,7 @@ using Json = nlohmann::json;
 
 /// Each side of the bounding box, rounded to a thousandth of a millimetre.
 std::vector<double> size_of(const Result<Mesh>& mesh) {
-    EXPECT_TRUE(mesh.has_value()) << mesh.error().message;
+    EXPECT_TRUE(mesh.has_value()) << text(mesh.error().message);
     if (!mesh) return {};
     const Vec3d size = bounds(*mesh).size();
     return {std::round(size.x * 1000) / 1000, std::round(size.y * 1000) / 1000,
@@ -25,7 +27,7 @@ std::vector<double> size_of(const Result<Mesh>& mesh) {
 }
 
 std::size_t triangles_of(const Result<Mesh>& mesh) {
-    EXPECT_TRUE(mesh.has_value()) << mesh.error().message;
+    EXPECT_TRUE(mesh.has_value()) << text(mesh.error().message);
     return mesh ? mesh->triangles.size() : 0;
 }
 
@@ -161,7 +163,7 @@ TEST(Gltf, StripsAndFansAreTheTrianglesThatTheyStandFor) {
             {{"mesh",
               scene.mesh({{"attributes", {{"POSITION", places}}}, {"indices", indices}, {"mode", mode}})}});
         const auto mesh = read_gltf(scene.glb(), {});
-        EXPECT_TRUE(mesh.has_value()) << mesh.error().message;
+        EXPECT_TRUE(mesh.has_value()) << text(mesh.error().message);
         double sum = 0;
         for (const auto& [a, b, c] : mesh->triangles) {
             const Vec3f p = mesh->vertices[a], q = mesh->vertices[b], r = mesh->vertices[c];
@@ -183,7 +185,7 @@ TEST(Gltf, LinesAreNoTrianglesAndPointsAloneAreACloud) {
     primitive["mode"] = 0;
     primitive.erase("indices");
     const auto cloud = read_gltf(scene.glb(), {});
-    ASSERT_TRUE(cloud.has_value()) << cloud.error().message;
+    ASSERT_TRUE(cloud.has_value()) << text(cloud.error().message);
     EXPECT_TRUE(cloud->is_cloud());
     EXPECT_TRUE(cloud->read.in_mm);
     EXPECT_EQ(cloud->vertices.size(), 8U);

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "snug/formats/read_cloud.h"
+#include "snug/words/words.h"
 
 #include "tests/support/random.h"
 #include "tests/support/read_checks.h"
@@ -24,7 +25,7 @@ Mesh cloud_of(std::string_view text, std::string_view name = "a.xyz") {
 std::string refused_cloud(std::string_view text, std::string_view name = "a.xyz") {
     const auto cloud = read_mesh_or_cloud(bytes_of(text), name);
     EXPECT_FALSE(cloud.has_value()) << text;
-    return cloud ? "" : cloud.error().message;
+    return cloud ? "" : snug::text(cloud.error().message);
 }
 
 const std::vector<Vec3f> kThree = {{1, 2, 3}, {-4, 5.5f, 6}, {7, 8, 90}};
@@ -95,7 +96,7 @@ TEST(ReadCloud, DamagedTextGivesACloudOrASentence) {
             damaged[random.bits() % damaged.size()] = bytes[random.bits() % bytes.size()];
         const auto cloud = read_xyz(bytes_of(damaged));
         if (!cloud) {
-            EXPECT_FALSE(cloud.error().message.empty());
+            EXPECT_FALSE(snug::text(cloud.error().message).empty());
             continue;
         }
         EXPECT_TRUE(cloud->is_cloud());

@@ -7,6 +7,7 @@
 
 #include "snug/formats/read.h"
 #include "snug/formats/read_cloud.h"
+#include "snug/words/words.h"
 
 #include "tests/support/random.h"
 #include "tests/support/read_checks.h"
@@ -105,7 +106,8 @@ TEST(ReadLeftOut, MoreThanHalfOfTheFacesIsTooMuch) {
             const auto mesh = read_mesh(bytes_of(file), "");
             ASSERT_EQ(mesh.has_value(), 2 * wrong <= faces) << file;
             if (!mesh) {
-                expect_holds(mesh.error().message, std::to_string(wrong) + " of " + std::to_string(faces));
+                expect_holds(text(mesh.error().message),
+                             std::to_string(wrong) + " of " + std::to_string(faces));
                 continue;
             }
             EXPECT_EQ(mesh->read.left_out_faces, wrong);

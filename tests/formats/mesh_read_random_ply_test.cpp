@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "snug/formats/read.h"
+#include "snug/words/words.h"
 
 #include "tests/support/random.h"
 #include "tests/support/read_checks.h"
@@ -199,7 +200,7 @@ TEST(ReadPly, EveryCutOfABinaryFileIsRefused) {
         for (std::size_t length = 0; length < file.size(); ++length) {
             const auto cut = read_mesh(bytes_of(file).first(length), "a.ply");
             ASSERT_FALSE(cut.has_value()) << length << " of " << file.size();
-            ASSERT_FALSE(cut.error().message.empty());
+            ASSERT_FALSE(snug::text(cut.error().message).empty());
         }
     }
 }

@@ -6,6 +6,7 @@
 
 #include "snug/fabricate/printing/threemf.h"
 #include "snug/mesh/measure.h"
+#include "snug/words/words.h"
 
 #include "cli/inflate.h"
 #include "tests/support/random.h"
@@ -54,7 +55,7 @@ void expect_box(const Mesh& mesh, Vec3d low, Vec3d high) {
 std::string sentence(const std::string& file) {
     const auto mesh = read(file);
     EXPECT_FALSE(mesh.has_value());
-    return mesh ? "" : mesh.error().message;
+    return mesh ? "" : snug::text(mesh.error().message);
 }
 
 std::string with_body(const std::string& body, const std::string& build = "<item objectid=\"1\"/>") {
@@ -363,7 +364,8 @@ TEST(ThreeMfRead, DamagedFilesAreSentencesOrWholeMeshes) {
                 hurt[at] = "<>/\"'&09-e \0v"[random.bits() % 13];
         }
         const auto mesh = read(zip_of({{"3D/3dmodel.model", hurt}}));
-        EXPECT_TRUE(mesh ? keeps_promises(*mesh) : !mesh.error().message.empty()) << "seed " << seed;
+        EXPECT_TRUE(mesh ? keeps_promises(*mesh) : !snug::text(mesh.error().message).empty())
+            << "seed " << seed;
     }
 }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "snug/base/utf8.h"
+#include "snug/words/words.h"
 
 #include "tests/support/random.h"
 #include "tests/support/read_checks.h"
@@ -18,7 +19,7 @@ std::string told(std::string_view document, const std::vector<std::string>& attr
     std::string text;
     for (;;) {
         const auto event = xml.next();
-        if (!event) return event.error().message;
+        if (!event) return snug::text(event.error().message);
         if (*event == XmlEvent::done) return text;
         if (*event == XmlEvent::end) {
             text += "</>";

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "snug/words/words.h"
+
 #include "cli/inflate.h"
 #include "tests/support/random.h"
 #include "tests/support/read_checks.h"
@@ -20,12 +22,12 @@ std::string text_of(const FileBytes& bytes) {
 /// The names and texts of an archive, or the sentence that says why they cannot be read.
 std::vector<std::string> contents(const std::string& file) {
     auto zip = ZipReader::open(bytes_of(file), cli::inflate);
-    if (!zip) return {zip.error().message};
+    if (!zip) return {text(zip.error().message)};
     std::vector<std::string> found;
     for (const ZipMember& member : zip->members()) {
         const auto bytes = zip->unpack(member);
         found.push_back(member.name);
-        found.push_back(bytes ? text_of(*bytes) : bytes.error().message);
+        found.push_back(bytes ? text_of(*bytes) : text(bytes.error().message));
     }
     return found;
 }

@@ -10,6 +10,7 @@
 #include "snug/make.h"
 #include "snug/object/clean_object.h"
 #include "snug/samples/samples.h"
+#include "snug/words/words.h"
 
 #include "tests/support/models.h"
 #include "tests/support/random_design.h"
@@ -41,7 +42,7 @@ Design plain() {
 }
 
 bool has(const std::vector<Finding>& findings, std::string_view code) {
-    return std::any_of(findings.begin(), findings.end(), [&](const Finding& f) { return f.code == code; });
+    return std::any_of(findings.begin(), findings.end(), [&](const Finding& f) { return f.code() == code; });
 }
 
 TEST(Clean, AScanWithoutItsSpecksHasTheFoamsOfTheObjectAlone) {
@@ -85,7 +86,7 @@ TEST(Clean, WhatCannotBeDroppedIsASentence) {
     const Mesh torus = *sample("torus");
     const auto refused = [&] {
         const auto object = prepare(torus, design);
-        return object ? std::string() : object.error().message;
+        return object ? std::string() : text(object.error().message);
     };
     design.object.clean.drop_parts = {2};
     EXPECT_NE(refused().find("there is no part 2 to drop: the object has 1 part"), std::string::npos);

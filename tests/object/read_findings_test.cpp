@@ -6,6 +6,7 @@
 #include "snug/design/project.h"
 #include "snug/formats/read_cloud.h"
 #include "snug/make.h"
+#include "snug/words/words.h"
 
 #include "tests/support/read_checks.h"
 
@@ -22,11 +23,11 @@ std::optional<Severity> told(const std::string& file, const std::string& code) {
     Design design;
     design.object.units = Unit::mm;
     const auto object = prepare(good(read_mesh_or_cloud(bytes_of(file), "a.xyz")), design);
-    EXPECT_TRUE(object) << object.error().message;
+    EXPECT_TRUE(object) << snug::text(object.error().message);
     const auto packing = pack(*object, design);
     EXPECT_TRUE(packing && packing->foams);
     for (const Finding& finding : packing->findings)
-        if (finding.code == code) return finding.severity;
+        if (finding.code() == code) return finding.severity;
     return {};
 }
 
@@ -63,7 +64,7 @@ TEST(ReadFindings, AFileThatStatesItsUnitIsNotMultipliedByAnother) {
         const auto packing = pack(*object, design);
         ASSERT_TRUE(packing);
         bool warned = false;
-        for (const Finding& finding : packing->findings) warned |= finding.code == "unit_stated";
+        for (const Finding& finding : packing->findings) warned |= finding.code() == "unit_stated";
         EXPECT_EQ(warned, units == Unit::in);
         design.object.scale = 0.5;
         EXPECT_EQ(prepare(mesh, design)->measure.bounds.size(), (Vec3d{30, 30, 30}));
@@ -83,7 +84,7 @@ TEST(ReadFindings, AProjectInUtf16IsTheSameProject) {
     const std::string text = project_json(project);
     for (const bool big : {false, true}) {
         const auto read = parse_project(test::utf16(text, big, true));
-        ASSERT_TRUE(read) << read.error().message;
+        ASSERT_TRUE(read) << snug::text(read.error().message);
         EXPECT_EQ(read->object.name, "a.stl");
     }
 }

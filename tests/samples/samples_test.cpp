@@ -9,6 +9,7 @@
 #include "snug/mesh/measure.h"
 #include "snug/space/design_space.h"
 #include "snug/space/placement.h"
+#include "snug/words/words.h"
 
 namespace snug {
 namespace {
@@ -105,7 +106,7 @@ TEST(SampleNames, AreThoseThatCanBeMade) {
     ASSERT_FALSE(unknown.has_value());
     EXPECT_EQ(unknown.error().kind, ErrorKind::usage);
     for (const std::string_view name : sample_names())
-        EXPECT_NE(unknown.error().message.find(name), std::string::npos);
+        EXPECT_NE(text(unknown.error().message).find(name), std::string::npos);
 }
 
 TEST(Torus, Has7200VerticesAndTheVolumeOfItsPolygons) {

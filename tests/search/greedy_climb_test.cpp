@@ -12,6 +12,7 @@
 #include "snug/foam/foam_pair.h"
 #include "snug/make.h"
 #include "snug/samples/samples.h"
+#include "snug/words/words.h"
 
 #include "tests/support/random.h"
 #include "tests/support/shapes.h"
@@ -213,7 +214,8 @@ TEST(GreedyClimb, AnObjectThatLeavesTheSpaceIsRefused) {
     const auto climb = greedy_climb(box, design, space_of(design));
     ASSERT_FALSE(climb);
     EXPECT_EQ(climb.error().kind, ErrorKind::does_not_fit);
-    EXPECT_NE(climb.error().message.find("50 x 50 x 50 mm"), std::string::npos) << climb.error().message;
+    EXPECT_NE(text(climb.error().message).find("50 x 50 x 50 mm"), std::string::npos)
+        << text(climb.error().message);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include "snug/make.h"
 #include "snug/samples/samples.h"
 #include "snug/search/search_design.h"
+#include "snug/words/words.h"
 
 #include "tests/support/random.h"
 
@@ -44,7 +45,7 @@ TEST(SearchInACase, NeverCutsMoreKeepsTheWallsAndStaysAmongTheBlocksThatExist) {
         task.placement = true;
         task.evaluations = 700;
         const auto report = search_design(object->mesh, *object->prepared, design, task);
-        ASSERT_TRUE(report) << report.error().message;
+        ASSERT_TRUE(report) << text(report.error().message);
         const auto after = pack(*object, design);
         ASSERT_TRUE(after);
         ASSERT_TRUE(after->foams);

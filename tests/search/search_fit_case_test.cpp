@@ -15,6 +15,7 @@
 #include "snug/search/turn.h"
 #include "snug/space/fitted_space.h"
 #include "snug/space/placement.h"
+#include "snug/words/words.h"
 
 #include "tests/support/models.h"
 #include "tests/support/optimal_box.h"
@@ -197,7 +198,8 @@ TEST(FitCase, ARotationThatFitsIsFoundAndWhatIsInTheWayIsSaid) {
     const auto none = fitting_rotation(rod, design, {{5, 5, 5}, {10, 10, 10}}, 1);
     ASSERT_FALSE(none);
     EXPECT_EQ(none.error().kind, ErrorKind::does_not_fit);
-    EXPECT_NE(none.error().message.find("too long by"), std::string::npos) << none.error().message;
+    EXPECT_NE(text(none.error().message).find("too long by"), std::string::npos)
+        << text(none.error().message);
 }
 
 TEST(FitCase, TooManyBlocksAreSaidAndCancelledItIsTheBestSoFar) {

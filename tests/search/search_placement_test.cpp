@@ -11,6 +11,7 @@
 #include "snug/search/greedy_climb.h"
 #include "snug/search/placement_search.h"
 #include "snug/space/available.h"
+#include "snug/words/words.h"
 
 #include "tests/support/random.h"
 #include "tests/support/random_design.h"
@@ -215,7 +216,8 @@ TEST(PlacementSearch, AnObjectThatLeavesTheSpaceIsRefused) {
                                                all_blocks(space_of(design).blocks));
     ASSERT_FALSE(search);
     EXPECT_EQ(search.error().kind, ErrorKind::does_not_fit);
-    EXPECT_NE(search.error().message.find("50 x 50 x 50 mm"), std::string::npos) << search.error().message;
+    EXPECT_NE(text(search.error().message).find("50 x 50 x 50 mm"), std::string::npos)
+        << text(search.error().message);
 }
 
 }  // namespace

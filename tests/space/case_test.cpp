@@ -11,6 +11,7 @@
 #include "snug/samples/samples.h"
 #include "snug/solid/solid.h"
 #include "snug/space/case_space.h"
+#include "snug/words/words.h"
 
 #include "tests/support/closedness.h"
 #include "tests/support/random.h"
@@ -70,7 +71,7 @@ TEST(Case, BlocksFillersAndPlayAddUpToTheInsideForEveryPreset) {
             CaseOptions options = random_case(random);
             options.division = preset.division;
             const auto fitted = case_space(options, preset.block_mm);
-            ASSERT_TRUE(fitted) << fitted.error().message;
+            ASSERT_TRUE(fitted) << text(fitted.error().message);
             const DesignSpace& space = fitted->space;
             for (int axis = 0; axis < 3; ++axis) {
                 const double sum =
@@ -116,7 +117,7 @@ TEST(Case, ACameraInAHardCaseKeepsItsWallsAndPartsAtTheLid) {
     apply(*find_preset(built_in_presets(), "slit-10"), design);
     design.space.wall_mm = equal_walls(20);
     const auto packing = packed(scaled(*sample("camera"), 0.8), design);
-    ASSERT_TRUE(packing) << packing.error().message;
+    ASSERT_TRUE(packing) << text(packing.error().message);
     ASSERT_TRUE(packing->foams);
     const CaseSpace& fitted = *packing->fitted_case;
     EXPECT_EQ(fitted.space.blocks, (Vec3i{7, 27, 41}));
@@ -238,14 +239,14 @@ TEST(Case, RandomObjectsInShapedCasesKeepEveryInvariant) {
         design.placement.rotation_deg = {random.between(0, 360), random.between(0, 360),
                                          random.between(0, 360)};
         const auto packing = packed(scaled(*sample("camera"), random.between(0.2, 0.5)), design);
-        ASSERT_TRUE(packing) << packing.error().message;
+        ASSERT_TRUE(packing) << text(packing.error().message);
         if (!packing->foams) continue;
         const FitReport& fit = packing->fit;
         EXPECT_EQ(fit.lower_blocks + fit.upper_blocks + fit.cut_blocks + fit.shortened_blocks,
                   packing->space.block_count());
         shortened += fit.shortened_blocks > 0;
         bool told = false;
-        for (const Finding& finding : packing->findings) told |= finding.code == "leaves_case";
+        for (const Finding& finding : packing->findings) told |= finding.code() == "leaves_case";
         EXPECT_EQ(told, fit.outside_blocks > 0);
         for (const bool lower : {true, false}) {
             const Solid solid = lower ? lower_solid(*packing->foams, packing->space)
@@ -274,7 +275,7 @@ TEST(Case, AnObjectThatDoesNotFitIsToldWhatWould) {
     const auto packing = packed(test::box_mesh({0, 0, 0}, {200, 100, 100}), design);
     ASSERT_TRUE(packing);
     EXPECT_FALSE(packing->foams);
-    const std::string& message = packing->findings.front().message;
+    const std::string message = text(packing->findings.front().message);
     EXPECT_NE(message.find("65 mm of height"), std::string::npos) << message;
     EXPECT_NE(message.find("A case would do from"), std::string::npos) << message;
 }

@@ -7,6 +7,7 @@
 #include "snug/formats/gltf_read.h"
 #include "snug/mesh/measure.h"
 #include "snug/mesh/mesh.h"
+#include "snug/words/words.h"
 
 #include "tests/support/gltf_builder.h"
 
@@ -14,7 +15,7 @@ namespace snug::test {
 
 /// Closed, of 12 triangles, outward, and 120 x 100 x 30 mm: what the box must be however it is written.
 inline void expect_box(const Result<Mesh>& mesh) {
-    ASSERT_TRUE(mesh.has_value()) << mesh.error().message;
+    ASSERT_TRUE(mesh.has_value()) << snug::text(mesh.error().message);
     EXPECT_TRUE(mesh->read.in_mm);
     EXPECT_EQ(mesh->triangles.size(), 12U);
     const Vec3d size = bounds(*mesh).size();
@@ -34,7 +35,7 @@ inline std::string refused_scene(const FileBytes& file, const SceneTools& tools 
         return "";
     }
     EXPECT_EQ(mesh.error().kind, ErrorKind::input);
-    return mesh.error().message;
+    return snug::text(mesh.error().message);
 }
 
 /// A scene that shows the box once.

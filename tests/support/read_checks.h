@@ -11,6 +11,7 @@
 
 #include "snug/formats/mesh_files.h"
 #include "snug/formats/read.h"
+#include "snug/words/words.h"
 
 namespace snug::test {
 
@@ -56,7 +57,7 @@ inline std::string stl_of(const Mesh& mesh) {
 }
 
 inline Mesh good(const Result<Mesh>& mesh) {
-    EXPECT_TRUE(mesh.has_value()) << mesh.error().message;
+    EXPECT_TRUE(mesh.has_value()) << snug::text(mesh.error().message);
     return mesh.value_or(Mesh{});
 }
 
@@ -66,7 +67,7 @@ inline std::string refused(std::string_view text, std::string_view name = "") {
     EXPECT_FALSE(mesh.has_value());
     if (mesh) return "";
     EXPECT_EQ(mesh.error().kind, ErrorKind::input);
-    return mesh.error().message;
+    return snug::text(mesh.error().message);
 }
 
 inline void expect_holds(const std::string& sentence, std::string_view words) {

@@ -10,6 +10,7 @@
 #include "snug/fabricate/bricks/brick_repair.h"
 #include "snug/fabricate/bricks/course_filler.h"
 #include "snug/fabricate/bricks/laid_bricks.h"
+#include "snug/words/halves.h"
 
 namespace snug {
 namespace {
@@ -85,26 +86,13 @@ Filled best_filling(const BrickCourse& course, int number, const LaidBricks& lai
     return best;
 }
 
-std::string half_name(const BrickShape& shape) {
-    return shape.half == Half::lower ? "lower half" : "lid";
-}
-
 Error cannot_fill(const BrickShape& shape, const BrickCourse& course, int unfilled, const BrickBox& box) {
-    const std::string where = counted(static_cast<unsigned long long>(unfilled), "stud", "studs") +
-                              " of the " + half_name(shape) + " at a height of " +
-                              number(course.bottom * kPlateHeight) + " mm";
-    if (course.unsupported > 0)
-        return {ErrorKind::usage,
-                "the bricks cannot span what the case leaves without foam below: " + where +
-                    " would hang in the air. Longer bricks may span it where --brick-sizes leaves some out; "
-                    "otherwise take a case with upright walls and square corners, or let the bricks fill the "
-                    "largest box that lies in this one (--case with the sizes at its floor)"};
-    if (box.limited())
-        return {ErrorKind::usage, "the bricks in stock do not suffice: " + where +
-                                      " stay empty when they are used up. Add to the stock (1x1 fits "
-                                      "everywhere), or leave sizes out of --brick-stock that do not run out"};
-    return {ErrorKind::usage, "the chosen bricks cannot fill the foam: " + where +
-                                  " are narrower than the smallest of them. Add 1x1 to --brick-sizes"};
+    const Message where = say(
+        "bricks.where",
+        {{"studs", unfilled}, {"half", half_of(shape.half)}, {"mm", number(course.bottom * kPlateHeight)}});
+    if (course.unsupported > 0) return {ErrorKind::usage, say("bricks.cannot_span", {{"where", where}})};
+    if (box.limited()) return {ErrorKind::usage, say("bricks.stock_too_small", {{"where", where}})};
+    return {ErrorKind::usage, say("bricks.too_narrow", {{"where", where}})};
 }
 
 }  // namespace
@@ -136,9 +124,8 @@ void BrickBox::put_back(const Brick& brick) {
 
 Result<BrickLayout> brick_layout(const BrickShape& shape, BrickRim rim, BrickBox& box) {
     if (shape.studs() > kMostStuds)
-        return fail(ErrorKind::usage, "the " + half_name(shape) + " would take " +
-                                          grouped(static_cast<unsigned long long>(shape.studs())) +
-                                          " studs of bricks, more than anybody builds: choose fewer blocks");
+        return fail(ErrorKind::usage,
+                    say("bricks.too_many", {{"half", half_of(shape.half)}, {"studs", shape.studs()}}));
     const std::vector<BrickCourse> courses = brick_courses(shape, rim);
     LaidBricks laid(courses);
     for (int number = 0; number < static_cast<int>(courses.size()); ++number) {

@@ -8,6 +8,7 @@
 #include "snug/drawing/page_builder.h"
 #include "snug/drawing/svg.h"
 #include "snug/fabricate/bricks/brick_list.h"
+#include "snug/words/words.h"
 
 namespace snug {
 namespace {
@@ -233,7 +234,9 @@ void tell_order(PageFlow& flow, const BrickPlanText& text) {
 std::vector<Drawing> first_pages(std::span<const ColoredBuild> halves, const BrickPlanText& text,
                                  Vec2d paper) {
     PageFlow flow(paper, "Bricks", text.object_name + " · what to gather, and how to build it", kInk);
-    for (const PackFigure& figure : text.figures) flow.row({figure.label, figure.value}, {0, 0.32}, {});
+    for (const PackFigure& figure : text.figures)
+        flow.row({snug::text(figure.label, Language::english), snug::text(figure.value, Language::english)},
+                 {0, 0.32}, {});
     flow.heading("Pieces");
     const std::vector<double> shares{0, 0.14, 0.42, 0.72};
     flow.row({"pieces", "part", "name", "colour"}, shares, {kSmallText, kSoftInk, true});

@@ -32,15 +32,15 @@ Result<BlockInStuds> block_in_studs(Vec3d block, BrickUnit unit) {
     const BlockInStuds studs{times(block.y, kBrickPitch), times(block.z, kBrickPitch),
                              layers * (unit == BrickUnit::brick ? kPlatesInBrick : 1)};
     if (studs.plates > 0 && studs.rows > 0 && studs.columns > 0) return studs;
-    return fail(ErrorKind::usage, "no bricks make blocks of " + dimensions(block, 3) +
-                                      " mm: along x they must be a multiple of " +
-                                      (unit == BrickUnit::brick   ? "9.6 mm (bricks)"
-                                       : unit == BrickUnit::plate ? "3.2 mm (plates)"
-                                                                  : "9.6 mm (bricks) or 3.2 mm (plates)") +
-                                      ", along y and z of 8 mm; the nearest that work are " +
-                                      dimensions({nearest(block.x, height), nearest(block.y, kBrickPitch),
-                                                  nearest(block.z, kBrickPitch)}) +
-                                      " mm. Choose them with --block-size, or take --preset lego-brick");
+    const Message heights = say(unit == BrickUnit::brick   ? "bricks.high_bricks"
+                                : unit == BrickUnit::plate ? "bricks.high_plates"
+                                                           : "bricks.high_either");
+    return fail(ErrorKind::usage,
+                say("bricks.no_bricks",
+                    {{"size", dimensions(block, 3)},
+                     {"heights", heights},
+                     {"nearest", dimensions({nearest(block.x, height), nearest(block.y, kBrickPitch),
+                                             nearest(block.z, kBrickPitch)})}}));
 }
 
 int BrickShape::layers() const {

@@ -326,7 +326,7 @@ Result<std::vector<double>> spring_forces(const BrickBuild& build, const std::ve
         const Progress part =
             part_of(progress, static_cast<double>(round) / kRounds, (round + 1.0) / kRounds);
         const Rest rest = model.settle(part);
-        if (rest == Rest::cancelled) return fail(ErrorKind::cancelled, "cancelled; nothing was written");
+        if (rest == Rest::cancelled) return fail(ErrorKind::cancelled, say("cancelled.nothing_written"));
         if (rest == Rest::none) break;
         std::vector<double> x = model.solution();
         if (best.empty() || x[0] < best[0]) best = std::move(x);

@@ -13,13 +13,10 @@
 #include "snug/fabricate/bricks/brick_shape.h"
 #include "snug/fabricate/bricks/brick_statics_report.h"
 #include "snug/fabricate/bricks/ldraw.h"
+#include "snug/words/halves.h"
 
 namespace snug {
 namespace {
-
-std::string half_name(Half half) {
-    return half == Half::lower ? "lower half" : "lid";
-}
 
 /// Bricks where the blocks allow it and nothing else was chosen.
 int plates_a_layer(const BlockInStuds& block, BrickUnit unit) {
@@ -59,12 +56,11 @@ void tell_figures(const BuiltHalves& built, std::span<const BrickCount> counts, 
         const std::size_t bricks = layout.build.bricks.size();
         pieces += bricks;
         pack.figures.push_back(
-            {layout.build.half == Half::lower ? "Bricks, lower" : "Bricks, lid",
-             bricks == 0 ? "none"
-                         : grouped(bricks) + " in " +
-                               counted(static_cast<unsigned long long>(layout.pieces), "piece", "pieces")});
+            {say(layout.build.half == Half::lower ? "figure.bricks_lower" : "figure.bricks_lid"),
+             bricks == 0 ? say("figure.none")
+                         : say("figure.bricks_in_pieces", {{"bricks", bricks}, {"pieces", layout.pieces}})});
     }
-    pack.figures.push_back({"Kinds of pieces", grouped(counts.size())});
+    pack.figures.push_back({say("figure.kinds"), as_it_is(grouped(counts.size()))});
     pack.material.pieces = static_cast<long long>(pieces);
     pack.material.foam_kg = mass_g(counts) * 1e-3;
 }
@@ -72,14 +68,8 @@ void tell_figures(const BuiltHalves& built, std::span<const BrickCount> counts, 
 /// Bricks of a layer hold together by the next one alone: what is one layer thick cannot be one piece.
 void tell_pieces(const BrickLayout& layout, std::vector<Finding>& findings) {
     if (layout.pieces <= 1) return;
-    findings.push_back(
-        {Severity::warning,
-         "brick_pieces",
-         "the bricks of the " + half_name(layout.build.half) + " hold together in " +
-             grouped(static_cast<unsigned long long>(layout.pieces)) +
-             " pieces: foam that is one layer thick, or islands of it, cannot be joined by studs. "
-             "Glue it, take plates (--brick-unit plate) or more walls",
-         {}});
+    findings.push_back({Severity::warning, say("brick_pieces", {{"half", half_of(layout.build.half)},
+                                                                {"pieces", layout.pieces}})});
 }
 
 /// Where neither half has a rim nothing meets.
@@ -93,17 +83,8 @@ double lid_gap_mm(const BuiltHalves& built, const BrickOptions& options) {
 
 void tell_findings(const BuiltHalves& built, double gap_mm, WorkshopPack& pack) {
     for (const BrickLayout& layout : built.layouts) tell_pieces(layout, pack.findings);
-    if (gap_mm > 0)
-        pack.findings.push_back({Severity::note,
-                                 "lid_gap",
-                                 "the rims meet stud on stud, so the lid stands " + number(gap_mm, 1) +
-                                     " mm off and the whole is as much higher; --brick-rim tiles closes it",
-                                 {}});
-    pack.findings.push_back({Severity::note,
-                             "rigid",
-                             "bricks hold the object but are no cushion: put foam between them and the outer "
-                             "box",
-                             {}});
+    if (gap_mm > 0) pack.findings.push_back({Severity::note, say("lid_gap", {{"mm", number(gap_mm, 1)}})});
+    pack.findings.push_back({Severity::note, say("rigid/bricks")});
 }
 
 /// Single studs never hold on to each other side by side.
@@ -111,8 +92,7 @@ std::optional<Error> cannot_join(const BrickOptions& options) {
     const bool longer = std::any_of(options.family.begin(), options.family.end(),
                                     [](const std::string& size) { return brick_size(size)->length > 1; });
     if (options.family.empty() || longer) return {};
-    return Error{ErrorKind::usage,
-                 "bricks of 1x1 alone stand side by side without a hold: add 1x2 or longer to --brick-sizes"};
+    return Error{ErrorKind::usage, say("bricks.single_studs")};
 }
 
 }  // namespace
@@ -145,13 +125,7 @@ Result<WorkshopPack> brick_pack(const FoamDesign& design, const WorkshopOptions&
     pack.files.push_back(text_file("bricks/wanted.xml", wanted_xml(counts)));
     BrickPlan plan = brick_plan(halves, {design.object_name, pack.figures, gap}, paper_mm(workshop.paper));
     pack.documents.push_back(std::move(plan.document));
-    if (plan.cut_short)
-        pack.findings.push_back(
-            {Severity::note,
-             "many_steps",
-             "the steps would fill more pages than anyone prints, so bricks-plan.pdf leaves "
-             "the later ones out: build by bricks/foams.mpd",
-             {}});
+    if (plan.cut_short) pack.findings.push_back({Severity::note, say("many_steps")});
     return pack;
 }
 

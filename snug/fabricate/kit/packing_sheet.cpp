@@ -11,6 +11,7 @@
 #include "snug/fabricate/kit/block_names.h"
 #include "snug/fabricate/kit/finger_room.h"
 #include "snug/fabricate/kit/packing_picture.h"
+#include "snug/words/words.h"
 
 namespace snug {
 namespace {
@@ -137,7 +138,8 @@ void tell_findings(PageFlow& flow, const std::vector<Finding>& findings) {
         const std::string_view name = danger                                  ? "DANGER"
                                       : finding.severity == Severity::warning ? "Warning"
                                                                               : "Note";
-        flow.item(name, finding.message, {kBodyText, danger ? kAlarm : kSoftInk, true}, kFindingIndent);
+        flow.item(name, text(finding.message, Language::english),
+                  {kBodyText, danger ? kAlarm : kSoftInk, true}, kFindingIndent);
     }
 }
 

@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "snug/words/words.h"
+
 namespace snug {
 namespace {
 
@@ -86,8 +88,8 @@ Json findings_json(const std::vector<Finding>& findings) {
     Json list = Json::array();
     for (const Finding& finding : findings)
         list.push_back({{"severity", severity_name(finding.severity)},
-                        {"code", finding.code},
-                        {"message", finding.message},
+                        {"code", finding.code()},
+                        {"message", text(finding.message)},
                         {"where", finding.where ? array(*finding.where) : Json(nullptr)}});
     return list;
 }
@@ -182,7 +184,7 @@ Json workshop_json(const WorkshopPack& pack) {
     const PackMaterial& material = pack.material;
     Json figures = Json::array(), files = Json::array();
     for (const PackFigure& figure : pack.figures)
-        figures.push_back({{"label", figure.label}, {"value", figure.value}});
+        figures.push_back({{"label", text(figure.label)}, {"value", text(figure.value)}});
     for (const PackFile& file : pack.files) files.push_back(file.name);
     for (const PackContainer& container : pack.containers) files.push_back(container.name);
     for (const DrawingDocument& document : pack.documents) files.push_back(document.name + ".pdf");

@@ -2,7 +2,13 @@
 
 #include <utility>
 
+#include "snug/base/text.h"
+
 namespace snug {
+
+Message litres_text(double litres) {
+    return say("figure.litres", {{"litres", number(litres, 2)}});
+}
 
 PackFile text_file(std::string name, std::string_view text) {
     const auto* data = reinterpret_cast<const std::byte*>(text.data());

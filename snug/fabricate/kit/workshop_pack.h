@@ -41,9 +41,12 @@ struct PackContainer {
 
 /// A line of what is shown before anything is written: "Blocks to pluck" "1,204".
 struct PackFigure {
-    std::string label;
-    std::string value;
+    Message label;
+    Message value;
 };
+
+/// "1.25 litres"
+[[nodiscard]] Message litres_text(double litres);
 
 /// A pack and its material in numbers. A pack fills in what it knows better than the foams alone do.
 struct PackMaterial {

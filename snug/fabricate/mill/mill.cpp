@@ -59,10 +59,10 @@ void add_programs(const FoamDesign& design, const MillPlans& plans, const MillOp
     }
 }
 
-std::string stock_text(const MillPlan& plan) {
+Message stock_text(const MillPlan& plan) {
     const Vec2d size = plan.field.size_mm();
-    if (plan.field.top == 0) return "none";
-    return dimensions({size.x, size.y, plan.field.top_mm()}) + " mm";
+    if (plan.field.top == 0) return say("figure.none");
+    return as_it_is(dimensions({size.x, size.y, plan.field.top_mm()}) + " mm");
 }
 
 void tell_figures(const MillPlans& plans, WorkshopPack& pack) {
@@ -76,12 +76,13 @@ void tell_figures(const MillPlans& plans, WorkshopPack& pack) {
         const Vec2d size = plan.field.size_mm();
         if (!plan.outside) litres += size.x * size.y * plan.field.top_mm() * 1e-6;
     }
-    pack.figures = {{"Stock, lower", stock_text(plans.plans[0])},
-                    {"Stock, lid", stock_text(plans.plans[1])},
-                    {"Deepest pocket", number(deepest, 1) + " mm"},
-                    {"Passes", grouped(static_cast<unsigned long long>(passes))},
-                    {"Way of the cutter", number(way / 1000, 1) + " m"},
-                    {"Time at these feeds", "about " + number(std::ceil(minutes), 0) + " minutes"}};
+    pack.figures = {
+        {say("figure.stock_lower"), stock_text(plans.plans[0])},
+        {say("figure.stock_lid"), stock_text(plans.plans[1])},
+        {say("figure.deepest_pocket"), as_it_is(number(deepest, 1) + " mm")},
+        {say("figure.passes"), as_it_is(grouped(static_cast<unsigned long long>(passes)))},
+        {say("figure.way_of_cutter"), as_it_is(number(way / 1000, 1) + " m")},
+        {say("figure.time"), say("figure.minutes", {{"minutes", number(std::ceil(minutes), 0)}})}};
     pack.material.pieces = 2;
     pack.material.litres = litres;
 }
@@ -98,35 +99,34 @@ void tell_round_corners(const MillPlans& plans, const MillOptions& options, Work
         overcut += plan.relief.overcut_mm3;
         left += plan.relief.left_mm3;
     }
-    const std::string taken =
-        "up to " + at_most(widest) + " mm wide, " + at_most(overcut * 1e-3) + " cm3 together";
-    pack.figures.push_back({"Extra gap in corners", widest > 0 ? taken : "none"});
-    if (widest <= 0 && left <= 0) return;
-    std::string words = "a round cutter of " + number(options.cutter_mm) + " mm";
-    if (left > 0)
-        words += " leaves " + at_most(left * 1e-3) +
-                 " cm3 of foam in inside corners where the object does not reach";
-    if (left > 0 && widest > 0) words += ", and";
-    if (widest > 0)
-        words +=
-            " takes foam beside the blocks where it must go beyond them to reach a corner (" + taken + ")";
-    pack.findings.push_back(
-        {Severity::note, "round_corners", words + "; a thinner cutter makes both less", {}});
+    const std::string widest_mm = at_most(widest), taken_cm3 = at_most(overcut * 1e-3),
+                      left_cm3 = at_most(left * 1e-3), cutter_mm = number(options.cutter_mm);
+    pack.figures.push_back(
+        {say("figure.corners"),
+         widest > 0 ? say("figure.corner_gap", {{"widest_mm", widest_mm}, {"taken_cm3", taken_cm3}})
+                    : say("figure.none")});
+    const auto tell = [&](Message message) { pack.findings.push_back({Severity::note, std::move(message)}); };
+    if (left > 0 && widest > 0)
+        tell(say("round_corners/both", {{"cutter_mm", cutter_mm},
+                                        {"left_cm3", left_cm3},
+                                        {"widest_mm", widest_mm},
+                                        {"taken_cm3", taken_cm3}}));
+    else if (left > 0)
+        tell(say("round_corners/left", {{"cutter_mm", cutter_mm}, {"left_cm3", left_cm3}}));
+    else if (widest > 0)
+        tell(say("round_corners",
+                 {{"cutter_mm", cutter_mm}, {"widest_mm", widest_mm}, {"taken_cm3", taken_cm3}}));
 }
 
 void tell_pins(const MillPlans& plans, const MillOptions& options, WorkshopPack& pack) {
     if (options.pin_mm == 0 || !plans.plans[0].pins.empty()) return;
-    const std::string why =
-        plans.no_room_for_pins
-            ? "there is too little foam of full height for pins of " + number(options.pin_mm) + " mm"
-            : "holes for pins of " + number(options.pin_mm) + " mm cannot be made with a cutter of " +
-                  number(options.cutter_mm) + " mm";
+    const std::string pin_mm = number(options.pin_mm);
     const bool turned = plans.plans.size() > 2;
-    pack.findings.push_back({turned ? Severity::warning : Severity::note,
-                             "no_pins",
-                             why + ", so there are none: line the halves up by their edges, or choose others "
-                                   "with --pin (0: none)",
-                             {}});
+    pack.findings.push_back(
+        {turned ? Severity::warning : Severity::note,
+         plans.no_room_for_pins
+             ? say("no_pins", {{"pin_mm", pin_mm}})
+             : say("no_pins/cutter", {{"pin_mm", pin_mm}, {"cutter_mm", number(options.cutter_mm)}})});
 }
 
 }  // namespace
@@ -140,9 +140,7 @@ Result<WorkshopPack> mill_pack(const FoamDesign& design, const std::optional<Mil
     tell_figures(*plans, pack);
     tell_round_corners(*plans, options, pack);
     tell_pins(*plans, options, pack);
-    if (pack.files.empty())
-        pack.findings.push_back(
-            {Severity::note, "nothing_to_mill", "both halves are flat boards: there is nothing to mill", {}});
+    if (pack.files.empty()) pack.findings.push_back({Severity::note, say("nothing_to_mill")});
     pack.documents.push_back(mill_setup(design, *plans, options, pack.figures, page_mm));
     return pack;
 }

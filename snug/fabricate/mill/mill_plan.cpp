@@ -6,6 +6,7 @@
 
 #include "snug/base/text.h"
 #include "snug/fabricate/mill/mill_allowed.h"
+#include "snug/words/halves.h"
 
 namespace snug {
 namespace {
@@ -14,9 +15,9 @@ constexpr double kCellsInRadius = 4;  // fine cells that tell what the cutter le
 constexpr double kPinFit = 1e-6;      // mm
 constexpr double kRounding = 1e-6;    // mm
 
-std::string name_of(const MillPlan& plan) {
-    return (plan.half == Half::lower ? "lower half" : "lid") +
-           std::string(plan.outside ? "'s outer side" : "");
+Message name_of(const MillPlan& plan) {
+    if (!plan.outside) return half_of(plan.half);
+    return say("mill.outer_side", {{"half", half_of(plan.half)}});
 }
 
 double step_down(const MillOptions& options) {
@@ -35,22 +36,17 @@ std::optional<Error> too_wide(const std::vector<MillPlan>& plans, const MillOpti
         widest = std::max(widest, widest_cutter_mm(plan.field));
     }
     if (!anything) return {};
-    return Error{ErrorKind::usage, "a cutter of " + number(options.cutter_mm) +
-                                       " mm is wider than every pocket; the widest that goes in is " +
-                                       number(widest, 1) +
-                                       " mm. Choose it with --cutter, or a larger clearance"};
+    return Error{ErrorKind::usage, say("mill.wide_cutter", {{"cutter_mm", number(options.cutter_mm)},
+                                                            {"widest_mm", number(widest, 1)}})};
 }
 
 std::optional<Error> too_deep(const std::vector<MillPlan>& plans, const MillOptions& options) {
     for (const MillPlan& plan : plans) {
         const double depth = plan.depth_mm();
         if (depth <= options.flute_mm + kRounding) continue;
-        return Error{ErrorKind::usage, "the flute reaches " + number(options.flute_mm) + " mm, but the " +
-                                           name_of(plan) + " is cut " + number(depth, 1) +
-                                           " mm deep: take a cutter with a flute of at least " +
-                                           number(depth, 1) +
-                                           " mm (--flute), turn the object so that it lies flatter "
-                                           "(--rotate), or choose another parting level (--parting)"};
+        return Error{ErrorKind::usage, say("mill.short_flute", {{"flute_mm", number(options.flute_mm)},
+                                                                {"half", name_of(plan)},
+                                                                {"depth_mm", number(depth, 1)}})};
     }
     return {};
 }
@@ -63,9 +59,8 @@ Result<void> work_out(MillPlan& plan, const FoamDesign& design, const std::optio
         level_passes(plan.field, radius, options.stepover * options.cutter_mm);
     CarvedStock stock(plan.field, radius, radius / kCellsInRadius);
     if (length(stock.cell_mm()) > radius)
-        return fail(ErrorKind::usage, "the foam has more columns than can be milled with a cutter of " +
-                                          number(options.cutter_mm) +
-                                          " mm; take larger blocks or a larger cutter");
+        return fail(ErrorKind::usage,
+                    say("mill.too_many_columns", {{"cutter_mm", number(options.cutter_mm)}}));
     for (const LevelPass& pass : passes)
         for (const std::vector<CutLine>* lines : {&pass.fill, &pass.walls})
             for (const CutLine& line : *lines) stock.cut(line, pass.level);
@@ -74,10 +69,8 @@ Result<void> work_out(MillPlan& plan, const FoamDesign& design, const std::optio
     plan.relief = relieve(plan.field, passes, allowed, radius, stock);
     plan.path = mill_path(plan.field, passes, plan.relief.reliefs, plan.pins, options);
     if (!plan.path.too_long) return {};
-    return fail(ErrorKind::usage, "the program for the " + name_of(plan) + " would have more than " +
-                                      grouped(kMostMoves) +
-                                      " moves: take larger blocks, a larger cutter, or deeper passes "
-                                      "(--step-down)");
+    return fail(ErrorKind::usage,
+                say("mill.too_many_moves", {{"half", name_of(plan)}, {"most", kMostMoves}}));
 }
 
 bool cuts_outside(const MillField& outside) {

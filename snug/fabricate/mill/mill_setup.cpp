@@ -7,6 +7,7 @@
 #include "snug/base/text.h"
 #include "snug/drawing/page_builder.h"
 #include "snug/drawing/svg.h"
+#include "snug/words/words.h"
 
 namespace snug {
 namespace {
@@ -163,7 +164,9 @@ std::vector<std::string> order_of_work(const MillPlans& plans, const MillOptions
 std::vector<Drawing> first_pages(const FoamDesign& design, const MillPlans& plans, const MillOptions& options,
                                  const std::vector<PackFigure>& figures, Vec2d page_mm) {
     PageFlow flow(page_mm, "Milling", design.object_name + " · set-up sheet", kInk);
-    for (const PackFigure& figure : figures) flow.row({figure.label, figure.value}, {0, 0.3}, {});
+    for (const PackFigure& figure : figures)
+        flow.row({text(figure.label, Language::english), text(figure.value, Language::english)}, {0, 0.3},
+                 {});
     flow.row(
         {"Cutter", "flat, " + number(options.cutter_mm) + " mm, flute " + number(options.flute_mm) + " mm"},
         {0, 0.3}, {});

@@ -13,6 +13,7 @@
 #include "snug/fabricate/mould/mould_guide.h"
 #include "snug/fabricate/mould/mould_parts.h"
 #include "snug/fabricate/printing/print_things.h"
+#include "snug/words/halves.h"
 
 namespace snug {
 namespace {
@@ -38,9 +39,7 @@ Result<std::vector<Mould>> all_moulds(const FoamDesign& design, const WorkshopOp
             mould.names.push_back(word_of(half) + "-" + two_digits(i + 1));
         moulds.push_back(std::move(mould));
     }
-    if (moulds.empty())
-        return fail(ErrorKind::usage,
-                    "there is no foam to cast: the object takes every block; take a larger space");
+    if (moulds.empty()) return fail(ErrorKind::usage, say("mould.nothing_to_cast"));
     return moulds;
 }
 
@@ -65,49 +64,32 @@ double greatest_lean_mm(const MouldForm& form, double draft_deg) {
     return lean.sine / lean.cosine * (form.mm(0, form.pour_level) - form.mm(0, 1));
 }
 
-std::string name_of(Half half) {
-    return half == Half::lower ? "lower foam" : "lid";
-}
-
 void tell_draft(const FoamDesign& design, const std::vector<Mould>& moulds, double draft_deg,
                 WorkshopPack& pack) {
-    const std::string degrees = number(draft_deg) + (draft_deg == 1 ? " degree" : " degrees");
-    std::string lean, cut;
+    const Message lean =
+        say(draft_deg == 1 ? "draft.degree" : "draft.degrees", {{"degrees", number(draft_deg)}});
+    std::vector<Message> smaller, cut;
     for (const Mould& mould : moulds) {
         const Half half = mould.form.half;
         const double whole =
             static_cast<double>(sum_of(design.foams.heights(half))) * design.space.block_volume();
-        lean += (lean.empty() ? "the " : ", the ") + name_of(half) + " by up to " +
-                number(greatest_lean_mm(mould.form, draft_deg), 1) + " mm on each side and " +
-                number((whole - mould.made.pour_mm3) * 1e-6, 2) + " of " + number(whole * 1e-6, 2) +
-                " litres";
-        if (mould.made.upright_at_cuts) cut += (cut.empty() ? "" : " and the ") + name_of(half);
+        smaller.push_back(say("draft.foam", {{"foam", foam_of(half)},
+                                             {"mm", number(greatest_lean_mm(mould.form, draft_deg), 1)},
+                                             {"lost_litres", number((whole - mould.made.pour_mm3) * 1e-6, 2)},
+                                             {"litres", number(whole * 1e-6, 2)}}));
+        if (mould.made.upright_at_cuts) cut.push_back(foam_of(half));
         if (mould.made.lost_blocks > 0)
             pack.findings.push_back(
                 {Severity::warning,
-                 "narrow_foam",
-                 counted(static_cast<unsigned long long>(mould.made.lost_blocks), "block", "blocks") +
-                     " of the " + name_of(half) + (mould.made.lost_blocks == 1 ? " is" : " are") +
-                     " not cast: the foam is too narrow there to leave room between faces that lean by " +
-                     degrees + "; take a smaller draft",
-                 {}});
+                 say("narrow_foam",
+                     {{"blocks", mould.made.lost_blocks}, {"foam", foam_of(half)}, {"lean", lean}})});
     }
     if (draft_deg > 0)
-        pack.findings.push_back(
-            {Severity::note,
-             "draft",
-             "faces lean by " + degrees +
-                 " to let the foam go, so it is smaller than its blocks towards the cavity: " + lean +
-                 "; a smaller draft keeps more",
-             {}});
+        pack.findings.push_back({Severity::note, say("draft", {{"lean", lean}, {"foams", smaller}})});
     if (draft_deg > 0 && !cut.empty())
         pack.findings.push_back(
             {Severity::note,
-             "upright",
-             "the mould of the " + cut +
-                 " is cut apart along faces of its core, which stand upright there: rub them smooth, "
-                 "and take the mould apart there to let the foam out",
-             {}});
+             say("upright", {{"foams", cut.size() > 1 ? say("upright.both") : cut.front()}})});
 }
 
 void tell_missing(const FoamDesign& design, Half half, WorkshopPack& pack) {
@@ -116,13 +98,10 @@ void tell_missing(const FoamDesign& design, Half half, WorkshopPack& pack) {
     if (missing == 0) return;
     pack.findings.push_back(
         {Severity::warning,
-         "trim",
-         "the case leaves no room for " +
-             counted(static_cast<unsigned long long>(missing), "block", "blocks") +
-             " at the outer side of the " + name_of(half) + ", " +
-             number(static_cast<double>(missing) * design.space.block_volume() * 1e-6, 3) +
-             " litres, which the mould casts: trim them off by hand until the foam lies in the case",
-         {}});
+         say("trim",
+             {{"blocks", missing},
+              {"foam", foam_of(half)},
+              {"litres", number(static_cast<double>(missing) * design.space.block_volume() * 1e-6, 3)}})});
 }
 
 void tell_figures(const std::vector<Mould>& moulds, std::size_t bores, std::size_t beds,
@@ -131,17 +110,18 @@ void tell_figures(const std::vector<Mould>& moulds, std::size_t bores, std::size
     long long parts = 0;
     for (const Mould& mould : moulds) {
         pack.figures.push_back(
-            {"Parts, " + word_of(mould.form.half), std::to_string(mould.made.parts.size())});
+            {say(mould.form.half == Half::lower ? "figure.parts_lower" : "figure.parts_lid"),
+             as_it_is(std::to_string(mould.made.parts.size()))});
         plastic += mould.made.plastic_mm3;
         pour += mould.made.pour_mm3;
         parts += static_cast<long long>(mould.made.parts.size());
     }
-    if (bores > 0) pack.figures.push_back({"Dowels", dowels_text(bores, print)});
-    pack.figures.push_back({"Beds to print", std::to_string(beds)});
-    pack.figures.push_back({"Plastic, printed solid", number(plastic * 1e-6, 2) + " litres"});
+    if (bores > 0) pack.figures.push_back({say("figure.dowels"), dowels_text(bores, print)});
+    pack.figures.push_back({say("figure.beds"), as_it_is(std::to_string(beds))});
+    pack.figures.push_back({say("figure.plastic"), litres_text(plastic * 1e-6)});
     for (const Mould& mould : moulds)
-        pack.figures.push_back(
-            {"To pour, " + word_of(mould.form.half), number(mould.made.pour_mm3 * 1e-6, 2) + " litres"});
+        pack.figures.push_back({say(mould.form.half == Half::lower ? "figure.pour_lower" : "figure.pour_lid"),
+                                litres_text(mould.made.pour_mm3 * 1e-6)});
     pack.material.pieces = parts + static_cast<long long>(bores);
     pack.material.litres = pour * 1e-6;
 }
@@ -173,7 +153,8 @@ Result<WorkshopPack> mould_pack(const FoamDesign& design, const WorkshopOptions&
     tell_figures(*moulds, bores, beds, options.print, pack);
     for (const Mould& mould : *moulds) tell_missing(design, mould.form.half, pack);
     tell_draft(design, *moulds, options.mould.draft_deg, pack);
-    if (without_joint > 0) pack.findings.push_back(no_dowel_finding(without_joint, options.print, "plastic"));
+    if (without_joint > 0)
+        pack.findings.push_back(no_dowel_finding("no_dowel/plastic", without_joint, options.print));
     return pack;
 }
 

@@ -83,10 +83,8 @@ class MouldMaker {
         }
         if (!holds_block(print_.bed_mm, longest))
             return fail(ErrorKind::usage,
-                        "a bed of " + dimensions(print_.bed_mm) +
-                            " mm is smaller than a block of foam with the mould's walls, which takes " +
-                            dimensions({longest.z, longest.y, longest.x}) +
-                            " mm on it; take a bed of at least that, smaller blocks or thinner walls");
+                        say("mould.small_bed", {{"bed", dimensions(print_.bed_mm)},
+                                                {"needed", dimensions({longest.z, longest.y, longest.x})}}));
         cuts_ = print_cuts(lines, print_.bed_mm);
         for (std::size_t axis = 0; axis < 3; ++axis)
             for (int& line : cuts_.lines[axis]) line = possible[axis][static_cast<std::size_t>(line)];

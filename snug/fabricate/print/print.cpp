@@ -91,29 +91,22 @@ Result<void> add_fit_test(const FoamDesign& design, const PrintOptions& options,
     if (ring->parts.empty()) return {};
     add_beds(ring->parts, options.bed_mm, design.object_name + ": fit test", "print", "fit-test", pack);
     add_stls(ring->parts, "print", pack);
-    pack.figures.push_back({"Fit test", counted(ring->parts.size(), "flat part", "flat parts") + ", layer " +
-                                            std::to_string(test->level + 1) + " from below"});
+    pack.figures.push_back(
+        {say("figure.fit_test"), say("figure.flat_parts", {{"parts", ring->parts.size()},
+                                                           {"layer", std::to_string(test->level + 1)}})});
     return {};
 }
 
 void tell_findings(const PrintedHalf& lower, const PrintedHalf& lid, const PrintOptions& options,
                    WorkshopPack& pack) {
-    if (options.rigid)
-        pack.findings.push_back({Severity::note,
-                                 "rigid",
-                                 "printed plastic holds the object but is no cushion: put foam between it "
-                                 "and the outer box",
-                                 {}});
-    if (const int parts = lower.overhanging + lid.overhanging; parts > 0)
-        pack.findings.push_back(
-            {Severity::note,
-             "overhang",
-             "the case widens, so " + counted(static_cast<unsigned long long>(parts), "part", "parts") +
-                 " lean out over their lowest blocks: let the printer's program put support under them" +
-                 (options.dowels ? ", and glue them face to face: they have no dowels" : ""),
-             {}});
+    if (options.rigid) pack.findings.push_back({Severity::note, say("rigid/print")});
+    if (const int parts = lower.overhanging + lid.overhanging; parts > 0) {
+        std::vector<Message> glue;
+        if (options.dowels) glue.push_back(say("overhang.glue"));
+        pack.findings.push_back({Severity::note, say("overhang", {{"parts", parts}, {"glue", glue}})});
+    }
     const int without = lower.without_joint + lid.without_joint;
-    if (without > 0) pack.findings.push_back(no_dowel_finding(without, options, "foam"));
+    if (without > 0) pack.findings.push_back(no_dowel_finding("no_dowel/foam", without, options));
 }
 
 }  // namespace
@@ -123,10 +116,9 @@ Result<WorkshopPack> print_pack(const FoamDesign& design, const PrintOptions& op
     const Vec3d block = design.space.block_mm;
     const int levels = design.space.blocks.x;
     if (!holds_block(options.bed_mm, block))
-        return fail(ErrorKind::usage, "a bed of " + dimensions(options.bed_mm) +
-                                          " mm is smaller than a block of foam, which lies " +
-                                          dimensions({block.z, block.y, block.x}) +
-                                          " mm on it; take a bed of at least that, or smaller blocks");
+        return fail(ErrorKind::usage,
+                    say("print.small_bed", {{"bed", dimensions(options.bed_mm)},
+                                            {"needed", dimensions({block.z, block.y, block.x})}}));
     const auto lower =
         printed_half(kept_runs(design.foams, Half::lower, levels), block, options, false, "lower");
     if (!lower) return tl::unexpected(lower.error());
@@ -146,10 +138,10 @@ Result<WorkshopPack> print_pack(const FoamDesign& design, const PrintOptions& op
     const double litres = (static_cast<double>(lower->blocks + lid->blocks) * design.space.block_volume() -
                            2 * static_cast<double>(bores) * bore_volume_mm3(options)) *
                           1e-6;
-    pack.figures.push_back({"Parts, lower", std::to_string(lower->parts.size())});
-    pack.figures.push_back({"Parts, lid", std::to_string(lid->parts.size())});
-    if (bores > 0) pack.figures.push_back({"Dowels", dowels_text(bores, options)});
-    pack.figures.push_back({"Beds to print", std::to_string(beds)});
+    pack.figures.push_back({say("figure.parts_lower"), as_it_is(std::to_string(lower->parts.size()))});
+    pack.figures.push_back({say("figure.parts_lid"), as_it_is(std::to_string(lid->parts.size()))});
+    if (bores > 0) pack.figures.push_back({say("figure.dowels"), dowels_text(bores, options)});
+    pack.figures.push_back({say("figure.beds"), as_it_is(std::to_string(beds))});
     pack.material.pieces = static_cast<long long>(lower->parts.size() + lid->parts.size()) + bores;
     pack.material.litres = litres;  // printed solid
     if (auto done = add_fit_test(design, options, pack); !done) return tl::unexpected(done.error());

@@ -22,9 +22,8 @@ Vec3d size_of(const Solid& solid) {
 
 Result<void> check_part_count(std::size_t parts, Vec3d bed) {
     if (parts <= kMostParts) return {};
-    return fail(ErrorKind::usage, "on a bed of " + dimensions(bed) +
-                                      " mm the foams would come in more than " + grouped(kMostParts) +
-                                      " parts; take a larger bed, or blocks that make a smoother foam");
+    return fail(ErrorKind::usage,
+                say("print.too_many_parts", {{"bed", dimensions(bed)}, {"most", kMostParts}}));
 }
 
 }  // namespace
@@ -46,19 +45,16 @@ void add_dowels(std::size_t bores, const PrintOptions& options, std::vector<Prin
     if (bores > 0) things.push_back({"dowel", kDowelGrey, dowel_solid(options), static_cast<int>(bores)});
 }
 
-std::string dowels_text(std::size_t bores, const PrintOptions& options) {
-    return std::to_string(bores) + " of " + number(options.dowel_diameter_mm) + " x " +
-           number(options.dowel_length_mm) + " mm";
+Message dowels_text(std::size_t bores, const PrintOptions& options) {
+    return say("figure.dowels_of", {{"dowels", std::to_string(bores)},
+                                    {"diameter_mm", number(options.dowel_diameter_mm)},
+                                    {"length_mm", number(options.dowel_length_mm)}});
 }
 
-Finding no_dowel_finding(int pairs, const PrintOptions& options, const std::string& stuff) {
-    return {Severity::note,
-            "no_dowel",
-            "dowels of " + number(options.dowel_diameter_mm) + " x " + number(options.dowel_length_mm) +
-                " mm find too little " + stuff + " around them where " +
-                counted(static_cast<unsigned long long>(pairs), "pair", "pairs") +
-                " of parts meet: glue them face to face, or take smaller dowels or a larger bed",
-            {}};
+Finding no_dowel_finding(const char* code, int pairs, const PrintOptions& options) {
+    return {Severity::note, say(code, {{"diameter_mm", number(options.dowel_diameter_mm)},
+                                       {"length_mm", number(options.dowel_length_mm)},
+                                       {"pairs", pairs}})};
 }
 
 std::size_t add_beds(const std::vector<PrintThing>& things, Vec3d bed_mm, const std::string& title,

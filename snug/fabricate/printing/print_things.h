@@ -34,9 +34,9 @@ struct PrintThing {
 /// As many loose dowels as there are bores; none where there are none.
 void add_dowels(std::size_t bores, const PrintOptions& options, std::vector<PrintThing>& things);
 /// "12 of 6 x 24 mm"
-[[nodiscard]] std::string dowels_text(std::size_t bores, const PrintOptions& options);
+[[nodiscard]] Message dowels_text(std::size_t bores, const PrintOptions& options);
 /// What to do where pairs of parts meet without a dowel; `stuff` is what a dowel needs around it.
-[[nodiscard]] Finding no_dowel_finding(int pairs, const PrintOptions& options, const std::string& stuff);
+[[nodiscard]] Finding no_dowel_finding(const char* code, int pairs, const PrintOptions& options);
 
 /// One 3MF for each bed, "folder/name-01.3mf"; returns how many.
 std::size_t add_beds(const std::vector<PrintThing>& things, Vec3d bed_mm, const std::string& title,

@@ -193,7 +193,7 @@ class Nester {
         }
     }
 
-    [[nodiscard]] std::string too_large() const {
+    [[nodiscard]] Message too_large() const {
         Vec2d most;
         std::string name;
         for (const std::size_t piece : boxes_) {
@@ -201,9 +201,10 @@ class Nester {
             if (most.x < mm.x || most.y < mm.y) name = pieces_[piece].name;
             most = {std::max(most.x, mm.x), std::max(most.y, mm.y)};
         }
-        return "Sheet " + name + " does not fit on a stock sheet of " + number(options_.stock_mm.x) + " x " +
-               number(options_.stock_mm.y) + " mm; with margins the stock must be at least " +
-               number(most.x + 2 * border_) + " x " + number(most.y + 2 * border_) + " mm.";
+        const auto shown = [](Vec2d mm) { return number(mm.x) + " x " + number(mm.y); };
+        return say("sheets.too_large", {{"sheet", name},
+                                        {"stock_mm", shown(options_.stock_mm)},
+                                        {"least_mm", shown({most.x + 2 * border_, most.y + 2 * border_})}});
     }
 
     std::span<const PieceToNest> pieces_;

@@ -4,16 +4,20 @@
 #include <utility>
 
 #include "snug/base/text.h"
+#include "snug/words/halves.h"
 
 namespace snug {
 namespace {
 
-std::string half_name(const SheetStack& stack) {
-    return stack.half == Half::lower ? "lower foam" : "lid";
-}
+constexpr std::size_t kMostNamed = 12;
 
-void add(std::vector<Finding>& findings, Severity severity, std::string code, std::string message) {
-    findings.push_back({severity, std::move(code), std::move(message), {}});
+/// "L2a, L2b and U1a", or the first of them and how many there are more.
+Message named(const std::vector<std::string>& pieces) {
+    const std::size_t shown = std::min(pieces.size(), kMostNamed);
+    std::vector<Message> names;
+    for (std::size_t i = 0; i < shown; ++i) names.push_back(as_it_is(pieces[i]));
+    if (shown == pieces.size()) return say("sheets.names", {{"names", names}});
+    return say("sheets.names_and_more", {{"names", names}, {"more", pieces.size() - shown}});
 }
 
 void add_lost(std::vector<Finding>& findings, const FoamDesign& design, const SheetStack& stack) {
@@ -22,17 +26,18 @@ void add_lost(std::vector<Finding>& findings, const FoamDesign& design, const Sh
     int highest = 0;
     for (const auto blocks : heights) highest = std::max<int>(highest, blocks);
     const double lost = static_cast<double>(stack.lost_blocks) * design.space.block_volume();
-    std::string message = "Sheets as thick as " + std::to_string(stack.levels) + " blocks take " +
-                          counted(static_cast<unsigned long long>(stack.lost_blocks), "block", "blocks") +
-                          " more from the " + half_name(stack) +
-                          " than the design: " + grouped(static_cast<unsigned long long>(lost + 0.5)) +
-                          " mm3, " + number(lost / 1e6, 2) + " litres. The object fits with more room.";
     const int missing = highest - stack.count * stack.levels;
+    std::vector<Message> lower;
     if (missing > 0)
-        message += " At its highest the half ends " + number(missing * design.space.block_mm.x) +
-                   " mm lower: choose blocks and a parting level that are multiples of " +
-                   std::to_string(stack.levels) + ", or thinner sheets.";
-    add(findings, missing > 0 ? Severity::warning : Severity::note, "sheets-lost", std::move(message));
+        lower.push_back(say("sheets.ends_lower", {{"mm", number(missing * design.space.block_mm.x)},
+                                                  {"levels", std::to_string(stack.levels)}}));
+    findings.push_back({missing > 0 ? Severity::warning : Severity::note,
+                        say("sheets-lost", {{"levels", std::to_string(stack.levels)},
+                                            {"blocks", stack.lost_blocks},
+                                            {"foam", foam_of(stack.half)},
+                                            {"mm3", static_cast<unsigned long long>(lost + 0.5)},
+                                            {"litres", number(lost / 1e6, 2)},
+                                            {"lower", lower}})});
 }
 
 /// Whether some of the piece lies on foam of the sheet before.
@@ -48,17 +53,17 @@ bool lies_on_a_sheet(const SheetStack& stack, const SheetPiece& piece) {
 
 void add_islands(std::vector<Finding>& findings, const SheetStack& stack) {
     const auto loose = island_names(stack, true), glued = island_names(stack, false);
-    if (!loose.empty())
-        add(findings, Severity::warning, "sheets-loose",
-            "In the " + half_name(stack) + " the cut goes through to the case, and " + listed(loose) +
-                (loose.size() == 1 ? " is" : " are") + " held by no sheet" +
-                (stack.half == Half::lower ? "" : " and would fall out when the lid is lifted") +
-                ": glue the first sheet's pieces onto a backing sheet, or make the space deeper.");
+    if (!loose.empty()) {
+        std::vector<Message> falls_out;
+        if (stack.half == Half::lid) falls_out.push_back(say("sheets.falls_out"));
+        findings.push_back({Severity::warning, say("sheets-loose", {{"foam", foam_of(stack.half)},
+                                                                    {"pieces", named(loose)},
+                                                                    {"count", loose.size()},
+                                                                    {"falls_out", falls_out}})});
+    }
     if (!glued.empty())
-        add(findings, Severity::note, "sheets-islands",
-            "Islands of the " + half_name(stack) +
-                " fall out of their sheets when cut; keep them and glue each onto the sheet before: " +
-                listed(glued) + ".");
+        findings.push_back({Severity::note, say("sheets-islands",
+                                                {{"foam", foam_of(stack.half)}, {"pieces", named(glued)}})});
 }
 
 /// Sheets that are wider than the one before, as the case is.
@@ -66,35 +71,32 @@ void add_overhang(std::vector<Finding>& findings, const SheetStack& stack) {
     std::vector<char> wider(static_cast<std::size_t>(stack.count) + 1, 0);
     for (std::size_t i = 0; i < stack.missing.size(); ++i)
         if (stack.kept[i] > 0 && stack.missing[i] > 0) wider[static_cast<std::size_t>(stack.missing[i])] = 1;
-    const auto count = static_cast<unsigned long long>(std::count(wider.begin(), wider.end(), 1));
+    const auto count = std::count(wider.begin(), wider.end(), 1);
     if (count == 0) return;
-    add(findings, Severity::note, "sheets-overhang",
-        "The case widens from the first sheet on, so " + counted(count, "sheet", "sheets") + " of the " +
-            half_name(stack) +
-            " reach over the sheet before: lay them by the dowels, or by the picture of each sheet within "
-            "the "
-            "dashed rectangle.");
+    findings.push_back(
+        {Severity::note, say("sheets-overhang", {{"sheets", count}, {"foam", foam_of(stack.half)}})});
 }
 
 void add_dowels(std::vector<Finding>& findings, const SheetAssembly& half, const SheetOptions& options) {
     if (options.dowels == 0 || half.stack.count < 2) return;
     const std::string from = half.stack.sheet_name(half.dowels.sheets);
     const std::string last = half.stack.sheet_name(half.stack.count - 1);
+    const Message foam = foam_of(half.stack.half);
     if (half.dowels.sheets < 2)
-        add(findings, Severity::warning, "sheets-dowels",
-            "No two dowels of " + number(options.dowel_mm) + " mm with " + number(options.dowel_edge_mm) +
-                " mm of foam around them go through the sheets of the " + half_name(half.stack) +
-                ": lay them by the marked outlines, or choose thinner dowels.");
+        findings.push_back(
+            {Severity::warning, say("sheets-dowels", {{"dowel_mm", number(options.dowel_mm)},
+                                                      {"edge_mm", number(options.dowel_edge_mm)},
+                                                      {"foam", foam}})});
     else if (half.dowels.sheets < half.stack.count)
-        add(findings, Severity::note, "sheets-dowels",
-            (from == last ? "Sheet " + from : "Sheets " + from + " to " + last) + " of the " +
-                half_name(half.stack) + (from == last ? " has" : " have") +
-                " no room for dowels: lay them by the outline that is marked on the sheet before.");
+        findings.push_back(
+            {Severity::note,
+             from == last ? say("sheets-dowels/one", {{"sheet", from}, {"foam", foam}})
+                          : say("sheets-dowels/several", {{"first", from}, {"last", last}, {"foam", foam}})});
     else if (static_cast<int>(half.dowels.centres.size()) < options.dowels)
-        add(findings, Severity::note, "sheets-dowels",
-            "The sheets of the " + half_name(half.stack) + " have room for " +
-                std::to_string(half.dowels.centres.size()) + " dowels instead of " +
-                std::to_string(options.dowels) + ".");
+        findings.push_back(
+            {Severity::note, say("sheets-dowels/fewer", {{"foam", foam},
+                                                         {"found", half.dowels.centres.size()},
+                                                         {"wanted", std::to_string(options.dowels)}})});
 }
 
 }  // namespace
@@ -127,9 +129,7 @@ void add_sheet_findings(std::vector<Finding>& findings, const FoamDesign& design
 
 void add_unnumbered_finding(std::vector<Finding>& findings, const std::vector<std::string>& pieces) {
     if (pieces.empty()) return;
-    add(findings, Severity::note, "sheets-unnumbered",
-        "Too small for an engraved number, so number them by hand as they come off the cutter: " +
-            listed(pieces) + ".");
+    findings.push_back({Severity::note, say("sheets-unnumbered", {{"pieces", named(pieces)}})});
 }
 
 }  // namespace snug

@@ -17,7 +17,7 @@ void add_sheet_findings(std::vector<Finding>& findings, const FoamDesign& design
 void add_unnumbered_finding(std::vector<Finding>& findings, const std::vector<std::string>& pieces);
 
 /// "L3a, L3b and 5 more"
-[[nodiscard]] std::string listed(const std::vector<std::string>& names, std::size_t most = 12);
+[[nodiscard]] std::string listed(const std::vector<std::string>& names, std::size_t most);
 
 /// Islands of the sheets above the first; with `first` those of the first sheet, which no sheet holds.
 [[nodiscard]] std::vector<std::string> island_names(const SheetStack& stack, bool first);

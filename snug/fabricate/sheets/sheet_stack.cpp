@@ -30,14 +30,19 @@ int most_levels_of(const FoamDesign& design) {
 }
 
 /// "7.5 mm or 15 mm"
-std::string nearest_thicknesses(double wanted, double depth, int most_levels) {
+Message either(double thinner, double thicker) {
+    return say("sheets.either", {{"thinner", mm(thinner)}, {"thicker", mm(thicker)}});
+}
+
+/// "7.5 mm or 15 mm", or the one that works.
+Message nearest_thicknesses(double wanted, double depth, int most_levels) {
     if (wanted < depth) {
         const double parts = std::floor(depth / wanted);
-        return mm(depth / (parts + 1)) + " or " + mm(depth / parts);
+        return either(depth / (parts + 1), depth / parts);
     }
     const double levels = std::min(std::floor(wanted / depth), static_cast<double>(most_levels));
-    if (levels >= most_levels) return mm(levels * depth);
-    return mm(levels * depth) + " or " + mm((levels + 1) * depth);
+    if (levels >= most_levels) return as_it_is(mm(levels * depth));
+    return either(levels * depth, (levels + 1) * depth);
 }
 
 class PieceFinder {
@@ -138,19 +143,19 @@ void name_pieces(std::vector<SheetPiece>& of_a_sheet, int sheet, const std::stri
 Result<SheetMeasure> sheet_measure(const FoamDesign& design, double thickness_mm) {
     const double depth = design.space.block_mm.x;
     const int most = most_levels_of(design);
-    if (most == 0)
-        return fail(ErrorKind::usage,
-                    "The design leaves no foam to cut into sheets; make the space larger than the object.");
+    if (most == 0) return fail(ErrorKind::usage, say("sheets.no_foam"));
     const double share = thickness_mm >= depth ? thickness_mm / depth : depth / thickness_mm;
     const double whole = std::floor(share + 0.5);
     const bool fits = std::fabs(share - whole) <= kSameLength * share;
     const bool thin = thickness_mm < depth && whole > 1;
     if (!fits || (!thin && whole > most) || thickness_mm < kThinnestSheet)
-        return fail(ErrorKind::usage,
-                    "Sheets of " + mm(thickness_mm) + " do not make up this foam, whose blocks are " +
-                        mm(depth) + " deep and whose thickest half is " + mm(most * depth) +
-                        ": a sheet must be a whole part or a multiple of a block. The nearest that work: " +
-                        nearest_thicknesses(std::max(thickness_mm, kThinnestSheet), depth, most) + ".");
+        return fail(
+            ErrorKind::usage,
+            say("sheets.thickness",
+                {{"thickness", mm(thickness_mm)},
+                 {"depth", mm(depth)},
+                 {"thickest", mm(most * depth)},
+                 {"nearest", nearest_thicknesses(std::max(thickness_mm, kThinnestSheet), depth, most)}}));
     const int count = static_cast<int>(whole);
     return thin ? SheetMeasure{thickness_mm, 1, count} : SheetMeasure{thickness_mm, count, 1};
 }
@@ -171,9 +176,7 @@ Result<SheetStack> sheet_stack(const FoamDesign& design, Half half, const SheetM
     for (int sheet = 0; sheet < stack.count; sheet += measure.parts) {
         std::vector<SheetPiece> found = finder.find(sheet);
         if (stack.pieces.size() + found.size() * static_cast<std::size_t>(measure.parts) > kMostPieces)
-            return fail(ErrorKind::usage, "The foam falls into more than " + grouped(kMostPieces) +
-                                              " pieces of sheet, which no one glues; choose larger blocks "
-                                              "or a smoother object.");
+            return fail(ErrorKind::usage, say("sheets.too_many_pieces", {{"most", kMostPieces}}));
         for (int part = 0; part < measure.parts; ++part) {
             name_pieces(found, sheet + part, stack.sheet_name(sheet + part));
             stack.pieces.insert(stack.pieces.end(), found.begin(), found.end());

@@ -38,9 +38,8 @@ Result<Stacks> stacks_of(const FoamDesign& design, const SheetOptions& options) 
     if (auto problem = problem_of(options)) return fail(ErrorKind::usage, std::move(problem->sentence));
     const double narrowest = std::min(design.space.block_mm.y, design.space.block_mm.z);
     if (options.kerf_mm >= narrowest)
-        return fail(ErrorKind::usage, "A kerf of " + number(options.kerf_mm) +
-                                          " mm cannot cut openings as narrow as one block, " +
-                                          number(narrowest) + " mm; choose a smaller kerf or larger blocks.");
+        return fail(ErrorKind::usage, say("sheets.kerf", {{"kerf_mm", number(options.kerf_mm)},
+                                                          {"block_mm", number(narrowest)}}));
     const auto measure = sheet_measure(design, options.thickness_mm.value_or(design.space.block_mm.x));
     if (!measure) return tl::unexpected(measure.error());
     Stacks stacks{*measure, {}, {}};
@@ -129,14 +128,16 @@ void add_figures(WorkshopPack& pack, const Stacks& stacks, const AllPieces& all,
     const double thick = stacks.measure.thickness_mm;
     const double stock = nesting.stock_mm.x * nesting.stock_mm.y * nesting.stocks;
     pack.figures = {
-        {"Sheets", grouped(static_cast<unsigned long long>(sheets)) + " of " + number(thick, 3) + " mm"},
-        {"Pieces", grouped(all.pieces.size())},
-        {"Stock", counted(static_cast<unsigned long long>(nesting.stocks), "sheet", "sheets") + " of " +
-                      number(nesting.stock_mm.x) + " x " + number(nesting.stock_mm.y) + " x " +
-                      number(thick, 3) + " mm"},
-        {"Foam in the pieces", number(foam * thick / 1e6, 2) + " litres, " +
-                                   number(100 * foam / std::max(stock, 1e-9), 0) + " % of the stock"},
-        {"Cutting", number(cut / 1000, 2) + " m"},
+        {say("figure.sheets"), say("figure.sheets_of", {{"sheets", sheets}, {"mm", number(thick, 3)}})},
+        {say("figure.pieces"), as_it_is(grouped(all.pieces.size()))},
+        {say("figure.stock"),
+         say("figure.stock_of", {{"sheets", nesting.stocks},
+                                 {"size", number(nesting.stock_mm.x) + " x " + number(nesting.stock_mm.y) +
+                                              " x " + number(thick, 3)}})},
+        {say("figure.foam_in_pieces"),
+         say("figure.foam_of_stock", {{"litres", number(foam * thick / 1e6, 2)},
+                                      {"percent", number(100 * foam / std::max(stock, 1e-9), 0)}})},
+        {say("figure.cutting"), as_it_is(number(cut / 1000, 2) + " m")},
     };
     pack.material.pieces = static_cast<long long>(all.pieces.size());
     pack.material.litres = stock * thick / 1e6;

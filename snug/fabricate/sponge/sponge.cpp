@@ -76,13 +76,9 @@ Result<Maps> true_size_maps(const FoamDesign& design, const SpongeWork& work, Ve
     return maps;
 }
 
-std::string layers_of(const PluckPlan& plan) {
-    return counted(static_cast<unsigned long long>(plan.layers), "layer", "layers");
-}
-
-std::string blocks_text(const PluckPlan& plan) {
-    if (plan.plucked == 0) return "none (" + layers_of(plan) + ")";
-    return grouped(static_cast<unsigned long long>(plan.plucked)) + " of " + layers_of(plan);
+Message blocks_text(const PluckPlan& plan) {
+    if (plan.plucked == 0) return say("figure.nothing_to_pluck", {{"layers", plan.layers}});
+    return say("figure.blocks_of_layers", {{"blocks", plan.plucked}, {"layers", plan.layers}});
 }
 
 void tell_figures(const FoamDesign& design, const SpongeWork& work, const Maps& maps,
@@ -92,11 +88,13 @@ void tell_figures(const FoamDesign& design, const SpongeWork& work, const Maps& 
     pack.material.pieces = plucked;
     pack.material.litres =
         (work.lower.layers + work.lid.layers) * columns * design.space.block_volume() * 1e-6;
-    pack.figures.push_back({"Blocks to pluck, lower", blocks_text(work.lower)});
-    pack.figures.push_back({"Blocks to pluck, lid", blocks_text(work.lid)});
+    pack.figures.push_back({say("figure.pluck_lower"), blocks_text(work.lower)});
+    pack.figures.push_back({say("figure.pluck_lid"), blocks_text(work.lid)});
     const std::size_t pages = maps.files.empty() ? 0 : maps.document.pages.size();
-    pack.figures.push_back({"Maps at true size", std::to_string(maps.files.size()) + " on " +
-                                                     std::to_string(pages) + " pages of " + paper});
+    pack.figures.push_back(
+        {say("figure.maps"), say("figure.maps_on_pages", {{"maps", std::to_string(maps.files.size())},
+                                                          {"pages", std::to_string(pages)},
+                                                          {"paper", paper}})});
 }
 
 }  // namespace
@@ -111,21 +109,10 @@ Result<WorkshopPack> sponge_pack(const FoamDesign& design, const WorkshopOptions
                               sponge_plan(design, work, paper_mm(options.paper)), false});
     tell_figures(design, work, *maps, options.paper, pack);
     if (maps->too_many)
-        pack.findings.push_back({Severity::note,
-                                 "many_maps",
-                                 "the maps at true size would fill more than " +
-                                     std::to_string(kMostMapPages) +
-                                     " pages, so sponge-maps.pdf leaves the layers out: print the files in "
-                                     "sponge/ on a plotter, work by the overview, or take larger blocks",
-                                 {}});
-    if (const long long off = work.lower.cut_off + work.lid.cut_off; off > 0)
         pack.findings.push_back(
-            {Severity::note,
-             "cut_off",
-             "the case has no room for " + counted(static_cast<unsigned long long>(off), "block", "blocks") +
-                 " at the sides of the layers: cut them off first; each map shows its own "
-                 "in grey",
-             {}});
+            {Severity::note, say("many_maps", {{"pages", std::to_string(kMostMapPages)}})});
+    if (const long long off = work.lower.cut_off + work.lid.cut_off; off > 0)
+        pack.findings.push_back({Severity::note, say("cut_off/sponge", {{"blocks", off}})});
     if (!maps->files.empty()) pack.documents.push_back(std::move(maps->document));
     pack.files = std::move(maps->files);
     return pack;

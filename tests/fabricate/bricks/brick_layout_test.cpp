@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include "snug/words/words.h"
+
 #include "tests/support/brick_design.h"
 
 namespace snug {
@@ -99,7 +101,7 @@ TEST(BrickLayoutTest, BricksFillTheFoamStandOnEachOtherAndHoldTogetherAsCounted)
             const BrickShape shape = shape_of(design, half, BrickUnit::automatic);
             BrickBox box{BrickOptions{}};
             const auto layout = brick_layout(shape, rim, box);
-            ASSERT_TRUE(layout) << layout.error().message;
+            ASSERT_TRUE(layout) << text(layout.error().message);
             const Plates plates = plates_of(layout->build);
             expect_filled(shape, plates);
             expect_each_rests_on_those_before(layout->build, plates);
@@ -121,7 +123,7 @@ TEST(BrickLayoutTest, FoamThatACaseLeavesHangingIsSpannedOrRefused) {
             BrickBox box{BrickOptions{}};
             const auto layout = brick_layout(shape, BrickRim::studs, box);
             if (!layout) {
-                EXPECT_NE(layout.error().message.find("span"), std::string::npos);
+                EXPECT_NE(text(layout.error().message).find("span"), std::string::npos);
                 ++refused;
                 continue;
             }
@@ -192,7 +194,8 @@ TEST(BrickLayoutTest, TheStockIsNeverExceeded) {
         for (const Half half : {Half::lower, Half::lid}) {
             const auto layout = brick_layout(shape_of(design, half), BrickRim::studs, box);
             if (!layout) {
-                EXPECT_NE(layout.error().message.find("stock"), std::string::npos) << layout.error().message;
+                EXPECT_NE(text(layout.error().message).find("stock"), std::string::npos)
+                    << text(layout.error().message);
                 failed = true;
                 break;
             }
@@ -235,13 +238,14 @@ TEST(BrickLayoutTest, FamiliesThatCannotFillAreRefusedWithWhatHelps) {
     const auto layout = brick_layout(shape_of(design, Half::lower, BrickUnit::brick), BrickRim::studs, box);
     ASSERT_FALSE(layout);
     EXPECT_EQ(layout.error().kind, ErrorKind::usage);
-    EXPECT_NE(layout.error().message.find("1x1"), std::string::npos);
+    EXPECT_NE(text(layout.error().message).find("1x1"), std::string::npos);
 }
 
 TEST(BrickLayoutTest, BlocksThatNoBrickHasAreRefusedWithTheNearestThatWork) {
     const auto paper = block_in_studs({15, 15, 22}, BrickUnit::automatic);
     ASSERT_FALSE(paper);
-    EXPECT_NE(paper.error().message.find("16 x 16 x 24"), std::string::npos) << paper.error().message;
+    EXPECT_NE(text(paper.error().message).find("16 x 16 x 24"), std::string::npos)
+        << text(paper.error().message);
     EXPECT_FALSE(block_in_studs({3.2, 8, 8}, BrickUnit::brick));
     EXPECT_FALSE(block_in_studs({9.6, 8, 9}, BrickUnit::automatic));
     const auto plates = block_in_studs({6.4, 16, 24}, BrickUnit::plate);

@@ -331,7 +331,7 @@ TEST(BrickStatics, WithoutASolverAHalfThatHoldsEasilyIsKnownToAndOthersAreNotChe
     EXPECT_EQ(pack.figures.size(), 3u);
     ASSERT_FALSE(pack.findings.empty());
     EXPECT_EQ(pack.findings.front().severity, Severity::note);
-    EXPECT_EQ(pack.findings.front().code, "bricks_unchecked");
+    EXPECT_EQ(pack.findings.front().code(), "bricks_unchecked");
 }
 
 TEST(BrickStatics, LargeBuildsAreKnownToHoldWithoutTheSolver) {
@@ -377,7 +377,7 @@ TEST(BrickStatics, WhatComesApartIsToldWithItsPlace) {
     WorkshopPack pack;
     tell_statics(build, {{2, 2, 4}, {9.6, 8, 8}}, statics, pack);
     ASSERT_EQ(pack.findings.size(), 1u);
-    EXPECT_EQ(pack.findings[0].code, "bricks_overloaded");
+    EXPECT_EQ(pack.findings[0].code(), "bricks_overloaded");
     EXPECT_EQ(pack.findings[0].severity, Severity::warning);
     const Vec3d middle = *pack.findings[0].where;
     EXPECT_NEAR(dot(middle, middle), 0, 1e-20);

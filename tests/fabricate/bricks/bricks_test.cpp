@@ -11,6 +11,7 @@
 #include "snug/formats/read.h"
 #include "snug/make.h"
 #include "snug/samples/samples.h"
+#include "snug/words/words.h"
 
 #include "tests/support/brick_design.h"
 #include "tests/support/ldraw_reader.h"
@@ -175,11 +176,11 @@ TEST(BricksTest, TheFilesRebuildTheFoamsOfTheSamples) {
             ASSERT_TRUE(brick.packing.foams);
             brick.workshop.bricks.rim = rim;
             const auto pack = brick_pack(brick.design(), brick.workshop, {}, {});
-            ASSERT_TRUE(pack) << pack.error().message;
+            ASSERT_TRUE(pack) << text(pack.error().message);
             expect_the_foam(*pack, brick.packing.space, *brick.packing.foams);
             expect_counts(*pack);
             const bool gap = std::any_of(pack->findings.begin(), pack->findings.end(),
-                                         [](const Finding& each) { return each.code == "lid_gap"; });
+                                         [](const Finding& each) { return each.code() == "lid_gap"; });
             EXPECT_EQ(gap, rim == BrickRim::studs);
         }
 }
@@ -195,7 +196,7 @@ TEST(BricksTest, TheFilesRebuildTheFoamsOfRealObjects) {
         BrickCase brick = packed(*read_mesh(*bytes, name), {16, 18, 18}, 110);
         ASSERT_TRUE(brick.packing.foams);
         const auto pack = brick_pack(brick.design(), brick.workshop, {}, {});
-        ASSERT_TRUE(pack) << pack.error().message;
+        ASSERT_TRUE(pack) << text(pack.error().message);
         expect_the_foam(*pack, brick.packing.space, *brick.packing.foams);
         expect_counts(*pack);
     }
@@ -211,7 +212,7 @@ TEST(BricksTest, TheFilesRebuildRandomHeightFields) {
         options.bricks.unit = random.chance(0.5) ? BrickUnit::plate : BrickUnit::automatic;
         options.bricks.rim = random.chance(0.5) ? BrickRim::tiles : BrickRim::studs;
         const auto pack = brick_pack(design.view(), options, {}, {});
-        ASSERT_TRUE(pack) << pack.error().message;
+        ASSERT_TRUE(pack) << text(pack.error().message);
         expect_the_foam(*pack, design.space, design.foams);
         expect_counts(*pack);
     }
@@ -265,7 +266,7 @@ TEST(BricksTest, WhatCannotBeBuiltIsSaid) {
         WorkshopOptions options;
         change(options.bricks);
         const auto pack = brick_pack(design.view(), options, {}, {});
-        return pack ? std::string() : pack.error().message;
+        return pack ? std::string() : text(pack.error().message);
     };
     EXPECT_NE(refusal([](BrickOptions& o) { o.family = {"1x1"}; }).find("1x2"), std::string::npos);
     EXPECT_NE(refusal([](BrickOptions& o) { o.family = {"3x3"}; }).find("2x10"), std::string::npos);
@@ -285,7 +286,7 @@ TEST(BricksTest, OneLayerIsToldToBeInPieces) {
     const auto pack = brick_pack(design.view(), {}, {}, {});
     ASSERT_TRUE(pack);
     EXPECT_TRUE(std::any_of(pack->findings.begin(), pack->findings.end(),
-                            [](const Finding& each) { return each.code == "brick_pieces"; }));
+                            [](const Finding& each) { return each.code() == "brick_pieces"; }));
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "snug/formats/read.h"
 #include "snug/make.h"
 #include "snug/samples/samples.h"
+#include "snug/words/words.h"
 
 #include "tests/support/gcode_stock.h"
 #include "tests/support/models.h"
@@ -243,7 +244,7 @@ MilledCase packed(Mesh mesh, double longest_mm, double wall_mm) {
 void expect_milled(const MilledCase& milled, const MillOptions& options, Random& random) {
     ASSERT_TRUE(milled.packing.foams);
     const auto plans = mill_plans(milled.foams(), milled.milled(), options);
-    ASSERT_TRUE(plans) << plans.error().message;
+    ASSERT_TRUE(plans) << snug::text(plans.error().message);
     for (const MillPlan& plan : plans->plans) {
         const GcodeProgram program =
             test::read_gcode(grbl_program(plan.path, plan.field.size_mm(), options, {"vase", ""}, {}));
@@ -329,7 +330,7 @@ TEST(MillTest, WhatIsTakenOfTheBlocksIsToldWithItsWidthAndVolume) {
         options.flute_mm = 200;
         options.cutter_mm = random.between(2, 7);
         const auto plans = mill_plans(milled->foams(), milled->milled(), options);
-        ASSERT_TRUE(plans) << plans.error().message;
+        ASSERT_TRUE(plans) << snug::text(plans.error().message);
         for (const MillPlan& plan : plans->plans) {
             const GcodeProgram program =
                 test::read_gcode(grbl_program(plan.path, plan.field.size_mm(), options, {"", ""}, {}));
@@ -375,7 +376,7 @@ TEST(MillTest, WhatIsMilledGoesIntoItsCase) {
         options.flute_mm = 200;
         options.cutter_mm = random.between(2, 8);
         const auto plans = mill_plans(milled->foams(), milled->milled(), options);
-        ASSERT_TRUE(plans) << plans.error().message;
+        ASSERT_TRUE(plans) << snug::text(plans.error().message);
         const DesignSpace& space = milled->packing.space;
         for (const MillPlan& plan : plans->plans) {
             if (plan.outside) continue;
@@ -421,7 +422,7 @@ TEST(MillTest, AStripAtTheEdgeThatIsNarrowerThanTheCutterIsClearedFromBesideTheS
     MillOptions options;
     options.pin_mm = 0;
     const auto plans = mill_plans(design.view(), {}, options);
-    ASSERT_TRUE(plans) << plans.error().message;
+    ASSERT_TRUE(plans) << snug::text(plans.error().message);
     const MillPlan& plan = plans->plans.front();
     const GcodeProgram program =
         test::read_gcode(grbl_program(plan.path, plan.field.size_mm(), options, {"", ""}, {}));
@@ -447,7 +448,7 @@ TEST(MillTest, WhatIsLeftOutBesideMissingColumnsIsNoSlot) {
     MillOptions options;
     options.pin_mm = 0;
     const auto plans = mill_plans(design.view(), {}, options);
-    ASSERT_TRUE(plans) << plans.error().message;
+    ASSERT_TRUE(plans) << snug::text(plans.error().message);
     ASSERT_EQ(plans->plans.size(), 3u);
     EXPECT_EQ(plans->plans[2].relief.overcut_mm3, 0);
     EXPECT_TRUE(plans->plans[2].relief.reliefs.empty());
@@ -470,7 +471,7 @@ TEST(MillTest, TheCarvedStockRebuildsRandomHeightFieldsAndNothingStaysInCorners)
         if (random.chance(0.5)) options.step_down_mm = random.between(0.7, 6);
         options.origin = random.chance(0.5) ? MillOrigin::centre : MillOrigin::corner;
         const auto plans = mill_plans(design.view(), {}, options);
-        ASSERT_TRUE(plans) << plans.error().message;
+        ASSERT_TRUE(plans) << snug::text(plans.error().message);
         MillOptions corner = options;
         corner.origin = MillOrigin::corner;
         const auto pack = mill_pack(design.view(), {}, corner);
@@ -521,7 +522,7 @@ TEST(MillTest, WhatACaseLeavesOutIsMilledFromOutsideOnTheSamePins) {
     MillOptions options;
     options.pin_mm = 6;
     const auto plans = mill_plans(design.view(), {}, options);
-    ASSERT_TRUE(plans) << plans.error().message;
+    ASSERT_TRUE(plans) << snug::text(plans.error().message);
     ASSERT_EQ(plans->plans.size(), 3u);
     const MillPlan& outside = plans->plans[2];
     EXPECT_EQ(outside.half, Half::lower);
@@ -544,7 +545,7 @@ TEST(MillTest, EachTurnedHalfLiesOnItsOwnHolesInTheBoard) {
         MillOptions options;
         options.origin = origin;
         const auto plans = mill_plans(design.view(), {}, options);
-        ASSERT_TRUE(plans) << plans.error().message;
+        ASSERT_TRUE(plans) << snug::text(plans.error().message);
         const auto pack = mill_pack(design.view(), {}, options);
         ASSERT_TRUE(pack);
         const Vec2d zero = origin == MillOrigin::centre ? Vec2d{50, 40} : Vec2d{};
@@ -606,7 +607,7 @@ TEST(MillTest, PinsFitOneWayAndMeetInBothHalves) {
         }
         const test::PrintDesign design(space, lower, upper);
         const auto plans = mill_plans(design.view(), {}, {});
-        ASSERT_TRUE(plans) << plans.error().message;
+        ASSERT_TRUE(plans) << snug::text(plans.error().message);
         const auto &own = plans->plans[0].pins, &other = plans->plans[1].pins;
         ASSERT_EQ(own.size(), other.size());
         if (own.empty()) continue;
@@ -635,13 +636,15 @@ TEST(MillTest, WhatTheCutterCannotDoIsSaidWithWhatWouldWork) {
     options.cutter_mm = 12;
     auto refused = mill_pack(design.view(), {}, options);
     ASSERT_FALSE(refused);
-    EXPECT_NE(refused.error().message.find("10 mm"), std::string::npos) << refused.error().message;
+    EXPECT_NE(snug::text(refused.error().message).find("10 mm"), std::string::npos)
+        << snug::text(refused.error().message);
     EXPECT_EQ(refused.error().kind, ErrorKind::usage);
     options.cutter_mm = 10;
     options.flute_mm = 29;
     refused = mill_pack(design.view(), {}, options);
     ASSERT_FALSE(refused);
-    EXPECT_NE(refused.error().message.find("at least 30 mm"), std::string::npos) << refused.error().message;
+    EXPECT_NE(snug::text(refused.error().message).find("at least 30 mm"), std::string::npos)
+        << snug::text(refused.error().message);
     options.flute_mm = 30;
     EXPECT_TRUE(mill_pack(design.view(), {}, options));
     options.feed_mm_min = 0;
@@ -655,7 +658,7 @@ TEST(MillTest, FlatHalvesNeedNoProgram) {
     const auto pack = mill_pack(design.view(), {}, options);
     ASSERT_TRUE(pack);
     EXPECT_TRUE(pack->files.empty());
-    EXPECT_EQ(pack->findings.front().code, "nothing_to_mill");
+    EXPECT_EQ(pack->findings.front().code(), "nothing_to_mill");
 }
 
 /// Names of any bytes, most of them of those that do harm.

@@ -5,6 +5,7 @@
 
 #include "snug/base/rotation.h"
 #include "snug/fabricate/mould/mould.h"
+#include "snug/words/words.h"
 
 #include "tests/support/print_design.h"
 
@@ -27,9 +28,9 @@ TEST(MouldPack, SaysHowMuchToPourAndWhatTheDraftTakes) {
     const double foot = 80 - 2 * 20 * lean.sine / lean.cosine;
     EXPECT_NEAR(*pack->material.litres, 2 * 20 / 3.0 * (80 * 80 + foot * foot + 80 * foot) * 1e-6, 1e-5);
     ASSERT_EQ(pack->findings.size(), 1u);
-    EXPECT_EQ(pack->findings[0].code, "draft");
-    EXPECT_NE(pack->findings[0].message.find("3.5 mm on each side"), std::string::npos)
-        << pack->findings[0].message;
+    EXPECT_EQ(pack->findings[0].code(), "draft");
+    EXPECT_NE(text(pack->findings[0].message).find("3.5 mm on each side"), std::string::npos)
+        << text(pack->findings[0].message);
 }
 
 TEST(MouldPack, FoamTooNarrowForTheDraftIsAWarning) {
@@ -41,9 +42,9 @@ TEST(MouldPack, FoamTooNarrowForTheDraftIsAWarning) {
     options.mould.draft_deg = 5;  // 8.7 mm over 100; the wall between the pockets is 4 mm
     const auto pack = mould_pack(design.view(), options);
     ASSERT_TRUE(pack.has_value());
-    EXPECT_EQ(pack->findings.front().code, "narrow_foam");
+    EXPECT_EQ(pack->findings.front().code(), "narrow_foam");
     options.mould.draft_deg = 0.5;
-    EXPECT_EQ(mould_pack(design.view(), options)->findings.front().code, "draft");
+    EXPECT_EQ(mould_pack(design.view(), options)->findings.front().code(), "draft");
 }
 
 TEST(MouldPack, WhatTheCaseLeavesNoRoomForIsToBeTrimmed) {
@@ -54,9 +55,10 @@ TEST(MouldPack, WhatTheCaseLeavesNoRoomForIsToBeTrimmed) {
     options.mould.draft_deg = 0;
     const auto pack = mould_pack(design.view(), options);
     ASSERT_EQ(pack->findings.size(), 1u);
-    EXPECT_EQ(pack->findings[0].code, "trim");
-    EXPECT_NE(pack->findings[0].message.find("1 block at the outer side of the lower foam, 0.001 litres"),
-              std::string::npos);
+    EXPECT_EQ(pack->findings[0].code(), "trim");
+    EXPECT_NE(
+        text(pack->findings[0].message).find("1 block at the outer side of the lower foam, 0.001 litres"),
+        std::string::npos);
 }
 
 TEST(MouldPack, RefusesWhatCannotBeMadeWithWhatCan) {
@@ -67,11 +69,11 @@ TEST(MouldPack, RefusesWhatCannotBeMadeWithWhatCan) {
     ASSERT_FALSE(pack.has_value());
     EXPECT_EQ(pack.error().kind, ErrorKind::usage);
     EXPECT_EQ(
-        pack.error().message,
+        text(pack.error().message),
         "a bed of 24 x 24 x 24 mm is smaller than a block of foam with the mould's walls, which takes 25 x "
         "18 x 23 mm on it; take a bed of at least that, smaller blocks or thinner walls");
     options.print.bed_mm = {25, 18, 23};
-    EXPECT_EQ(mould_pack(design.view(), options)->figures.front().value, "4");
+    EXPECT_EQ(text(mould_pack(design.view(), options)->figures.front().value), "4");
     options.mould.wall_mm = std::nan("");
     EXPECT_FALSE(mould_pack(design.view(), options).has_value());
     options.mould = {};
@@ -82,7 +84,7 @@ TEST(MouldPack, RefusesWhatCannotBeMadeWithWhatCan) {
     options.print.bed_mm = {30, 30, 30};
     pack = mould_pack(many.view(), options);
     ASSERT_FALSE(pack.has_value());
-    EXPECT_NE(pack.error().message.find("more than 1,000 parts"), std::string::npos);
+    EXPECT_NE(text(pack.error().message).find("more than 1,000 parts"), std::string::npos);
     const test::PrintDesign none({{2, 2, 2}, {15, 15, 22}}, test::filled(2, 2, 0), test::filled(2, 2, 0));
     EXPECT_FALSE(mould_pack(none.view(), {}).has_value());
 }

@@ -12,6 +12,7 @@
 #include "snug/make.h"
 #include "snug/samples/samples.h"
 #include "snug/solid/solid.h"
+#include "snug/words/words.h"
 
 #include "tests/support/assembled_mould.h"
 #include "tests/support/models.h"
@@ -85,7 +86,7 @@ void expect_moulds_of(const FoamDesign& design, WorkshopOptions options) {
     options.mould.draft_deg = 0;
     options.print.dowels = false;
     const auto pack = mould_pack(design, options);
-    ASSERT_TRUE(pack.has_value()) << pack.error().message;
+    ASSERT_TRUE(pack.has_value()) << text(pack.error().message);
     const MouldOptions& m = options.mould;
     const Vec3d s = design.space.block_mm;
     for (const std::string half : kHalves) {
@@ -148,7 +149,7 @@ TEST(MouldPack, DraftedFoamNeverExceedsTheHalf) {
         WorkshopOptions options = random_options(random);
         const auto pack = mould_pack(design.view(), options);
         if (!pack) {
-            EXPECT_FALSE(pack.error().message.empty());
+            EXPECT_FALSE(text(pack.error().message).empty());
             continue;
         }
         ++packs;

@@ -13,6 +13,7 @@
 
 #include "snug/fabricate/printing/print_joints.h"
 #include "snug/fabricate/printing/print_parts.h"
+#include "snug/words/words.h"
 
 #include "tests/support/print_design.h"
 #include "tests/support/printed_checks.h"
@@ -90,7 +91,7 @@ TEST(PrintPack, AnyFoamOnAnyBedIsClosedOnTheBedAndWhole) {
         if (seed >= 60) test::shorten(design.foams, test::random_available(random, design.space.blocks), nx);
         const auto pack = print_pack(design.view(), options);
         if (!pack) {
-            EXPECT_FALSE(pack.error().message.empty());
+            EXPECT_FALSE(text(pack.error().message).empty());
             continue;
         }
         ++packs;
@@ -230,7 +231,7 @@ TEST(PrintPack, ABedSmallerThanABlockSaysWhichOneWouldDo) {
     options.bed_mm = {20, 20, 20};
     const auto pack = print_pack(design.view(), options);
     ASSERT_FALSE(pack.has_value());
-    EXPECT_EQ(pack.error().message,
+    EXPECT_EQ(text(pack.error().message),
               "a bed of 20 x 20 x 20 mm is smaller than a block of foam, which lies 22 x 15 x 15 mm on it; "
               "take a bed of at least that, or smaller blocks");
     options.bed_mm.y = std::nan("");

@@ -16,6 +16,7 @@
 #include "snug/make.h"
 #include "snug/samples/samples.h"
 #include "snug/space/available.h"
+#include "snug/words/words.h"
 
 #include "tests/support/models.h"
 #include "tests/support/random.h"
@@ -102,7 +103,7 @@ class SheetFiles : public testing::Test {
     /// Writes the pack as a case for the reader.
     void add(const Foam& foam, const SheetOptions& options) {
         const auto pack = sheets_pack(foam.design(), options);
-        ASSERT_TRUE(pack) << pack.error().message;
+        ASSERT_TRUE(pack) << text(pack.error().message);
         const fs::path folder = folder_ / std::to_string(cases_.size());
         fs::create_directories(folder / "sheets");
         for (const PackFile& file : pack->files) {
@@ -194,7 +195,7 @@ TEST_F(SheetFiles, GiveTheFoamsOfScansBack) {
         const auto bytes = test::model_file(name);
         if (!bytes) GTEST_SKIP() << "the shared objects are not here";
         const auto mesh = read_mesh(*bytes, name);
-        ASSERT_TRUE(mesh) << mesh.error().message;
+        ASSERT_TRUE(mesh) << text(mesh.error().message);
         add(packed(*mesh), options_with(0));
     }
     expect_the_same_foams();
@@ -219,7 +220,7 @@ Foam foam_with_pits(const std::vector<std::string>& rows) {
 
 std::string refusal(const Foam& foam, const SheetOptions& options) {
     const auto pack = sheets_pack(foam.design(), options);
-    return pack ? "" : pack.error().message;
+    return pack ? "" : text(pack.error().message);
 }
 
 TEST(Sheets, OutlinesGrowAndHolesShrinkByTheKerf) {
@@ -358,18 +359,18 @@ TEST(Sheets, SayWhichStockWouldDo) {
 TEST(Sheets, NameIslandsAndWhatWouldFallOut) {
     const auto pack = sheets_pack(foam_with_pits({".#.", ".#.", ".#."}).design(), {});
     ASSERT_TRUE(pack);
-    EXPECT_EQ(pack->findings[0].code, "sheets-dowels");
+    EXPECT_EQ(pack->findings[0].code(), "sheets-dowels");
     bool named = false;
     for (const Finding& finding : pack->findings)
-        named =
-            named || (finding.code == "sheets-islands" && finding.message.find("L2a") != std::string::npos);
+        named = named || (finding.code() == "sheets-islands" &&
+                          text(finding.message).find("L2a") != std::string::npos);
     EXPECT_TRUE(named);
     BlockMap through(3, 3);
     for (int j = 0; j < 3; ++j) through(j, 1) = {0, 3};
     const auto loose = sheets_pack(foam_of({3, 3, 3}, {10, 40, 40}, through, 2).design(), {});
     ASSERT_TRUE(loose);
     EXPECT_EQ(std::count_if(loose->findings.begin(), loose->findings.end(),
-                            [](const Finding& finding) { return finding.code == "sheets-loose"; }),
+                            [](const Finding& finding) { return finding.code() == "sheets-loose"; }),
               2);
 }
 
@@ -383,11 +384,12 @@ TEST(Sheets, SayWhatThickSheetsLose) {
     for (const auto blocks : foam.foams.lower) lost += blocks % 2;
     bool named = false;
     for (const Finding& finding : pack->findings)
-        named = named || (finding.code == "sheets-lost" &&
-                          finding.message.find(std::to_string(lost) + " blocks more from the lower foam") !=
-                              std::string::npos &&
-                          finding.message.find(grouped(static_cast<unsigned long long>(lost) * 7500) +
-                                               " mm3") != std::string::npos);
+        named = named ||
+                (finding.code() == "sheets-lost" &&
+                 text(finding.message).find(std::to_string(lost) + " blocks more from the lower foam") !=
+                     std::string::npos &&
+                 text(finding.message).find(grouped(static_cast<unsigned long long>(lost) * 7500) + " mm3") !=
+                     std::string::npos);
     EXPECT_TRUE(named);
 }
 

@@ -17,6 +17,7 @@
 #include "snug/fabricate/sponge/pluck_plan.h"
 #include "snug/fabricate/sponge/sponge_plan.h"
 #include "snug/space/available.h"
+#include "snug/words/words.h"
 
 #include "tests/support/drawing_cells.h"
 #include "tests/support/random.h"
@@ -131,8 +132,8 @@ TEST(SpongeTest, WhatACaseHasNoRoomForIsCutOffAndNeverCountedAsPlucked) {
     ASSERT_TRUE(pack);
     EXPECT_EQ(pack->material.pieces, 0);
     ASSERT_FALSE(pack->findings.empty());
-    EXPECT_EQ(pack->findings.front().code, "cut_off");
-    EXPECT_NE(pack->findings.front().message.find("2 blocks"), std::string::npos);
+    EXPECT_EQ(pack->findings.front().code(), "cut_off");
+    EXPECT_NE(text(pack->findings.front().message).find("2 blocks"), std::string::npos);
     ASSERT_FALSE(pack->files.empty());
     EXPECT_EQ(pack->files.front().name, "sponge/lower-03-04.svg");
 }

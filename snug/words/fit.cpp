@@ -1,0 +1,90 @@
+#include "snug/words/catalogue.h"
+
+// How the object lies in its foams, and what holds it.
+
+namespace snug {
+namespace {
+
+constexpr Wording kRows[] = {
+    {"outside",
+     "the object needs {needed} mm{clearance} and leaves the design space of {space} mm ({space_blocks} "
+     "blocks). The smallest that would do here is {least_blocks} blocks ({least} mm) without any wall; "
+     "--blocks auto adds walls",
+     "対象物には{clearance}{needed} mm が必要で、設計空間 {space} mm（{space_blocks} ブロック）に収まりま"
+     "せん。壁なしでも最小で {least_blocks} ブロック（{least} mm）が必要です。--blocks auto で壁を含めて決"
+     "められます。"},
+    {"with_clearance", " with its clearance", "すきまを含めて "},
+    {"open",
+     "the object is open, and foam would grow inside it: {blocks} {blocks|block|blocks} ({cm3} cm3) in "
+     "{columns} {columns|column|columns}; close the holes with --cap, or repair the scan",
+     "対象物に穴が開いていて、内側にフォームが残ります：{columns} 列に {blocks} ブロック（{cm3} cm3）。"
+     "--cap で穴をふさぐか、スキャンを修復してください。"},
+    {"uncut_part",
+     "a part of the object ({size} mm) cuts no block, so foam would press on it: choose a larger "
+     "clearance or smaller blocks, or move the object",
+     "ブロックが一つも切り抜かれない部品（{size} mm）があり、フォームに押されます。すきまを大きくするか、"
+     "ブロックを小さくするか、対象物を動かしてください。"},
+    {"parts_not_checked",
+     "whether {parts} {parts|part|parts} of the object, flush with the blocks, cut a block each was not "
+     "checked: they are too many for so fine blocks. Look at them in the preview, or move the object by a "
+     "part of a block",
+     "ブロックの面にそろった {parts} 個の部品が切り抜かれるかどうかは、細かいブロックに対して数が多すぎる"
+     "ため確認していません。プレビューで確かめるか、対象物をブロックの一部だけ動かしてください。"},
+    {"no_lower", "the lower foam is empty: choose another parting level or {instead}",
+     "下のフォームがありません。分割の高さを変えるか、{instead}。"},
+    {"no_upper", "the upper foam is empty: choose another parting level or {instead}",
+     "ふたがありません。分割の高さを変えるか、{instead}。"},
+    {"lower_pieces", "the lower foam falls into {pieces} pieces: glue them to the case, or {instead}",
+     "下のフォームが {pieces} 個に分かれます。ケースに接着するか、{instead}。"},
+    {"upper_pieces", "the upper foam falls into {pieces} pieces: glue them to the case, or {instead}",
+     "ふたが {pieces} 個に分かれます。ケースに接着するか、{instead}。"},
+    {"pieces.higher_case", "a higher case", "もっと高いケースにしてください"},
+    {"pieces.take_higher_case", "take a higher case", "もっと高いケースにしてください"},
+    {"pieces.more_blocks", "more blocks", "ブロックを増やしてください"},
+    {"pieces.more_blocks_up", "use more blocks along x", "上下（x）のブロックを増やしてください"},
+    {"parts", "the object has {parts} separate parts ({sizes;} mm)",
+     "対象物は離れた {parts} 個の部品からなります（{sizes;} mm）。"},
+    {"specks",
+     "the object has {parts} separate parts ({sizes;} mm), {specks} "
+     "{specks|of them a speck|of them specks} away from the rest: clean the scan if they are dirt, they "
+     "cut foam too",
+     "対象物は離れた {parts} 個の部品からなり（{sizes;} mm）、そのうち {specks} 個は他から離れた小さなもの"
+     "です。ごみであればスキャンから取り除いてください。フォームも切り取られます。"},
+    {"no_bearing",
+     "the {foam} does not hold the object: it would sink more than 5 mm before it lies on foam; choose a "
+     "smaller clearance or smaller blocks",
+     "{foam}が対象物を支えません。フォームに載るまでに 5 mm より深く沈みます。すきまかブロックを小さくして"
+     "ください。"},
+    {"creep",
+     "the object presses on the {foam} with {kpa} kPa, more than the {creep_kpa} kPa that it bears for "
+     "long: turn the object so that it lies on a larger area, or take a firmer foam",
+     "{foam}にかかる対象物の圧力は {kpa} kPa で、長く耐えられる {creep_kpa} kPa を超えます。広い面で載るよ"
+     "うに対象物を回すか、硬めのフォームを選んでください。"},
+    {"foam.lower", "lower foam", "下のフォーム"},
+    {"foam.upper", "upper foam", "ふた"},
+    {"foam.lid", "lid", "ふた"},
+    {"foam.lower_half", "lower half", "下のフォーム"},
+    {"no_notches/floor",
+     "finger notches {depth_mm} mm deep would not leave the floor that is wanted: the foam below the "
+     "parting level is {high_mm} mm high; choose a smaller depth or a higher parting level",
+     "深さ {depth_mm} mm の指かけでは、希望の底の厚さが残りません。分割の高さより下のフォームは {high_mm} "
+     "mm です。深さを小さくするか、分割の高さを上げてください。"},
+    {"no_notches/blocks",
+     "there is no room for finger notches of {width_mm} x {depth_mm} mm with {room_mm} mm for the "
+     "fingers: {blocks} {blocks|block more|blocks more} on each side would do, or smaller notches",
+     "{width_mm} x {depth_mm} mm、奥行き {room_mm} mm の指かけの場所がありません。両側に {blocks} ブロック"
+     "ずつ増やすか、指かけを小さくしてください。"},
+    {"no_notches",
+     "there is no room for finger notches of {width_mm} x {depth_mm} mm with {room_mm} mm for the "
+     "fingers: choose smaller ones or another place beside the object",
+     "{width_mm} x {depth_mm} mm、奥行き {room_mm} mm の指かけの場所がありません。小さくするか、対象物の別"
+     "の所に置いてください。"},
+};
+
+}  // namespace
+
+std::span<const Wording> words_of_fit() {
+    return kRows;
+}
+
+}  // namespace snug

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "snug/base/half.h"
+#include "snug/base/message.h"
+
+namespace snug {
+
+/// "lower foam", "lid"
+[[nodiscard]] inline Message foam_of(Half half) {
+    return half == Half::lower ? say("foam.lower") : say("foam.lid");
+}
+
+/// "lower half", "lid"
+[[nodiscard]] inline Message half_of(Half half) {
+    return half == Half::lower ? say("foam.lower_half") : say("foam.lid");
+}
+
+}  // namespace snug

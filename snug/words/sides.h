@@ -1,0 +1,15 @@
+#pragma once
+
+#include "snug/base/message.h"
+#include "snug/base/side.h"
+
+namespace snug {
+
+/// "floor", "roof", "back", "front", "left", "right"
+[[nodiscard]] inline Message side_text(Side side) {
+    constexpr const char* kCodes[6] = {"wall.floor", "wall.roof", "wall.back",
+                                       "wall.front", "wall.left", "wall.right"};
+    return say(kCodes[side]);
+}
+
+}  // namespace snug
