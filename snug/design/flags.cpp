@@ -7,6 +7,7 @@
 #include "snug/base/text.h"
 #include "snug/design/option_json.h"
 #include "snug/design/option_text.h"
+#include "snug/words/words.h"
 
 namespace snug {
 namespace {
@@ -79,7 +80,7 @@ Result<void> take_case(const TypedFlag& typed, Design& design, const KnownNames&
     const auto cases = known.cases();
     if (!cases) return tl::unexpected(cases.error());
     const auto found = find_case(*cases, typed.text);
-    if (!found) return fail(ErrorKind::usage, "--case: " + found.error().message);
+    if (!found) return fail(ErrorKind::usage, in_file("--case", found.error().message));
     apply(*found, design.case_options);
     return {};
 }

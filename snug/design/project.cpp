@@ -6,6 +6,7 @@
 #include "snug/base/utf16.h"
 #include "snug/design/json_reader.h"
 #include "snug/design/option_json.h"
+#include "snug/words/words.h"
 
 namespace snug {
 namespace {
@@ -26,7 +27,7 @@ Result<Design> design_from(const nlohmann::json& json, const std::string& prefix
     if (result) return result;
     const auto problem = problem_of(design);
     const std::string path = problem && !prefix.empty() ? prefix + problem->path + ": " : "";
-    return fail(ErrorKind::input, path + result.error().message);
+    return fail(ErrorKind::input, path + text(result.error().message));
 }
 
 bool is_sha256(const std::string& text) {

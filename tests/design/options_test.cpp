@@ -13,6 +13,7 @@
 #include "snug/design/options_page.h"
 #include "snug/design/options_schema.h"
 #include "snug/design/project.h"
+#include "snug/words/words.h"
 
 #include "tests/support/random_options.h"
 
@@ -55,9 +56,10 @@ TEST(Options, TheCommandLineOfADesignGivesTheDesign) {
         Design design = test::random_options(random);
         const auto typed = flags_for(design, built_in_names());
         const auto again = with_flags(typed, {}, false, built_in_names());
-        ASSERT_TRUE(again) << "seed " << seed << ": " << again.error().message << "\n" << line_of(design);
+        ASSERT_TRUE(again) << "seed " << seed << ": " << text(again.error().message) << "\n"
+                           << line_of(design);
         const auto possible = checked(*again);
-        ASSERT_TRUE(possible) << "seed " << seed << ": " << possible.error().message << "\n"
+        ASSERT_TRUE(possible) << "seed " << seed << ": " << text(possible.error().message) << "\n"
                               << line_of(design);
         ASSERT_EQ(design_json(*possible), design_json(design)) << "seed " << seed << "\n" << line_of(design);
         ASSERT_TRUE(*possible == design) << "seed " << seed;
@@ -80,7 +82,7 @@ TEST(Options, TheProjectOfADesignGivesTheDesign) {
         Random random(static_cast<std::uint64_t>(seed));
         const Project project{{"vase.stl", 1, std::string(64, 'a')}, test::random_options(random)};
         const auto again = parse_project(project_json(project));
-        ASSERT_TRUE(again) << "seed " << seed << ": " << again.error().message;
+        ASSERT_TRUE(again) << "seed " << seed << ": " << text(again.error().message);
         ASSERT_TRUE(*again == project) << "seed " << seed;
         ASSERT_EQ(project_json(*again), project_json(project)) << "seed " << seed;
     }
@@ -132,7 +134,7 @@ TEST(Options, TheCommandLineSaysWhatDiffersAndNothingElse) {
 TEST(Options, WhatIsTypedWronglyIsNamedWithWhatItTakes) {
     const auto refusal = [](std::initializer_list<TypedFlag> typed) {
         const auto design = with_flags({typed.begin(), typed.size()}, {}, false, built_in_names());
-        return design ? std::string() : design.error().message;
+        return design ? std::string() : text(design.error().message);
     };
     EXPECT_EQ(refusal({{"--units", "miles"}}), "--units takes mm, cm, m, in or auto, not \"miles\"");
     EXPECT_EQ(refusal({{"--scale", "big"}}), "--scale takes a number, not \"big\"");
@@ -152,7 +154,7 @@ TEST(Options, AProjectOutOfRangeNamesTheFieldWithItsPath) {
         auto json = nlohmann::json::parse(good);
         json["design"][nlohmann::json::json_pointer(path)] = value;
         const auto project = parse_project(json.dump());
-        return project ? std::string() : project.error().message;
+        return project ? std::string() : text(project.error().message);
     };
     EXPECT_EQ(refusal("/fit/least_rib_mm", 20000),
               "design.fit.least_rib_mm: the least rib is 20000 mm, but must be from 0 to 10000 mm");
