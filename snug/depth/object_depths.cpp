@@ -40,13 +40,12 @@ Result<ObjectDepths> stream_depths(const StreamedTriangles& streamed, bool mark,
     const bool both = clearance.same_in_both();
     const auto see = [&](Vec3d clearance_mm, MetCubes* cubes, const Progress& told) -> Result<HalfDepths> {
         const Reach grown = reach(clearance_mm, cut.cut_on_touch);
-        auto depths =
-            depth_map(streamed.stream, streamed.to_object, placement, space, grown, cubes, told);
+        auto depths = depth_map(streamed.stream, streamed.to_object, placement, space, grown, cubes, told);
         if (!depths) return tl::unexpected(depths.error());
         return HalfDepths{std::move(*depths), grown};
     };
-    auto lower = see(clearance.lower, mark ? streamed.cubes.get() : nullptr,
-                     part_of(progress, 0, both ? 1 : 0.5));
+    auto lower =
+        see(clearance.lower, mark ? streamed.cubes.get() : nullptr, part_of(progress, 0, both ? 1 : 0.5));
     if (!lower) return tl::unexpected(lower.error());
     ObjectDepths depths{std::move(*lower), {}};
     if (both) return depths;

@@ -16,9 +16,9 @@ namespace snug {
 
 /// A flag as the help shows it.
 struct Flag {
-    std::string name;   ///< "--least-rib"
-    std::string takes;  ///< "MM"; empty: nothing, typing it is enough
-    std::string help;   ///< with the default in brackets
+    std::string name;      ///< "--least-rib"
+    std::string takes;     ///< "MM"; empty: nothing, typing it is enough
+    std::string help;      ///< with the default in brackets
     bool many = false;     ///< several words may follow
     bool repeats = false;  ///< it may be typed more than once
 };

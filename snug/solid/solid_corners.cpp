@@ -10,8 +10,8 @@
 namespace snug {
 namespace {
 
-/// The blocks around the point, as CornerFanTable takes them. `columns`: in front to the left and right, behind
-/// to the left and right.
+/// The blocks around the point, as CornerFanTable takes them. `columns`: in front to the left and right,
+/// behind to the left and right.
 unsigned blocks_around(const std::array<Run, 4>& columns, int level) {
     unsigned around = 0;
     for (std::size_t i = 0; i < columns.size(); ++i) {
