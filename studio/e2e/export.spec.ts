@@ -101,7 +101,7 @@ test('while a danger stands, Export names it and asks', async ({studio: page}) =
 
   // What the finding offers mends it.
   await page.getByRole('button', {name: 'Close the holes'}).click();
-  await expect(page.getByText('Danger: Foam would grow inside')).toBeHidden();
+  await expect(page.getByText('Danger: Foam would grow inside')).toHaveCount(0);
   const [safe] = await Promise.all([
     page.waitForEvent('download'),
     page.getByRole('button', {name: 'Export', exact: true}).click(),
