@@ -1,8 +1,8 @@
 #include <cstring>
 
-#include "snug/depth/streamed_surface.h"
 #include "snug/formats/read.h"
 #include "snug/formats/triangle_stream.h"
+#include "snug/object/streamed_bounds.h"
 #include "snug/words/words.h"
 
 #include "fuzz/check_mesh.h"
