@@ -20,7 +20,8 @@ class Random {
     double between(double low, double high) { return low + (high - low) * unit(); }
     /// In [low, high], both included.
     int integer(int low, int high) {
-        return low + static_cast<int>(bits() % static_cast<std::uint64_t>(high - low + 1));
+        const std::int64_t count = std::int64_t{high} - low + 1;
+        return static_cast<int>(low + static_cast<std::int64_t>(bits() % static_cast<std::uint64_t>(count)));
     }
     bool chance(double probability) { return unit() < probability; }
 
