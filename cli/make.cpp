@@ -197,7 +197,8 @@ int make(const MakeArguments& arguments) {
     Object& object = read->object;
     Project& project = task->project;
     auto made = snug::make(object, project, tools_for(*task, arguments.search, *status));
-    if (!made && object.is_streamed())  // whose file is read all the while
+    // What is read in pieces is read all the while.
+    if (!made && made.error().kind == ErrorKind::input)
         return give_up({made.error().kind, in_its_file(*task, made.error())});
     if (!made) return give_up(made.error());
     made->packing.timing.read = read->read_ms;

@@ -448,6 +448,13 @@ class Formats(unittest.TestCase):
         done = snug("make", path, "-o", self.folder / "out", "--quiet")
         self.assertEqual(done.returncode, 0, done.stderr)
 
+    def test_what_is_wrong_with_a_design_is_said_alike_however_the_file_is_read(self):
+        path = self.folder / "a.stl"
+        write_stl(path, *l_shape())
+        for options in (["--for", "bricks", "--block-size", "20x10x10"], ["--parting", "31"]):
+            whole, pieces = (snug("make", path, "-o", self.folder / "none", *options, *way) for way in ([], ["--stream"]))
+            self.assertEqual((whole.returncode, whole.stderr), (1, pieces.stderr))
+
     def test_what_cannot_be_read_in_pieces_says_so(self):
         path = self.folder / "a.off"
         path.write_text("OFF\n4 4 6\n0 0 0\n60 0 0\n0 60 0\n0 0 60\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n")
