@@ -71,8 +71,8 @@ TEST_P(Models, AreCutExactlyAndComeOutOfClosedFoams) {
             const auto& [space, foams] = std::tie(packing->space, *packing->foams);
             EXPECT_EQ(packing->fit.lower_blocks + packing->fit.upper_blocks + packing->fit.cut_blocks,
                       space.block_count());
-            test::expect_solid_of(lower_solid(foams, space), foams.lower, space);
-            test::expect_solid_of(upper_solid(foams, space), foams.upper, space);
+            test::expect_solid_of(foams, Half::lower, space);
+            test::expect_solid_of(foams, Half::lid, space);
             for (const Finding& finding : packing->findings) {
                 EXPECT_NE(finding.code(), "uncut_part") << text(finding.message);
                 EXPECT_TRUE(!GetParam().closed || finding.code() != "open") << text(finding.message);
@@ -107,10 +107,8 @@ TEST_P(Models, AreCutFinely) {
     const auto object = prepare(*mesh, design_of({8, 8, 8}, {}));
     const auto packing = pack(*object, design_of({300, 180, 180}, {33, -71, 158}));
     ASSERT_TRUE(packing && packing->foams);
-    test::expect_solid_of(lower_solid(*packing->foams, packing->space), packing->foams->lower,
-                          packing->space);
-    test::expect_solid_of(upper_solid(*packing->foams, packing->space), packing->foams->upper,
-                          packing->space);
+    test::expect_solid_of(*packing->foams, Half::lower, packing->space);
+    test::expect_solid_of(*packing->foams, Half::lid, packing->space);
     // The finer the blocks, the nearer the cut comes to the object itself, from outside.
     EXPECT_GT(static_cast<double>(packing->fit.cut_blocks) * packing->space.block_volume(),
               object->measure.volume.value_or(0));

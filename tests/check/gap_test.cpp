@@ -12,6 +12,7 @@
 #include "snug/check/line_hits.h"
 #include "snug/depth/depth_map.h"
 
+#include "tests/support/gap_cases.h"
 #include "tests/support/random.h"
 #include "tests/support/random_gap.h"
 #include "tests/support/shapes.h"
@@ -21,33 +22,11 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-const Placement kAsItIs{};
-
-DesignSpace small_space() {
-    return {{6, 6, 6}, {15, 15, 15}};
-}
-
-/// Every column within the range loses the same run.
-BlockMap cut_box(const DesignSpace& space, CutRun run, int j_first, int j_end, int k_first, int k_end) {
-    BlockMap blocks(space.blocks.y, space.blocks.z);
-    for (int j = j_first; j < j_end; ++j) {
-        for (int k = k_first; k < k_end; ++k) blocks(j, k) = run;
-    }
-    return blocks;
-}
-
-/// The cube from -30 to 30 mm.
-BlockMap cut_cube(const DesignSpace& space) {
-    return cut_box(space, {1, 5}, 1, 5, 1, 5);
-}
-
-GapReport report(const Mesh& mesh, const DesignSpace& space, const BlockMap& blocks, bool closed = true,
-                 const Placement& placement = kAsItIs, std::optional<int> level = {}) {
-    const auto result =
-        gap_report(mesh, placement, space, blocks, level.value_or(space.blocks.x / 2), closed);
-    EXPECT_TRUE(result);
-    return *result;
-}
+using test::cut_box;
+using test::cut_cube;
+using test::kAsItIs;
+using test::report;
+using test::small_space;
 
 void expect_widest(const GapReport& r, double diameter) {
     EXPECT_LE(r.widest_mm, diameter + 1e-6);
@@ -341,84 +320,6 @@ TEST(Gap, AroundAnObjectThatWasCutWithAClearanceStepIsCutLessHull) {
         EXPECT_NEAR(r.step_mm3, r.cut_mm3 - r.hull_mm3, 1e-6 * r.cut_mm3);
         EXPECT_NEAR(*r.undercut_mm3, r.hull_mm3 - *r.solid_mm3, 1e-6 * r.cut_mm3);
         EXPECT_GT(r.widest_mm, 2 * grown.mm.x - 0.5);
-    }
-}
-
-// ---- halves
-
-void expect_halves_add_up(const GapReport& r, const DesignSpace& space) {
-    EXPECT_NEAR(r.lower.step_mm3 + r.upper.step_mm3, r.step_mm3, 1e-6 * r.cut_mm3 + 1e-9);
-    ASSERT_EQ(r.lower.undercut_mm3.has_value(), r.undercut_mm3.has_value());
-    if (r.undercut_mm3) {
-        EXPECT_NEAR(*r.lower.undercut_mm3 + *r.upper.undercut_mm3, *r.undercut_mm3, 1e-6 * r.cut_mm3 + 1e-9);
-    }
-    for (const HalfGap* half : {&r.lower, &r.upper})
-        EXPECT_LE(half->widest_mm, r.widest_mm + r.widest_error_mm + 1e-9);
-    double lower = 0, upper = 0;
-    const double area = space.block_mm.y * space.block_mm.z;
-    for (const ColumnGap& column : r.columns) {
-        lower += (column.lower_step + column.lower_undercut) * area;
-        upper += (column.upper_step + column.upper_undercut) * area;
-    }
-    EXPECT_NEAR(lower, r.lower.step_mm3 + r.lower.undercut_mm3.value_or(0), 1e-5 * r.cut_mm3 + 1e-9);
-    EXPECT_NEAR(upper, r.upper.step_mm3 + r.upper.undercut_mm3.value_or(0), 1e-5 * r.cut_mm3 + 1e-9);
-}
-
-TEST(GapOfHalves, WhatLiesOverABoxIsTheLidsAndWhatLiesUnderItTheLowerFoams) {
-    const DesignSpace space = small_space();
-    const GapReport above = report(test::box_mesh({-30, -30, -30}, {18, 30, 30}), space, cut_cube(space));
-    expect_halves_add_up(above, space);
-    EXPECT_NEAR(above.upper.step_mm3, 12 * 60 * 60, 1e-3);
-    EXPECT_NEAR(above.lower.step_mm3, 0, 1e-3);
-    EXPECT_NEAR(above.upper.widest_mm, 12, 0.25);
-    EXPECT_LT(above.lower.widest_mm, 0.3);
-    // Over a low object the gap below its top is still the lid's, wherever the halves part.
-    const GapReport low = report(test::box_mesh({-30, -30, -30}, {-18, 30, 30}), space, cut_cube(space));
-    EXPECT_NEAR(low.upper.step_mm3, 48 * 60 * 60, 1e-3);
-    EXPECT_NEAR(low.lower.step_mm3, 0, 1e-3);
-}
-
-TEST(GapOfHalves, WhatLiesUnderAMushroomsCapIsTheLowerFoams) {
-    const DesignSpace space = small_space();
-    Mesh mushroom = test::box_mesh({-30, -10, -10}, {15.01, 10, 10});
-    test::append(mushroom, test::box_mesh({15, -30, -30}, {30, 30, 30}));
-    const BlockMap blocks = cut_cube(space);
-    const GapReport r = report(mushroom, space, blocks, true, kAsItIs, 5);
-    expect_halves_add_up(r, space);
-    EXPECT_NEAR(r.lower.step_mm3, 45.0 * (60 * 60 - 20 * 20), 0.01 * r.cut_mm3) << "around the stalk";
-    EXPECT_NEAR(r.upper.step_mm3, 0, 1e-3);
-    EXPECT_NEAR(r.lower.widest_mm, 40 * (2 - std::sqrt(2.0)), 0.5)
-        << "between the stalk's edge and two walls";
-}
-
-TEST(GapOfHalves, ChangePlacesWhenEverythingIsTurnedOver) {
-    for (const std::uint64_t seed : {1, 2, 3, 4, 5, 6}) {
-        SCOPED_TRACE(seed);
-        test::RandomCase c = test::random_case(seed);
-        const int level = c.space.blocks.x / 2;
-        const GapReport r = report(c.mesh, c.space, c.blocks, true, c.placement, level);
-        expect_halves_add_up(r, c.space);
-        // Turned about z: x and y change their signs.
-        Mesh turned;
-        for (const Vec3d& p : c.placed) turned.vertices.push_back(vec_cast<float>(Vec3d{-p.x, -p.y, p.z}));
-        turned.triangles = c.mesh.triangles;
-        BlockMap blocks(c.blocks.ny(), c.blocks.nz());
-        for (int j = 0; j < blocks.ny(); ++j)
-            for (int k = 0; k < blocks.nz(); ++k) {
-                const CutRun run = c.blocks(blocks.ny() - 1 - j, k);
-                const int nx = c.space.blocks.x;
-                if (!run.none())
-                    blocks(j, k) = {static_cast<std::int16_t>(nx - run.end),
-                                    static_cast<std::int16_t>(nx - run.first)};
-            }
-        const GapReport t = report(turned, c.space, blocks, true, kAsItIs, c.space.blocks.x - level);
-        EXPECT_NEAR(t.lower.step_mm3, r.upper.step_mm3, r.error_mm3 + t.error_mm3 + 1e-3);
-        EXPECT_NEAR(t.upper.step_mm3, r.lower.step_mm3, r.error_mm3 + t.error_mm3 + 1e-3);
-        EXPECT_NEAR(*t.lower.undercut_mm3, *r.upper.undercut_mm3, r.error_mm3 + t.error_mm3 + 1e-3);
-        EXPECT_NEAR(t.lower.widest_mm, r.upper.widest_mm,
-                    r.upper.widest_error_mm + t.lower.widest_error_mm + 0.01);
-        EXPECT_NEAR(t.upper.widest_mm, r.lower.widest_mm,
-                    r.lower.widest_error_mm + t.upper.widest_error_mm + 0.01);
     }
 }
 

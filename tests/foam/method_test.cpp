@@ -139,8 +139,8 @@ TEST(Method, SolidsOfRandomDesignsAreClosedAndHoldTheirBlocks) {
         const BlockMap blocks = cut(design);
         const int level = auto_parting_level(blocks, design.space, design.placement.bounds);
         const FoamPair foams = split(blocks, design.space, level);
-        test::expect_solid_of(lower_solid(foams, design.space), foams.lower, design.space);
-        test::expect_solid_of(upper_solid(foams, design.space), foams.upper, design.space);
+        test::expect_solid_of(foams, Half::lower, design.space);
+        test::expect_solid_of(foams, Half::lid, design.space);
     }
 }
 

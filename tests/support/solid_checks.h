@@ -8,11 +8,11 @@
 
 namespace snug::test {
 
-/// The solid of a half with these heights is closed both ways and holds just its blocks.
-inline void expect_solid_of(const Solid& solid, const Grid<std::uint16_t>& heights,
-                            const DesignSpace& space) {
+/// The solid of a half is closed both ways and holds just the blocks that it keeps.
+inline void expect_solid_of(const FoamPair& foams, Half half, const DesignSpace& space) {
+    const Solid solid = half == Half::lower ? lower_solid(foams, space) : upper_solid(foams, space);
     long long blocks = 0;
-    for (const auto height : heights) blocks += height;
+    for (const Run& run : kept_runs(foams, half, space.blocks.x)) blocks += run.blocks();
     if (blocks == 0) {
         EXPECT_TRUE(solid.triangles.empty());
         return;

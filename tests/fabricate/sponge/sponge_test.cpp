@@ -19,6 +19,7 @@
 #include "snug/space/available.h"
 #include "snug/words/words.h"
 
+#include "tests/support/cut_foams.h"
 #include "tests/support/drawing_cells.h"
 #include "tests/support/random.h"
 #include "tests/support/random_available.h"
@@ -27,49 +28,16 @@
 namespace snug {
 namespace {
 
+using test::CutFoams;
+using test::foams_of;
 using test::Random;
+using test::random_foams;
 using test::read_map;
 using test::ReadMap;
 
-/// A packing without an object: runs of blocks that someone cut.
-struct Foams {
-    DesignSpace space;
-    BlockMap blocks;
-    FoamPair foams;
-
-    [[nodiscard]] FoamDesign design() const { return {space, blocks, foams, "thing"}; }
-    [[nodiscard]] long long cut() const {
-        long long count = 0;
-        for (const CutRun& run : blocks) count += run.blocks();
-        return count;
-    }
-};
-
-Foams foams_of(const DesignSpace& space, BlockMap blocks, int parting, Grid<Run> available) {
-    FoamPair pair = split(blocks, space, parting, std::move(available));
-    return {space, std::move(blocks), std::move(pair)};
-}
-Foams foams_of(const DesignSpace& space, BlockMap blocks, int parting) {
-    return foams_of(space, std::move(blocks), parting, all_blocks(space.blocks));
-}
-
-Foams random_foams(Random& random, bool in_a_case = false) {
-    const DesignSpace space{{random.integer(1, 12), random.integer(1, 30), random.integer(1, 30)},
-                            {random.between(1, 30), random.between(1, 30), random.between(1, 30)}};
-    BlockMap blocks(space.blocks.y, space.blocks.z);
-    for (CutRun& run : blocks) {
-        if (random.chance(0.4)) continue;
-        run.first = static_cast<std::int16_t>(random.integer(0, space.blocks.x));
-        run.end = static_cast<std::int16_t>(random.integer(0, space.blocks.x));
-    }
-    const int parting = random.integer(0, space.blocks.x);
-    return foams_of(space, std::move(blocks), parting,
-                    in_a_case ? test::random_available(random, space.blocks) : all_blocks(space.blocks));
-}
-
 /// What is left of each column (j, k) of a half, level by level from the case's side ('#' foam, '.' none), as
 /// someone finds it who plucks and cuts off what the maps show.
-Grid<std::string> worked(const Foams& foams, Half half) {
+Grid<std::string> worked(const CutFoams& foams, Half half) {
     const PluckPlan plan = pluck_plan(foams.design(), half);
     const int ny = foams.space.blocks.y, nz = foams.space.blocks.z;
     Grid<std::string> left(ny, nz, std::string(static_cast<std::size_t>(plan.layers), '#'));
@@ -108,7 +76,7 @@ TEST(SpongeTest, WhoPlucksWhatTheMapsShowHasTheFoams) {
     for (int seed = 0; seed < 120; ++seed) {
         SCOPED_TRACE(seed);
         Random random(static_cast<std::uint64_t>(seed));
-        const Foams foams = random_foams(random, seed >= 60);
+        const CutFoams foams = random_foams(random, seed >= 60);
         for (const Half half : {Half::lower, Half::lid}) {
             const Grid<std::string> left = worked(foams, half);
             for (std::size_t column = 0; column < left.size(); ++column)
@@ -124,7 +92,7 @@ TEST(SpongeTest, WhatACaseHasNoRoomForIsCutOffAndNeverCountedAsPlucked) {
     // A column beside a leaning wall keeps two of four levels; the lid's is whole.
     auto available = all_blocks({6, 1, 2});
     available(0, 1).first = 2;
-    const Foams foams = foams_of({{6, 1, 2}, {10, 10, 10}}, BlockMap(1, 2), 4, available);
+    const CutFoams foams = foams_of({{6, 1, 2}, {10, 10, 10}}, BlockMap(1, 2), 4, available);
     const PluckPlan plan = pluck_plan(foams.design(), Half::lower);
     EXPECT_EQ(plan.plucked, 0);
     EXPECT_EQ(plan.cut_off, 2);
@@ -142,7 +110,7 @@ TEST(SpongeTest, PluckedBlocksAreTheCutOnesAndWhatBothHalvesHaveTooMuch) {
     for (int seed = 0; seed < 200; ++seed) {
         SCOPED_TRACE(seed);
         Random random(static_cast<std::uint64_t>(seed));
-        const Foams foams = random_foams(random);
+        const CutFoams foams = random_foams(random);
         const PluckPlan lower = pluck_plan(foams.design(), Half::lower),
                         lid = pluck_plan(foams.design(), Half::lid);
         const long long columns = 1LL * foams.space.blocks.y * foams.space.blocks.z;
@@ -153,7 +121,7 @@ TEST(SpongeTest, PluckedBlocksAreTheCutOnesAndWhatBothHalvesHaveTooMuch) {
 
 TEST(SpongeTest, LayersNestSoThatWorkGoesDownward) {
     Random random(7);
-    const Foams foams = random_foams(random);
+    const CutFoams foams = random_foams(random);
     const PluckPlan plan = pluck_plan(foams.design(), Half::lower);
     ASSERT_FALSE(plan.runs.empty());
     EXPECT_EQ(plan.runs.front().first, 1);
@@ -168,7 +136,7 @@ TEST(SpongeTest, LayersNestSoThatWorkGoesDownward) {
 ///   BACK  X . . .
 ///         X . . .
 ///         X X X .
-Foams letter_l() {
+CutFoams letter_l() {
     const DesignSpace space{{8, 3, 4}, {15, 15, 22}};
     BlockMap blocks(3, 4);
     for (const auto& [j, k] : {std::pair(0, 0), {1, 0}, {2, 0}, {2, 1}, {2, 2}}) blocks(j, k) = {2, 6};
@@ -176,7 +144,7 @@ Foams letter_l() {
 }
 
 TEST(SpongeTest, MapsFoldedAlongBackMeet) {
-    const Foams foams = letter_l();
+    const CutFoams foams = letter_l();
     const PluckPlan lower = pluck_plan(foams.design(), Half::lower),
                     lid = pluck_plan(foams.design(), Half::lid);
     const ReadMap below = read_map(pluck_map(lower, lower.runs[0], "L"), "pluck", 3, 4);
@@ -204,7 +172,7 @@ Vec2d place_of(const Drawing& drawing, const std::string& word) {
 }
 
 TEST(SpongeTest, EverySheetSaysWhichWayRound) {
-    const Foams foams = letter_l();
+    const CutFoams foams = letter_l();
     for (const Half half : {Half::lower, Half::lid}) {
         const PluckPlan plan = pluck_plan(foams.design(), half);
         const bool lower = half == Half::lower;
@@ -235,7 +203,7 @@ TEST(SpongeTest, TheOverviewCountsTheBlocksToRemove) {
     for (int seed = 0; seed < 20; ++seed) {
         SCOPED_TRACE(seed);
         Random random(static_cast<std::uint64_t>(100 + seed));
-        const Foams foams = random_foams(random);
+        const CutFoams foams = random_foams(random);
         const PluckPlan plan = pluck_plan(foams.design(), random.chance(0.5) ? Half::lower : Half::lid);
         const Drawing sheet = pluck_overview(plan, {210, 297}, "thing");
         if (!overview_has_numbers(plan, {210, 297})) continue;
@@ -255,7 +223,7 @@ TEST(SpongeTest, TheOverviewCountsTheBlocksToRemove) {
 }
 
 /// A bowl in a grid far too fine for numbers.
-Foams large_bowl() {
+CutFoams large_bowl() {
     const DesignSpace space{{300, 180, 180}, {1, 1, 1}};
     BlockMap blocks(180, 180);
     for (int j = 0; j < 180; ++j)
@@ -269,7 +237,7 @@ Foams large_bowl() {
 }
 
 TEST(SpongeTest, FineGridsGetATableThatSaysTheSame) {
-    const Foams foams = large_bowl();
+    const CutFoams foams = large_bowl();
     const SpongeWork work{pluck_plan(foams.design(), Half::lower), pluck_plan(foams.design(), Half::lid),
                           fit_test(foams.design())};
     ASSERT_FALSE(overview_has_numbers(work.lower, {210, 297}));
@@ -312,91 +280,9 @@ TEST(SpongeTest, RowNamesAreThoseOfASpreadsheet) {
     EXPECT_EQ(all.size(), 4096u);
 }
 
-TEST(FitTestTest, TheRingIsTheFoamAroundTheOpening) {
-    for (int seed = 0; seed < 200; ++seed) {
-        SCOPED_TRACE(seed);
-        Random random(static_cast<std::uint64_t>(seed));
-        const Foams foams = random_foams(random);
-        const double wide = random.between(1, 60);
-        const auto test = fit_test(foams.design(), wide);
-        const int level = foams.foams.parting_level;
-        const auto cut = [&](int j, int k, int layer) {
-            const CutRun run = foams.blocks(j, k);
-            return run.first <= layer && layer < run.end;
-        };
-        long long below = 0, above = 0;
-        for (int j = 0; j < foams.space.blocks.y; ++j)
-            for (int k = 0; k < foams.space.blocks.z; ++k) {
-                below += cut(j, k, level - 1);
-                above += cut(j, k, level);
-            }
-        ASSERT_EQ(test.has_value(), below + above > 0);
-        if (!test) continue;
-        EXPECT_EQ(test->level, above > below ? level : level - 1);
-        const int reach_y = std::max(1, static_cast<int>(std::ceil(wide / foams.space.block_mm.y)));
-        const int reach_z = std::max(1, static_cast<int>(std::ceil(wide / foams.space.block_mm.z)));
-        for (int j = 0; j < foams.space.blocks.y; ++j)
-            for (int k = 0; k < foams.space.blocks.z; ++k) {
-                EXPECT_TRUE(test->opening(j, k) || !cut(j, k, test->level));
-                bool near = false;
-                for (int j2 = j - reach_y; j2 <= j + reach_y; ++j2)
-                    for (int k2 = k - reach_z; k2 <= k + reach_z; ++k2)
-                        near |= test->opening.contains(j2, k2) && test->opening(j2, k2);
-                EXPECT_EQ(test->ring(j, k) != 0, near && !test->opening(j, k));
-            }
-    }
-}
-
-TEST(FitTestTest, IslandsAreLeftOut) {
-    const DesignSpace space{{4, 7, 7}, {10, 10, 10}};
-    BlockMap blocks(7, 7);
-    for (int j = 2; j <= 4; ++j)
-        for (int k = 2; k <= 4; ++k)
-            if (j != 3 || k != 3) blocks(j, k) = {1, 3};
-    const Foams foams = foams_of(space, std::move(blocks), 2);
-    const auto test = fit_test(foams.design(), 10);
-    ASSERT_TRUE(test);
-    EXPECT_EQ(test->islands, 1);
-    EXPECT_EQ(test->pieces, 1);
-    EXPECT_TRUE(test->opening(3, 3));
-    EXPECT_EQ(std::count(test->ring.begin(), test->ring.end(), 1), 25 - 9);
-}
-
-/// A box of 40 x 40 x 40 mm that lies nearer to the front and the left of a larger cavity.
-TEST(FingerRoomTest, IsTheWayFromTheFoamToTheObject) {
-    const Mesh mesh = test::box_mesh({-20, -20, -20}, {20, 20, 20});
-    const DesignSpace space{{12, 12, 12}, {10, 10, 10}};
-    BlockMap blocks(12, 12);
-    for (int j = 1; j < 9; ++j)
-        for (int k = 3; k < 11; ++k) blocks(j, k) = {2, 10};
-    const Foams foams = foams_of(space, std::move(blocks), 6);
-    const auto room = finger_room(mesh, place(mesh, {}, {}), space, foams.blocks, foams.foams);
-    // The cavity reaches from y = -50 to 30 and from z = -30 to 50.
-    const double expected[] = {30, 10, 10, 30};  // back, front, left, right
-    for (int side = 0; side < 4; ++side) {
-        EXPECT_LE(room[side].mm, expected[side] + 1e-9) << side;
-        EXPECT_GE(room[side].mm, expected[side] - 2 - 1e-9) << "a cell of the measuring grid less at most";
-    }
-    EXPECT_NEAR(room[0].where.y, -35, 2);
-    EXPECT_NEAR(room[3].where.z, 35, 2);
-}
-
-TEST(FingerRoomTest, AShallowLedgeIsNoRoom) {
-    const Mesh mesh = test::box_mesh({-20, -20, -20}, {20, 20, 20});
-    const DesignSpace space{{12, 12, 12}, {10, 10, 10}};
-    BlockMap blocks(12, 12);
-    for (int j = 0; j < 12; ++j)
-        for (int k = 0; k < 12; ++k) blocks(j, k) = {5, 7};  // one block below the parting
-    for (int j = 4; j < 8; ++j)
-        for (int k = 4; k < 8; ++k) blocks(j, k) = {4, 8};
-    const Foams foams = foams_of(space, std::move(blocks), 6);
-    for (const FingerRoom& room : finger_room(mesh, place(mesh, {}, {}), space, foams.blocks, foams.foams))
-        EXPECT_EQ(room.mm, 0);
-}
-
 TEST(SpongePackTest, EveryLayerThatIsPluckedHasItsFile) {
     Random random(3);
-    const Foams foams = letter_l();
+    const CutFoams foams = letter_l();
     const auto pack = sponge_pack(foams.design(), {});
     ASSERT_TRUE(pack);
     std::set<std::string> names;
@@ -408,7 +294,7 @@ TEST(SpongePackTest, EveryLayerThatIsPluckedHasItsFile) {
 }
 
 TEST(SpongePackTest, FoamsThatNothingTouchesNeedNoPlucking) {
-    const Foams foams = foams_of({{4, 3, 3}, {10, 10, 10}}, BlockMap(3, 3), 2);
+    const CutFoams foams = foams_of({{4, 3, 3}, {10, 10, 10}}, BlockMap(3, 3), 2);
     const auto pack = sponge_pack(foams.design(), {});
     ASSERT_TRUE(pack);
     EXPECT_TRUE(pack->files.empty());
