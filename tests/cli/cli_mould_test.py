@@ -6,13 +6,13 @@ Usage: cli_mould_test.py SNUG [unittest arguments]
 import csv
 import json
 import shutil
-import struct
 import subprocess
 import sys
 import tempfile
 import unittest
-from collections import Counter
 from pathlib import Path
+
+from read_solids import is_closed, read_stl
 
 SNUG = Path(sys.argv.pop(1)).resolve()
 SAMPLES = ["torus", "vase", "figurine", "camera"]
@@ -20,22 +20,6 @@ SAMPLES = ["torus", "vase", "figurine", "camera"]
 
 def snug(*arguments):
     return subprocess.run([SNUG, *map(str, arguments)], capture_output=True, text=True, timeout=240)
-
-
-def read_stl(path):
-    data = path.read_bytes()
-    count = struct.unpack_from("<I", data, 80)[0]
-    assert len(data) == 84 + 50 * count
-    numbers = (struct.unpack_from("<9f", data, 96 + 50 * i) for i in range(count))
-    return [(n[:3], n[3:6], n[6:]) for n in numbers]
-
-
-def is_closed(triangles):
-    ways = Counter()
-    for t in triangles:
-        for a, b in zip(t, t[1:] + t[:1]):
-            ways[a, b] += 1
-    return all(ways[b, a] == count for (a, b), count in ways.items())
 
 
 def normal_up(t):

@@ -9,27 +9,19 @@ import os
 import random
 import re
 import shutil
-import struct
 import subprocess
 import sys
 import tempfile
 import unittest
 from pathlib import Path
 
+from read_solids import read_stl, signed_volume
+
 SNUG = Path(sys.argv.pop(1)).resolve()
 SEED = int(os.environ.get("SEED", 1))
 # Studs of the parts that LDraw knows by these numbers.
 STUDS = {"3005": 1, "3004": 2, "3622": 3, "3010": 4, "3009": 6, "3008": 8, "3003": 4, "3002": 6, "3001": 8,
          "2456": 12, "3007": 16, "3006": 20}
-
-
-def volume_of_stl(path):
-    contents = path.read_bytes()
-    total = 0.0
-    for t in range(struct.unpack_from("<I", contents, 80)[0]):
-        ax, ay, az, bx, by, bz, cx, cy, cz = struct.unpack_from("<9f", contents, 84 + 50 * t + 12)
-        total += ax * (by * cz - bz * cy) - ay * (bx * cz - bz * cx) + az * (bx * cy - by * cx)
-    return total / 6
 
 
 def rows_of(path):
@@ -78,7 +70,7 @@ class PacksInCases(unittest.TestCase):
                 self.assertGreater(min(kept.values()), 0)
                 x, y, z = report["design_space"]["block_mm"]
                 for half, file in (("lower", "lower.stl"), ("lid", "upper.stl")):
-                    self.assertAlmostEqual(volume_of_stl(out / file) / (kept[half] * x * y * z), 1, 4)
+                    self.assertAlmostEqual(signed_volume(read_stl(out / file)) / (kept[half] * x * y * z), 1, 4)
                 yield out, kept, x * y * z
 
     def test_sheets(self):
@@ -92,7 +84,7 @@ class PacksInCases(unittest.TestCase):
             parts = rows_of(out / "print" / "parts.csv")
             for half in kept:
                 names = [row["part"] for row in parts if row["part"].startswith(half)]
-                printed = sum(volume_of_stl(out / "print" / f"{name}.stl") for name in names)
+                printed = sum(signed_volume(read_stl(out / "print" / f"{name}.stl")) for name in names)
                 self.assertAlmostEqual(printed / (kept[half] * block), 1, 4)
 
     def test_bricks(self):

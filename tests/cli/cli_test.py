@@ -3,7 +3,6 @@
 Usage: cli_test.py SNUG [unittest arguments]
 """
 
-import collections
 import json
 import os
 import pty
@@ -19,6 +18,8 @@ import unittest
 import xml.dom.minidom
 from pathlib import Path
 
+from read_solids import edge_balance, read_ply, read_stl, signed_volume
+
 SNUG = Path(sys.argv.pop(1)).resolve()
 FILES = {"lower.stl", "upper.stl", "lower.ply", "upper.ply", "depths.csv", "preview.svg", "report.json",
          "project.snug.json"}
@@ -28,41 +29,6 @@ TETRAHEDRON = "OFF\n4 4 6\n0 0 0\n60 0 0\n0 60 0\n0 0 60\n3 0 2 1\n3 0 1 3\n3 0 
 
 def snug(*arguments, **options):
     return subprocess.run([SNUG, *map(str, arguments)], capture_output=True, text=True, timeout=120, **options)
-
-
-def read_ply(path):
-    """Vertices and triangles of a binary PLY as the program writes it, by nothing of the program's own."""
-    header, data = path.read_bytes().split(b"end_header\n", 1)
-    counts = [int(line.split()[2]) for line in header.decode().splitlines() if line.startswith("element")]
-    colour = b"red" in header
-    step = 15 if colour else 12
-    vertices = [struct.unpack_from("<3f", data, i * step) for i in range(counts[0])]
-    faces = [struct.unpack_from("<B3i", data, counts[0] * step + i * 13) for i in range(counts[1])]
-    assert len(data) == counts[0] * step + counts[1] * 13 and all(face[0] == 3 for face in faces)
-    return vertices, [face[1:] for face in faces]
-
-
-def read_stl(path):
-    """The corners of a binary STL's triangles, welded by being equal."""
-    data = path.read_bytes()
-    triangles = [struct.unpack_from("<12x9f", data, 84 + 50 * i) for i in range(struct.unpack("<I", data[80:84])[0])]
-    return [[tuple(t[i:i + 3]) for i in (0, 3, 6)] for t in triangles]
-
-
-def edge_balance(triangles):
-    """For each undirected edge: how many triangles run each way."""
-    ways = collections.defaultdict(lambda: [0, 0])
-    for t in triangles:
-        for a, b in ((t[0], t[1]), (t[1], t[2]), (t[2], t[0])):
-            ways[min(a, b), max(a, b)][a < b] += 1
-    return ways.values()
-
-
-def signed_volume(triangles):
-    def determinant(a, b, c):
-        return (a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0])
-                + a[2] * (b[0] * c[1] - b[1] * c[0]))
-    return sum(determinant(*t) for t in triangles) / 6
 
 
 def files_in(folder):

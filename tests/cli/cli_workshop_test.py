@@ -16,9 +16,11 @@ import zipfile
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
+from read_maps import Map, area_of, layers_named, loops_of
+from written_objects import LETTER_L, prism
+
 SNUG = Path(sys.argv.pop(1)).resolve()
 SAMPLES = ["torus", "vase", "figurine", "camera"]
-NUMBER = re.compile(r"[MLHVZmlhvz]|-?[0-9.]+(?:e-?[0-9]+)?")
 PAPER = {"a4": (210, 297), "letter": (215.9, 279.4), "a3": (297, 420)}
 POINTS = 72 / 25.4  # a mm
 
@@ -45,102 +47,6 @@ for path in sys.argv[1:]:
 def snug(*arguments):
     words = [each if isinstance(each, bytes) else str(each) for each in arguments]
     return subprocess.run([SNUG, *words], capture_output=True, text=True, errors="replace", timeout=240)
-
-
-def prism(outline, x0, x1):
-    """An OFF file: a polygon in (y, z), from x0 to x1. The caps are fans, so the outline must be star-shaped
-    about its first corner."""
-    n = len(outline)
-    vertices = [(x, y, z) for x in (x0, x1) for y, z in outline]
-    faces = [(i, (i + 1) % n, n + (i + 1) % n, n + i) for i in range(n)]
-    faces += [(0, i + 1, i) for i in range(1, n - 1)] + [(n, n + i, n + i + 1) for i in range(1, n - 1)]
-    lines = ["OFF", f"{len(vertices)} {len(faces)} 0"] + ["%g %g %g" % v for v in vertices]
-    return "\n".join(lines + [" ".join(map(str, (len(f), *f))) for f in faces]) + "\n"
-
-
-# An L, its foot towards +z and +y; star-shaped about its inner corner.
-LETTER_L = [(10, -10), (10, 40), (40, 40), (40, -40), (-40, -40), (-40, -10)]
-
-
-def loops_of(path_data):
-    """The points of every loop of an SVG path that has straight lines only."""
-    loops, at, command, tokens = [], (0.0, 0.0), "", NUMBER.findall(path_data)
-    i = 0
-    while i < len(tokens):
-        if tokens[i].isalpha():
-            command = tokens[i]
-            i += 1
-            if command in "zZ":
-                at = loops[-1][0]
-                continue
-        relative = command.islower()
-        x, y = at if relative else (0.0, 0.0)
-        if command in "hH":
-            at = (x + float(tokens[i]), at[1])
-            i += 1
-        elif command in "vV":
-            at = (at[0], y + float(tokens[i]))
-            i += 1
-        else:
-            at = (x + float(tokens[i]), y + float(tokens[i + 1]))
-            i += 2
-        if command in "mM":
-            loops.append([at])
-            command = "l" if relative else "L"
-        else:
-            loops[-1].append(at)
-    return loops
-
-
-
-def area_of(loop):
-    return abs(sum(a[0] * b[1] - b[0] * a[1] for a, b in zip(loop, loop[1:] + loop[:1]))) / 2
-
-
-class Map:
-    """A map at true size: what its layers show, in mm."""
-
-    def __init__(self, path, layer):
-        root = ElementTree.parse(path).getroot()
-        self.width, self.height = (float(root.get(side).removesuffix("mm")) for side in ("width", "height"))
-        self.view = [float(v) for v in root.get("viewBox").split()]
-        self.texts = {}
-        self.rectangles, edges = [], []
-
-        def walk(node, layer_name):
-            name = node.get("{http://www.inkscape.org/namespaces/inkscape}label") or layer_name
-            tag = node.tag.split("}")[1]
-            if tag == "text":
-                self.texts.setdefault("".join(node.itertext()), (float(node.get("x") or 0), float(node.get("y") or 0)))
-            if tag == "path" and name == layer and node.get("fill", "none") != "none":
-                self.rectangles += loops_of(node.get("d"))
-            if tag == "path" and name == "edge":
-                edges.append((node, loops_of(node.get("d"))))
-            for child in node:
-                walk(child, name)
-
-        walk(root, "")
-        outline = edges[0][1][0]
-        self.left, self.top = min(p[0] for p in outline), min(p[1] for p in outline)
-        self.right, self.bottom = max(p[0] for p in outline), max(p[1] for p in outline)
-        filled = [loops[0] for node, loops in edges if node.get("fill", "none") != "none"]
-        self.odd_corner = filled[0]
-
-    def cells(self, row_mm, column_mm):
-        found = set()
-        for loop in self.rectangles:
-            x0, x1 = min(p[0] for p in loop), max(p[0] for p in loop)
-            y0, y1 = min(p[1] for p in loop), max(p[1] for p in loop)
-            for row in range(round((y0 - self.top) / row_mm), round((y1 - self.top) / row_mm)):
-                for column in range(round((x0 - self.left) / column_mm), round((x1 - self.left) / column_mm)):
-                    found.add((row, column))
-        return found
-
-
-def layers_named(path):
-    """lower-03.svg: 3 to 3; lid-04-06.svg: 4 to 6."""
-    numbers = [int(part) for part in path.stem.split("-")[1:]]
-    return numbers[0], numbers[-1]
 
 
 class WorkshopTest(unittest.TestCase):
