@@ -1,5 +1,5 @@
 import {cpus} from 'node:os';
-import {expect, open, status, test} from '../e2e/support/studio';
+import {gapsMeasured, open, test} from '../e2e/support/studio';
 import {torusStl} from '../e2e/support/torus';
 
 // From a slider's input to the picture of its foams, in the software renderer of a headless browser: the default
@@ -21,8 +21,7 @@ test('from slider to picture', async ({studio: page}) => {
   const blocks = [30, 18, 18];
   for (const [i, axis] of ['x', 'y', 'z'].entries())
     await page.getByRole('spinbutton', {name: `Blocks ${axis}`, exact: true}).fill(String(blocks[i]));
-  await expect(status(page)).toContainText('Widest gap');
-  await page.waitForTimeout(4000);
+  await gapsMeasured(page);
 
   const frames: Frame[] = [];
   for (let drag = 0; drag < DRAGS; drag++) {

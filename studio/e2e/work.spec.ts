@@ -4,7 +4,7 @@ import {sample} from './support/command_line';
 import {atRest} from './support/at_rest';
 import {inTheMoment} from './support/in_the_moment';
 import {kept} from './support/kept';
-import {expect, open, set, status, test} from './support/studio';
+import {expect, gapsMeasured, open, set, status, test} from './support/studio';
 import {torusStl} from './support/torus';
 import {WEDGE_IN_METRES} from './support/wedge';
 
@@ -109,7 +109,7 @@ test('another object opened meanwhile ends an Optimize, and starts anew', async 
   await page.getByRole('button', {name: 'Optimize', exact: true}).click();
   await open(page, sample('torus'));
   // Long enough for any step of the search that would still be on its way.
-  await expect(status(page)).toContainText(/Widest gap [\d.]+ mm/);
+  await gapsMeasured(page);
   for (const angle of ['ψ', 'θ', 'φ'])
     await expect(page.getByRole('slider', {name: `Rotation ${angle}`})).toHaveValue('0');
   await expect(page.getByRole('button', {name: 'Optimize', exact: true})).toBeEnabled();

@@ -31,6 +31,11 @@ export async function open(page: Page, file: string | {name: string; buffer: Buf
   await expect(status(page)).toContainText('F ');
 }
 
+/** Waits for the gaps, which are measured by themselves once nobody has changed anything for a while. */
+export async function gapsMeasured(page: Page) {
+  await expect(status(page)).toContainText(/Widest gap [\d.]+ mm/, {timeout: 60_000});
+}
+
 /** A range or number field's value, as a person's hand would set it. */
 export async function set(page: Page, role: 'slider' | 'spinbutton', name: string, value: number) {
   await page.getByRole(role, {name, exact: true}).fill(String(value));
