@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "snug/base/wide_text.h"
+
 namespace snug {
 namespace {
 
@@ -12,18 +14,22 @@ constexpr std::array<short, 95> kWidths{
     611, 778, 722, 278, 500, 667, 556, 833, 722, 778, 667, 778, 722, 667,  611, 722, 667, 944, 667,
     667, 611, 278, 278, 278, 469, 556, 333, 556, 556, 500, 556, 556, 278,  556, 556, 222, 222, 500,
     222, 833, 556, 556, 556, 556, 333, 500, 278, 556, 500, 722, 500, 500,  500, 334, 260, 334, 584};
-constexpr int kOther = 560;
+constexpr int kOther = 560, kWide = 1000;
 constexpr double kBoldWider = 1.07;
 
-bool continues(char c) {
-    return (c & 0xc0) == 0x80;
+/// Beyond Latin letters and the marks of sentences a letter may be as wide as it is high: fonts for Japanese
+/// have those of Greek and Cyrillic so.
+int thousandths_of(char32_t c) {
+    if (c >= ' ' && c <= '~') return kWidths[c - ' '];
+    const bool latin = c < 0x250 || (c >= 0x2010 && c < 0x2100) || c == 0x2122 || c == 0xfffd;
+    return latin && !is_wide(c) ? kOther : kWide;
 }
 
 /// The bytes of `text` that fit into the width, at least one character.
 std::size_t fitting(std::string_view text, double width_mm, double height_mm, bool bold) {
     std::size_t fits = 0;
-    for (std::size_t end = 1; end <= text.size(); ++end) {
-        if (end < text.size() && continues(text[end])) continue;
+    while (fits < text.size()) {
+        const std::size_t end = fits + first_character(text.substr(fits)).bytes;
         if (fits > 0 && text_width(text.substr(0, end), height_mm, bold) > width_mm) break;
         fits = end;
     }
@@ -34,21 +40,24 @@ std::size_t fitting(std::string_view text, double width_mm, double height_mm, bo
 
 double text_width(std::string_view text, double height_mm, bool bold) {
     int thousandths = 0;
-    for (const char c : text)
-        if (c >= ' ' && c <= '~')
-            thousandths += kWidths[static_cast<std::size_t>(c - ' ')];
-        else if (!continues(c))
-            thousandths += kOther;
+    while (!text.empty()) {
+        const auto [character, bytes] = first_character(text);
+        thousandths += thousandths_of(character);
+        text.remove_prefix(bytes);
+    }
     return thousandths * 0.001 * height_mm * (bold ? kBoldWider : 1);
 }
 
 std::vector<std::string> lines_of(std::string_view text, double width_mm, double height_mm, bool bold) {
     std::vector<std::string> lines;
     std::string line;
+    bool blank = false;
     while (!text.empty()) {
-        std::string_view word = text.substr(0, text.find(' '));
-        text.remove_prefix(word.size() < text.size() ? word.size() + 1 : word.size());
-        const std::string longer = line.empty() ? std::string(word) : line + " " + std::string(word);
+        std::string_view word = unbroken(text);
+        text.remove_prefix(word.size());
+        const std::string longer = line + (blank && !line.empty() ? " " : "") + std::string(word);
+        blank = !text.empty() && text[0] == ' ';
+        if (blank) text.remove_prefix(1);
         if (text_width(longer, height_mm, bold) <= width_mm) {
             line = longer;
             continue;
