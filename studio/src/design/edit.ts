@@ -207,6 +207,11 @@ export function completed(design: Design, defaults: Design): Design {
   return Object.fromEntries(parts) as Design;
 }
 
+/** What a file begins with that was never opened here: a space that fits it. */
+export function firstDesign(defaults: Design, object = defaults.object): Design {
+  return withSpace({...defaults, object}, 'auto');
+}
+
 /** What a fresh object starts with. To the person belongs how they work: the foam and its blocks, the way of working
  *  with its machines and prices, what a search looks for. To the object belongs all that was chosen to hold or to
  *  place it: walls, case, clearance, notches, which axis is up, what it weighs. The latter begins anew, with the

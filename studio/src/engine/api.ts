@@ -223,6 +223,8 @@ export interface Engine {
   parseProject(text: string): Promise<{object: ObjectFile; design: Design} | Failure>;
   /** Rejects a design that parseProject() would refuse, with the library's sentence. */
   projectText(design: Design): Promise<string>;
+  /** The `snug make` that gives this design from the file; a Failure for a design that parseProject() would refuse. */
+  commandLine(file: string, design: Design): Promise<string | Failure>;
   /** While one packing is being made only the newest waiting request survives; the others get a Failure of kind
    *  `cancelled`. */
   pack(design: Design): Promise<Packing | Failure>;

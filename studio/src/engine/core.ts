@@ -118,6 +118,10 @@ export class EngineCore {
     return guarded(() => this.#snug.projectText(JSON.stringify(design), name, bytes, hash));
   }
 
+  async commandLine(file: string, design: Design): Promise<{text: string} | Failure> {
+    return guarded(() => this.#snug.commandLine(file, JSON.stringify(design)));
+  }
+
   async pack(design: Design): Promise<Packing | Failure> {
     return guarded(() => this.#session.pack(JSON.stringify(design)));
   }

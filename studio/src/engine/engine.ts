@@ -1,6 +1,6 @@
 import {proxy} from 'comlink';
 import type {Design} from '../design/design';
-import {firstMakeLine} from '../design/make_line';
+import {firstDesign} from '../design/edit';
 import type {
   BesideFile,
   CaseRanking,
@@ -80,6 +80,12 @@ class PageEngine implements Engine {
   projectText = (design: Design) => {
     const plain = copied(design);
     return this.#quickly((core) => core.projectText(plain)).then((answer) => orThrow(answer).text);
+  };
+
+  commandLine = async (file: string, design: Design): Promise<string | Failure> => {
+    const plain = copied(design);
+    const answer = await this.#quickly((core) => core.commandLine(file, plain));
+    return isFailure(answer) ? answer : answer.text;
   };
 
   async load(
@@ -204,12 +210,11 @@ class PageEngine implements Engine {
     await this.#restored;
   }
 
-  #tooLarge(name: string, object: Design['object']): Failure {
-    const defaults = this.#defaults;
-    const line = defaults ? firstMakeLine(name, defaults, object) : 'snug make';
+  async #tooLarge(name: string, object: Design['object']): Promise<Failure> {
+    const line = this.#defaults && (await this.commandLine(name, firstDesign(this.#defaults, object)));
     return failure(
       'memory',
-      `${name} needs more memory than the browser gives; the command line has no such limit: ${line}`,
+      `${name} needs more memory than the browser gives; the command line has no such limit: ${line === null || isFailure(line) ? 'snug make' : line}`,
     );
   }
 

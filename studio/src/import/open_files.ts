@@ -1,5 +1,5 @@
 import type {Design} from '../design/design';
-import {firstMakeLine} from '../design/make_line';
+import {firstDesign} from '../design/edit';
 import type {BesideFile, ObjectFile} from '../engine/api';
 import {isFailure} from '../engine/failure';
 import {sha256} from '../engine/sha256';
@@ -70,8 +70,10 @@ async function openObject(
   texts: OpenTexts,
   with_it: Project | null,
 ): Promise<void> {
-  if (file.size > MOST_BYTES)
-    return studio.refuse('object', texts.tooBig(file.name, firstMakeLine(file.name, studio.defaults)));
+  if (file.size > MOST_BYTES) {
+    const line = await studio.engine.commandLine(file.name, firstDesign(studio.defaults));
+    return studio.refuse('object', texts.tooBig(file.name, isFailure(line) ? 'snug make' : line));
+  }
   const waited = with_it ?? waiting;
   const project = with_it ?? (waited && (await isOf(file, waited.object)) ? waited : null);
   waiting = null;

@@ -1,7 +1,6 @@
 import type {Design, Preset} from '../design/design';
-import {forNewObject} from '../design/edit';
+import {firstDesign, forNewObject} from '../design/edit';
 import {canRedo, canUndo, Gestures, moved, present, record, startHistory, type History} from '../design/history';
-import {makeLine} from '../design/make_line';
 import type {BesideFile, Engine, Failure, Finding, Gap, ObjectInfo, Packing} from '../engine/api';
 import {CANCELLED, isFailure} from '../engine/failure';
 import {language} from '../words/language.svelte';
@@ -92,7 +91,7 @@ export class Studio {
     this.presets = facts.presets;
     this.samples = facts.samples;
     this.version = facts.version;
-    this.design = {...facts.defaults, space: {...facts.defaults.space, blocks: 'auto'}};
+    this.design = firstDesign(facts.defaults);
     this.#history = startHistory({design: this.design, object: null});
   }
 
@@ -129,11 +128,12 @@ export class Studio {
     return this.#resting.comes || this.busy?.work === 'gaps';
   }
 
-  get makeLine(): string {
+  /** What the command line is to make: of a thinned object its original, of a file that states its unit in no other. */
+  get commanded(): {file: string; design: Design} | null {
+    if (!this.object) return null;
     const {object} = this.design;
-    const units = this.object?.statesUnit ? null : object.units;
-    const name = this.thinned?.name ?? this.object?.file.name ?? 'object.stl';
-    return makeLine(name, {...this.design, object: {...object, units}}, this.defaults);
+    const design = this.object.statesUnit ? {...this.design, object: {...object, units: null}} : this.design;
+    return {file: this.thinned?.name ?? this.object.file.name, design};
   }
 
   /** A change by `control`. Refused by the library: its sentence, and everything stays as it was. */

@@ -1,6 +1,5 @@
 import {afterEach, beforeEach, expect, test, vi} from 'vitest';
 import type {Design} from '../../src/design/design';
-import {makeLine} from '../../src/design/make_line';
 import type {SearchStep, Engine, Failure} from '../../src/engine/api';
 import type {EngineCore} from '../../src/engine/core';
 import {createEngine} from '../../src/engine/engine';
@@ -186,43 +185,15 @@ test('a file that cannot be read is a failure like any other', async () => {
   good(await engine.pack(design));
 });
 
-test('the command line says what was chosen and nothing else', () => {
-  expect(makeLine('a.stl', design, design)).toBe('snug make a.stl -o a-foam');
-  const chosen: Design = {
-    ...design,
-    object: {
-      units: 'm',
-      scale: 0.5,
-      longest_mm: null,
-      cap: true,
-      point_radius_mm: 1.5,
-      clean: {drop_parts: [2, 7], drop_below_mm: 3, cut_plane: [0, 0, 1, 12]},
-    },
-    space: {preset: 'slit-10', blocks: 'auto', block_mm: [20, 10, 10], wall_mm: 40},
-    placement: {rotation_deg: [-1e-7, 90, 0.1 + 0.2], offset_mm: [0, -5, 0]},
-    cut: {clearance_mm: [0, 1, 1, 0, 4, 4], liner_mm: 0.5, cut_on_touch: true},
-    fit: {...design.fit, least_rib_mm: 20, notches: {width_mm: 80, depth_mm: 40, room_mm: 25, axis: 'z', first_mm: -5, second_mm: 5}},
-    parting: {level: 3},
-    output: {formats: ['ply']},
-  };
-  expect(makeLine("it's.obj", chosen, design)).toBe(
-    "snug make 'it'\\''s.obj' --units=m --scale=0.5 --cap --point-radius=1.5 --drop=2,7 --drop-below=3 --cut-plane=0,0,1,12 --preset=slit-10 --blocks=auto --block-size=20x10x10 " +
-      '--clearance=0,1,1,0,4,4 --liner=0.5 --least-rib=20 --notches=80x40x25 --notch-axis=z --notch-at=-5,5 --wall=40 --rotate=-0.0000001,90,0.3 --move=0,-5,0 --cut-on-touch --parting=3 ' +
-      "--formats=ply -o 'it'\\''s-foam'",
+test('the command line is the library’s, and there is none for a design that cannot be', async () => {
+  expect(await engine.commandLine('a.stl', design)).toBe('snug make a.stl -o a-foam');
+  const chosen: Design = {...design, workshop: {...design.workshop, for: 'sheets', price_per_litre: 0.8, currency: 'EUR'}};
+  chosen.space = {...chosen.space, blocks: 'auto'};
+  expect(await engine.commandLine("it's.obj", chosen)).toBe(
+    "snug make 'it'\\''s.obj' --for=sheets --preset=paper --blocks=auto --price=0.8EUR -o 'it'\\''s-foam'",
   );
-});
-
-test('the command line names the case and the way of working', () => {
-  const chosen: Design = {
-    ...design,
-    case: {...design.case, inside_mm: [155, 284, 425], lid_mm: 45, corner_radius_mm: 20, base_mm: [270, 410]},
-    workshop: {...design.workshop, for: 'sheets', price_per_litre: 0.8, currency: 'EUR', mass_kg: 1.5},
-  };
-  chosen.workshop.sheets.kerf_mm = 0.2;
-  expect(makeLine('a.stl', chosen, {...design, workshop: {...design.workshop, sheets: {...design.workshop.sheets, kerf_mm: 0}}})).toBe(
-    'snug make a.stl --preset=paper --case=425x284x155:45 --case-radius=20 --case-base=410x270 --for=sheets ' +
-      '--price=0.8EUR --kerf=0.2 --mass=1.5 -o a-foam',
-  );
+  chosen.space.blocks = [0, 1, 1];
+  expect(refused(await engine.commandLine('a.stl', chosen)).error).toContain('from 1 to 4096');
 });
 
 test('a wrong design has no project text but its sentence', async () => {

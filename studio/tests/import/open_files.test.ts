@@ -1,20 +1,18 @@
 import {describe, expect, it} from 'vitest';
-import type {Design} from '../../src/design/design';
 import {sha256} from '../../src/engine/sha256';
 import type {Studio} from '../../src/state/studio.svelte';
 import {en} from '../../src/words/texts';
 import {box} from '../support/shapes';
-import {startCore} from '../support/snug';
 import {startStudio} from '../support/studio';
 
 const bytesOf = async (content: Blob) => new Uint8Array(await content.arrayBuffer());
 
 describe('a file that is too big for a page', () => {
   it('is not read, and gets the command that makes its foams', async () => {
-    const defaults: Design = await (await startCore()).defaultDesign();
+    const {defaults, engine} = await startStudio();
     const refused: string[] = [];
     const {openFiles} = await import('../../src/import/open_files');
-    const studio = {defaults, refuse: (_: string, text: string) => refused.push(text)} as unknown as Studio;
+    const studio = {defaults, engine, refuse: (_: string, text: string) => refused.push(text)} as unknown as Studio;
     const file = new File(['x'], 'big scan.stl');
     Object.defineProperty(file, 'size', {value: 4e9});
     await openFiles(studio, [file], en.files);

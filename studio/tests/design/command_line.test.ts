@@ -6,7 +6,6 @@ import {fileURLToPath} from 'node:url';
 import {afterAll, beforeAll, describe, expect, test} from 'vitest';
 import type {Design, Preset, Triple, Work} from '../../src/design/design';
 import * as edit from '../../src/design/edit';
-import {makeLine} from '../../src/design/make_line';
 import type {OutputFile} from '../../src/engine/api';
 import type {EngineCore} from '../../src/engine/core';
 import {placeless} from '../support/report';
@@ -152,7 +151,7 @@ describe.skipIf(!existsSync(SNUG))('the command that is shown makes what the pag
 
   async function same(design: Design) {
     const mine = good(await core.outputFiles(design));
-    const line = makeLine(file.name, design, defaults);
+    const line = good(await core.commandLine(file.name, design)).text;
     execFileSync('sh', ['-c', `${line} --quiet`], {cwd: folder, env: {...process.env, PATH: `${dirname(SNUG)}:${process.env.PATH}`}});
     const out = join(folder, 'camera-foam');
     const theirs = filesIn(out);
