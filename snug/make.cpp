@@ -108,6 +108,7 @@ Result<Packing> pack(const Object& object, const Design& design, const Progress&
 
 Result<Made> make(Object& object, Project& project, const Tools& tools) {
     Made made;
+    made.language = tools.language;
     Design& design = project.design;
     if (tools.search) {
         auto found = tools.search(object, design);
@@ -123,8 +124,8 @@ Result<Made> make(Object& object, Project& project, const Tools& tools) {
     if (!made.packing.foams) return made;
 
     if (design.workshop.work != Workshop::none) {
-        auto pack =
-            workshop_pack(object, made.packing, project, {tools.solve_lp, told(tools, Stage::workshop)});
+        auto pack = workshop_pack(object, made.packing, project,
+                                  {tools.solve_lp, told(tools, Stage::workshop), tools.language});
         if (!pack) return tl::unexpected(pack.error());
         made.pack = std::move(*pack);
         add_findings(made.pack->findings, made.packing.findings);

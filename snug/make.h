@@ -13,6 +13,7 @@
 #include "snug/fabricate/processes.h"
 #include "snug/object/object.h"
 #include "snug/object/prepare.h"
+#include "snug/words/words.h"
 
 // The whole method, from an object to everything that a person gets (Fukusato and Kita, Computational Design
 // and Fabrication of Protective Foam, 2025). Each stage stands in the folder of its name; make.cpp is the
@@ -43,6 +44,7 @@ struct Tools {
     /// design stays.
     std::function<Result<SearchReport>(Object&, Design&)> search;
     LpSolver solve_lp;  ///< none: the bricks' strength is not checked, and the pack says so
+    Language language = Language::english;  ///< of everything that is written or drawn for people
     /// Is asked when a stage begins.
     std::function<Progress(Stage)> progress;
 };

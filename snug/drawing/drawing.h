@@ -7,6 +7,7 @@
 
 #include "snug/base/color.h"
 #include "snug/base/vec2.h"
+#include "snug/words/words.h"
 
 // One display list for everything that is drawn for the workshop: maps on paper, outlines for a cutter.
 // Written as SVG and DXF by the library and as PDF by what stands around it. Lengths in mm on the sheet: x to
@@ -68,6 +69,7 @@ struct Drawing {
     Vec2d size_mm;
     std::vector<DrawingLayer> layers;
     std::vector<DrawingItem> items;
+    Language language = Language::english;  ///< of its texts
 };
 
 /// Pages that belong together in one file, in their order.

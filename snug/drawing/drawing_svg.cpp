@@ -59,18 +59,19 @@ std::string element(const TextItem& text) {
     return result + ">" + xml_text(text.text) + "</text>\n";
 }
 
-std::string opening_tag(Vec2d size) {
+std::string opening_tag(Vec2d size, Language language) {
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" "
            "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"" +
            attribute("width", mm(size.x) + "mm") + attribute("height", mm(size.y) + "mm") +
            attribute("viewBox", "0 0 " + mm(size.x) + " " + mm(size.y)) +
-           attribute("font-family", "Helvetica, Arial, 'Liberation Sans', sans-serif") + ">\n";
+           attribute("font-family", "Helvetica, Arial, 'Liberation Sans'" + more_fonts(language)) + ">\n";
 }
 
 }  // namespace
 
 std::string drawing_svg(const Drawing& drawing) {
-    std::string text = opening_tag(drawing.size_mm) + "<title>" + xml_text(drawing.title) + "</title>\n";
+    std::string text =
+        opening_tag(drawing.size_mm, drawing.language) + "<title>" + xml_text(drawing.title) + "</title>\n";
     std::vector<int> groups(drawing.layers.size(), 0);
     int open = -1;
     for (const DrawingItem& item : drawing.items) {

@@ -103,6 +103,14 @@ Color mixed(Color a, Color b, double share) {
     return {mix(a.red, b.red), mix(a.green, b.green), mix(a.blue, b.blue)};
 }
 
+std::string more_fonts(Language language) {
+    const std::string_view fonts = language == Language::japanese
+                                       ? ", 'Hiragino Sans', 'Yu Gothic', Meiryo, 'Noto Sans CJK JP', "
+                                         "'Noto Sans JP', IPAPGothic, IPAGothic"
+                                       : "";
+    return std::string(fonts) + ", sans-serif";
+}
+
 std::string xml_text(std::string_view text) {
     std::string safe;
     while (!text.empty()) {

@@ -7,6 +7,7 @@
 
 #include "snug/base/color.h"
 #include "snug/base/vec2.h"
+#include "snug/words/words.h"
 
 // Small pieces of SVG text that drawings are made of. Page coordinates: px of the viewBox, y downward.
 
@@ -16,6 +17,10 @@ namespace snug {
 [[nodiscard]] std::string hex(Color color);
 /// From `a` (share 0) to `b` (share 1).
 [[nodiscard]] Color mixed(Color a, Color b, double share);
+
+/// What ends a list of font families: those that have the letters of a language and Helvetica lacks, then
+/// any. Begins with a comma.
+[[nodiscard]] std::string more_fonts(Language language);
 
 /// Text for an XML element or attribute: markup escaped; what is not UTF-8, or a character that XML forbids,
 /// becomes a replacement character.

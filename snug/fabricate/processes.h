@@ -7,6 +7,7 @@
 #include "snug/fabricate/bricks/linear_program.h"
 #include "snug/fabricate/kit/workshop_pack.h"
 #include "snug/object/object.h"
+#include "snug/words/words.h"
 
 // From a packing to what a maker takes to the workshop:
 //
@@ -20,6 +21,7 @@ namespace snug {
 struct WorkshopTools {
     LpSolver solve_lp;  ///< none: the bricks' strength is not checked, and the pack says so
     Progress progress;  ///< of that check
+    Language language = Language::english;  ///< of pages and pictures
 };
 
 /// The pack that the project's design asks for, with the packing sheet as its last document and the

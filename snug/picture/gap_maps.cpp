@@ -74,8 +74,14 @@ std::string text_at(double x, double y, double size, std::string_view style, con
 /// One half's map.
 class HalfMap {
   public:
-    HalfMap(const GapReport& gap, const DesignSpace& space, bool lower, Vec2d at, double scale)
-        : half_(lower ? gap.lower : gap.upper), space_(space), lower_(lower), at_(at), scale_(scale) {
+    HalfMap(const GapReport& gap, const DesignSpace& space, bool lower, Vec2d at, double scale,
+            Language language)
+        : half_(lower ? gap.lower : gap.upper),
+          space_(space),
+          lower_(lower),
+          at_(at),
+          scale_(scale),
+          language_(language) {
         const int per_y = (space.blocks.y + kMostCells - 1) / kMostCells;
         const int per_z = (space.blocks.z + kMostCells - 1) / kMostCells;
         cell_mm_ = {space.block_mm.z * per_z, space.block_mm.y * per_y};
@@ -132,10 +138,10 @@ class HalfMap {
 
     [[nodiscard]] std::string words() const {
         const double back = lower_ ? at_.y - 8 : at_.y + space_.size().y * scale_ + 18;
-        const std::string widest =
-            half_.widest_mm > 0 ? " · the ring: a ball of " + number(half_.widest_mm, 1) + " mm fits in" : "";
+        std::vector<Message> ring;
+        if (half_.widest_mm > 0) ring.push_back(say("gap.ring", {{"mm", number(half_.widest_mm, 1)}}));
         return text_at(at_.x, at_.y - 28, 17, kLegendText,
-                       std::string("Gap of the ") + (lower_ ? "LOWER foam" : "LID") + widest) +
+                       text(say(lower_ ? "gap.lower" : "gap.lid", {{"ring", ring}}), language_)) +
                text_at(at_.x + space_.size().z * scale_ / 2, back, 12,
                        std::string(kBackText) + " text-anchor=\"middle\"", "BACK");
     }
@@ -145,39 +151,40 @@ class HalfMap {
     bool lower_;
     Vec2d at_;
     double scale_;
+    Language language_;
     Vec2d cell_mm_;  ///< to the right, downward
     Grid<Cell> map_;
 };
 
-/// A ramp from nothing to the deepest.
-std::string ramp(double x, double y, Color color, double deepest, const std::string& words) {
+/// A ramp from nothing to the deepest, and what it means.
+std::string ramp(double x, double y, Color color, const std::string& words) {
     constexpr double kStep = 7;
-    std::string text;
+    std::string drawn;
     for (int i = 1; i <= kShades; i += 2)
-        text += "<rect x=\"" + number(x + kStep * (i - 1) / 2, 1) + "\" y=\"" + number(y, 1) + "\" width=\"" +
-                number(kStep + 0.3, 1) + "\" height=\"12\" fill=\"" +
-                hex(mixed(kPale, color, 0.12 + 0.88 * i / kShades)) + "\"/>\n";
-    return text + text_at(x + kStep * kShades / 2 + 8, y + 11, 14, kLegendText,
-                          "0 to " + number(deepest, 1) + " mm " + words);
+        drawn += "<rect x=\"" + number(x + kStep * (i - 1) / 2, 1) + "\" y=\"" + number(y, 1) +
+                 "\" width=\"" + number(kStep + 0.3, 1) + "\" height=\"12\" fill=\"" +
+                 hex(mixed(kPale, color, 0.12 + 0.88 * i / kShades)) + "\"/>\n";
+    return drawn + text_at(x + kStep * kShades / 2 + 8, y + 11, 14, kLegendText, words);
 }
 
 }  // namespace
 
-GapMaps gap_maps(const GapReport& gap, const DesignSpace& space, double top) {
+GapMaps gap_maps(const GapReport& gap, const DesignSpace& space, double top, Language language) {
     const double width = (kPageWidth - 2 * kSide - kBetween) / 2;
     const Vec3d size = space.size();
     const double scale = std::min(width / size.z, kGreatestHeight / size.y);
     const double left = kSide + (width - size.z * scale) / 2;
-    const HalfMap lower(gap, space, true, {left, top + kHeading}, scale);
-    const HalfMap lid(gap, space, false, {left + width + kBetween, top + kHeading}, scale);
+    const HalfMap lower(gap, space, true, {left, top + kHeading}, scale, language);
+    const HalfMap lid(gap, space, false, {left + width + kBetween, top + kHeading}, scale, language);
     const double deepest = std::max(lower.deepest(), lid.deepest());
     const double legend_y = top + kHeading + size.y * scale + 36;
+    const std::string mm = number(deepest, 1);
     std::string svg = "<g id=\"gap\">\n" + lower.svg(deepest) + lid.svg(deepest) +
-                      ramp(kSide, legend_y, kSteps, deepest, "deep where blocks are larger than the object");
-    svg += gap.undercut_mm3 ? ramp(kPageWidth / 2 + kBetween / 2, legend_y, kUndercuts, deepest,
-                                   "deep where it is undercut")
+                      ramp(kSide, legend_y, kSteps, text(say("gap.steps", {{"mm", mm}}), language));
+    svg += gap.undercut_mm3 ? ramp(kPageWidth / 2 + kBetween / 2, legend_y, kUndercuts,
+                                   text(say("gap.undercut", {{"mm", mm}}), language))
                             : text_at(kPageWidth / 2 + kBetween / 2, legend_y + 11, 14, kLegendText,
-                                      "Undercuts are unknown: the object is open");
+                                      text(say("gap.undercut_unknown"), language));
     return {svg + "</g>\n", kHeading + size.y * scale + kLegend};
 }
 

@@ -4,6 +4,7 @@
 
 #include "snug/check/gap.h"
 #include "snug/space/design_space.h"
+#include "snug/words/words.h"
 
 namespace snug {
 
@@ -15,6 +16,7 @@ struct GapMaps {
     std::string svg;
     double height = 0;  ///< px that it takes from `top` on
 };
-[[nodiscard]] GapMaps gap_maps(const GapReport& gap, const DesignSpace& space, double top);
+[[nodiscard]] GapMaps gap_maps(const GapReport& gap, const DesignSpace& space, double top,
+                               Language language = Language::english);
 
 }  // namespace snug

@@ -117,10 +117,10 @@ std::string object_drawing(const Page& page, const ObjectOutlines& outlines) {
            outline_path(page, outlines.visible, kObjectStroke);
 }
 
-std::string opening_tag(double height) {
+std::string opening_tag(double height, Language language) {
     return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + number(kPageWidth) + " " +
            number(height) + "\" width=\"" + number(kPageWidth) + "\" height=\"" + number(height) +
-           "\" role=\"img\" font-family=\"" + std::string(kFontFamily) + "\">\n";
+           "\" role=\"img\" font-family=\"" + std::string(kFontFamilies) + more_fonts(language) + "\">\n";
 }
 
 std::string caption_lines(const std::vector<std::string>& lines, double first_baseline) {
@@ -136,7 +136,8 @@ std::string caption_lines(const std::vector<std::string>& lines, double first_ba
 }  // namespace
 
 std::string preview_svg(const FoamPair& foams, const DesignSpace& space, const Mesh& mesh,
-                        const Placement& placement, const std::string& caption, const GapReport* gap) {
+                        const Placement& placement, const std::string& caption, const GapReport* gap,
+                        Language language) {
     const OpenedPair pair = opened(space, foams.parting_level);
     const HalfScene lower = half_scene(foams, space, pair, Half::lower);
     const HalfScene lid = half_scene(foams, space, pair, Half::lid);
@@ -159,16 +160,16 @@ std::string preview_svg(const FoamPair& foams, const DesignSpace& space, const M
     const bool long_front = space.size().z > 4 * space.size().y;
     const Vec2d axes{long_front ? 70 : kPageWidth - 90, drawing_end - 60};
     const double caption_end = drawing_end + kCaptionLine * static_cast<double>(lines.size()) + 24;
-    const GapMaps maps = gap ? gap_maps(*gap, space, caption_end) : GapMaps{};
+    const GapMaps maps = gap ? gap_maps(*gap, space, caption_end, language) : GapMaps{};
     const double height = caption_end + maps.height;
-    return opening_tag(height) + "<title>" + xml_text(caption) + "</title>\n" +
+    return opening_tag(height, language) + "<title>" + xml_text(caption) + "</title>\n" +
            "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n" + table(page, lid.relief) +
            foam_drawing(page, lid.relief, lid.faces, kUpperOrange) + half_name(page, lid.relief, Half::lid) +
            hinge_line(page, space) + table(page, lower.relief) +
            foam_drawing(page, lower.relief, lower.faces, kLowerBlue) +
            half_name(page, lower.relief, Half::lower) + size_marks(page, lid.relief, Half::lid, space) +
            size_marks(page, lower.relief, Half::lower, space) + back_label(page, space) +
-           object_drawing(page, outlines) + legend(kLegendAt, space, !outlines.whole.empty()) +
+           object_drawing(page, outlines) + legend(kLegendAt, space, !outlines.whole.empty(), language) +
            axis_hint(axes) + caption_lines(lines, drawing_end + 18) + maps.svg + "</svg>\n";
 }
 

@@ -7,6 +7,7 @@
 #include "snug/mesh/mesh.h"
 #include "snug/space/design_space.h"
 #include "snug/space/placement.h"
+#include "snug/words/words.h"
 
 namespace snug {
 
@@ -14,8 +15,9 @@ namespace snug {
 /// cavity, the lid turned over its BACK edge (-y) and lying behind it, cavity up as well; the object's
 /// outline where it lies in the lower foam. Labelled LOWER, LID and BACK. The file's size follows what can be
 /// seen, not nx ny nz. With a gap report, maps of the gap of each half stand below.
+/// `language`: of its words, not of the caption. What is written on the foams is the same in all.
 [[nodiscard]] std::string preview_svg(const FoamPair& foams, const DesignSpace& space, const Mesh& mesh,
                                       const Placement& placement, const std::string& caption,
-                                      const GapReport* gap = nullptr);
+                                      const GapReport* gap = nullptr, Language language = Language::english);
 
 }  // namespace snug

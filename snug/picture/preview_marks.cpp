@@ -162,22 +162,22 @@ std::string axis_hint(Vec2d at) {
     return text;
 }
 
-std::string legend(Vec2d at, const DesignSpace& space, bool with_object) {
-    std::string text;
-    const auto entry = [&](std::string_view swatch, std::string_view name, std::string_view explanation) {
-        text += "<rect" + xy("x", "y", at) + " width=\"26\" height=\"17\" rx=\"3\" " + std::string(swatch) +
-                "/>\n" +
-                plain_text(at + Vec2d{38, 14}, 17, kLegendText,
-                           "<tspan font-weight=\"600\">" + std::string(name) + "</tspan> " +
-                               std::string(explanation));
+std::string legend(Vec2d at, const DesignSpace& space, bool with_object, Language language) {
+    std::string drawn;
+    const auto entry = [&](std::string_view swatch, const Message& name, const Message& explanation) {
+        drawn += "<rect" + xy("x", "y", at) + " width=\"26\" height=\"17\" rx=\"3\" " + std::string(swatch) +
+                 "/>\n" +
+                 plain_text(at + Vec2d{38, 14}, 17, kLegendText,
+                            "<tspan font-weight=\"600\">" + text(name, language) + "</tspan> " +
+                                text(explanation, language));
         at.y += 29;
     };
-    entry("fill=\"" + hex(kLowerBlue) + "\"", "LOWER", "foam, seen into its cavity");
-    entry("fill=\"" + hex(kUpperOrange) + "\"", "LID", "turned over its BACK edge");
-    if (with_object) entry(kObjectSwatch, "OBJECT", "as it lies in the lower foam");
+    entry("fill=\"" + hex(kLowerBlue) + "\"", say("mark.lower"), say("preview.lower"));
+    entry("fill=\"" + hex(kUpperOrange) + "\"", say("mark.lid"), say("preview.lid"));
+    if (with_object) entry(kObjectSwatch, say("preview.object"), say("preview.object_lies"));
     const Vec3d size = space.size();
-    return text +
-           plain_text(at + Vec2d{0, 15}, 15, kAxisText, "closed: " + dimensions(size) + " mm (x, y, z)");
+    return drawn + plain_text(at + Vec2d{0, 15}, 15, kAxisText,
+                              text(say("preview.closed", {{"size", dimensions(size)}}), language));
 }
 
 }  // namespace snug

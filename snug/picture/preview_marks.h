@@ -7,6 +7,7 @@
 #include "snug/picture/isometric.h"
 #include "snug/picture/relief.h"
 #include "snug/space/design_space.h"
+#include "snug/words/words.h"
 
 // What the preview says besides the foam: names, sizes, the hinge, axes, legend. All return SVG elements.
 
@@ -35,6 +36,6 @@ constexpr double kPageWidth = 1200;  // px
 constexpr Vec2d kLegendSize{380, 130};  // px
 
 /// What the colours mean and the closed box's size; `at` is its upper left corner.
-[[nodiscard]] std::string legend(Vec2d at, const DesignSpace& space, bool with_object);
+[[nodiscard]] std::string legend(Vec2d at, const DesignSpace& space, bool with_object, Language language);
 
 }  // namespace snug

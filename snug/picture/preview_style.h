@@ -6,8 +6,8 @@
 
 namespace snug {
 
-constexpr std::string_view kFontFamily =
-    "'Helvetica Neue', Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans', sans-serif";
+constexpr std::string_view kFontFamilies =  // and those of more_fonts()
+    "'Helvetica Neue', Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans'";
 constexpr std::string_view kDimensionStroke = "stroke=\"#8a94a3\" stroke-width=\"1\"";
 constexpr std::string_view kDimensionText =
     "fill=\"#4b5665\" stroke=\"#ffffff\" stroke-opacity=\".8\" stroke-width=\"4\" stroke-linejoin=\"round\" "

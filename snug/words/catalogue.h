@@ -34,6 +34,7 @@ std::span<const Wording> words_of_gltf_packed();
 std::span<const Wording> words_of_meshes();
 std::span<const Wording> words_of_objects();
 std::span<const Wording> words_of_ply();
+std::span<const Wording> words_of_preview();
 std::span<const Wording> words_of_printing();
 std::span<const Wording> words_of_session();
 std::span<const Wording> words_of_sheets();

@@ -15,4 +15,9 @@ namespace snug {
     return half == Half::lower ? say("foam.lower_half") : say("foam.lid");
 }
 
+/// How pages call a half by what is written on it: "LOWER", "LID"
+[[nodiscard]] inline Message marked_half(Half half) {
+    return half == Half::lower ? say("mark.lower") : say("mark.lid");
+}
+
 }  // namespace snug

@@ -6,6 +6,7 @@
 #include "snug/check/packing.h"
 #include "snug/fabricate/kit/workshop_pack.h"
 #include "snug/search/search_design.h"
+#include "snug/words/words.h"
 
 namespace snug {
 
@@ -14,7 +15,8 @@ struct Made {
     std::optional<SearchReport> search;  ///< none where nothing was searched
     Packing packing;                     ///< without foams where the object leaves its space
     MeasuredFit fit;
-    std::optional<WorkshopPack> pack;  ///< none where the design asks for none
+    std::optional<WorkshopPack> pack;       ///< none where the design asks for none
+    Language language = Language::english;  ///< in which its pack is, and its report and preview shall be
 };
 
 }  // namespace snug

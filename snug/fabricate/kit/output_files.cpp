@@ -18,13 +18,15 @@ FileBytes foam_file(const Solid& solid, const std::string& format, bool lower) {
     return write_stl(solid.vertices, solid.triangles, lower ? "Snug lower foam, mm" : "Snug upper foam, mm");
 }
 
-std::string caption(const Packing& packing, const std::string& object_name) {
+Message caption(const Packing& packing, const std::string& object_name) {
     const FitReport& fit = packing.fit;
     double thinnest = fit.wall_mm[0];
     for (const double wall : fit.wall_mm) thinnest = std::min(thinnest, wall);
-    return object_name + " · " + dimensions(vec_cast<double>(packing.space.blocks), 0) + " blocks of " +
-           dimensions(packing.space.block_mm) + " mm · thinnest wall " + number(thinnest, 1) + " mm · foam " +
-           number(fit.foam_mm3 * 1e-6, 1) + " litres";
+    return say("preview.caption", {{"name", object_name},
+                                   {"blocks", dimensions(vec_cast<double>(packing.space.blocks), 0)},
+                                   {"block", dimensions(packing.space.block_mm)},
+                                   {"wall", number(thinnest, 1)},
+                                   {"litres", number(fit.foam_mm3 * 1e-6, 1)}});
 }
 
 }  // namespace
@@ -68,9 +70,9 @@ Result<void> make_output_files(const Object& object, const Project& project, Mad
     }
     if (auto done = take(text_file("depths.csv", depths_csv(foams, packing.space.blocks.x))); !done)
         return done;
-    const std::string preview =
-        preview_svg(foams, packing.space, object.mesh, packing.placement,
-                    caption(packing, project.object.name), made.fit.gap ? &*made.fit.gap : nullptr);
+    const std::string preview = preview_svg(foams, packing.space, object.mesh, packing.placement,
+                                            text(caption(packing, project.object.name), made.language),
+                                            made.fit.gap ? &*made.fit.gap : nullptr, made.language);
     if (auto done = take(text_file("preview.svg", preview)); !done) return done;
     return take(text_file("project.snug.json", project_json(project)));
 }

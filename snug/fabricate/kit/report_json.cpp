@@ -84,12 +84,12 @@ Json gap_json(const GapReport& gap) {
             {"upper", half_gap_json(gap.upper)}};
 }
 
-Json findings_json(const std::vector<Finding>& findings) {
+Json findings_json(const std::vector<Finding>& findings, Language language) {
     Json list = Json::array();
     for (const Finding& finding : findings)
         list.push_back({{"severity", severity_name(finding.severity)},
                         {"code", finding.code()},
-                        {"message", text(finding.message)},
+                        {"message", text(finding.message, language)},
                         {"where", finding.where ? array(*finding.where) : Json(nullptr)}});
     return list;
 }
@@ -180,11 +180,11 @@ Json or_null(const std::optional<double>& value, double digits) {
     return value ? Json(rounded(*value, digits)) : Json(nullptr);
 }
 
-Json workshop_json(const WorkshopPack& pack) {
+Json workshop_json(const WorkshopPack& pack, Language language) {
     const PackMaterial& material = pack.material;
     Json figures = Json::array(), files = Json::array();
     for (const PackFigure& figure : pack.figures)
-        figures.push_back({{"label", text(figure.label)}, {"value", text(figure.value)}});
+        figures.push_back({{"label", text(figure.label, language)}, {"value", text(figure.value, language)}});
     for (const PackFile& file : pack.files) files.push_back(file.name);
     for (const PackContainer& container : pack.containers) files.push_back(container.name);
     for (const DrawingDocument& document : pack.documents) files.push_back(document.name + ".pdf");
@@ -220,8 +220,8 @@ std::string report_json(const Object& object, const Project& project, const Made
         json["case"] = case_json(*packing.fitted_case, level, packing.fit);
     }
     if (made.search) json["search"] = search_json(*made.search);
-    json["findings"] = findings_json(packing.findings);
-    if (made.pack) json["workshop"] = workshop_json(*made.pack);
+    json["findings"] = findings_json(packing.findings, made.language);
+    if (made.pack) json["workshop"] = workshop_json(*made.pack, made.language);
     const Timing& timing = packing.timing;
     json["timing_ms"] = {
         {"read", rounded(timing.read, 1e3)},           {"depth_map", rounded(timing.depth_map, 1e3)},

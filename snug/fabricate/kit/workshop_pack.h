@@ -11,6 +11,7 @@
 #include "snug/foam/foam_pair.h"
 #include "snug/formats/mesh_files.h"
 #include "snug/space/design_space.h"
+#include "snug/words/words.h"
 
 // What a maker takes to the workshop. Each way of working (sponge, sheets, print, ...) has one function from
 // a FoamDesign and its own options to a WorkshopPack.
@@ -22,7 +23,8 @@ struct FoamDesign {
     const DesignSpace& space;
     const BlockMap& blocks;
     const FoamPair& foams;
-    std::string object_name;  ///< as people know it; UTF-8
+    std::string object_name;                ///< as people know it; UTF-8
+    Language language = Language::english;  ///< of pages and pictures
 };
 
 /// A file to be written, by its name within the output folder ("sheets/lower-01.svg").

@@ -1,0 +1,35 @@
+#include "snug/words/catalogue.h"
+
+// The preview: its legend, caption and maps of the gap.
+
+namespace snug {
+namespace {
+
+constexpr Wording kRows[] = {
+    {"mark.lower", "LOWER", "下（LOWER）"},
+    {"mark.lid", "LID", "ふた（LID）"},
+    {"preview.caption",
+     "{name} · {blocks} blocks of {block} mm · thinnest wall {wall} mm · foam {litres} litres",
+     "{name} · {block} mm のブロック {blocks} 個 · 最も薄い壁 {wall} mm · フォーム {litres} リットル"},
+    {"preview.lower", "foam, seen into its cavity", "くぼみを上にして置いたフォーム"},
+    {"preview.lid", "turned over its BACK edge", "奥（BACK）の縁を軸に裏返したところ"},
+    {"preview.object", "OBJECT", "対象物"},
+    {"preview.object_lies", "as it lies in the lower foam", "下のフォームに収まる位置"},
+    {"preview.closed", "closed: {size} mm (x, y, z)", "閉じたとき：{size} mm（x, y, z）"},
+    {"gap.lower", "Gap of the LOWER foam{ring}", "下（LOWER）のすきま{ring}"},
+    {"gap.lid", "Gap of the LID{ring}", "ふた（LID）のすきま{ring}"},
+    {"gap.ring", " · the ring: a ball of {mm} mm fits in", " · 丸印：直径 {mm} mm の球が入ります"},
+    {"gap.steps", "0 to {mm} mm deep where blocks are larger than the object",
+     "深さ 0～{mm} mm：ブロックの段差によるすきま"},
+    {"gap.undercut", "0 to {mm} mm deep where it is undercut", "深さ 0～{mm} mm：陰になる部分のすきま"},
+    {"gap.undercut_unknown", "Undercuts are unknown: the object is open",
+     "陰になる部分は不明です：対象物が閉じていません"},
+};
+
+}  // namespace
+
+std::span<const Wording> words_of_preview() {
+    return kRows;
+}
+
+}  // namespace snug
