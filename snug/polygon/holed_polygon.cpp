@@ -1,90 +1,82 @@
 #include "snug/polygon/holed_polygon.h"
 
 #include <algorithm>
+#include <array>
+#include <cassert>
 #include <cstddef>
 #include <utility>
+
+#include "snug/polygon/ear_clipping.h"
+#include "snug/polygon/polygon.h"
 
 namespace snug {
 namespace {
 
-using Signed = std::int64_t;
-
-/// Twice the area of a triangle; above 0 where a, b, c turn counter-clockwise. Exact for planes of 16 m.
-Signed turn(const LoopPoint& a, const LoopPoint& b, const LoopPoint& c) {
-    return (b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u);
+double orientation(const PolygonVertex& a, const PolygonVertex& b, const PolygonVertex& c) {
+    return orientation(a.at, b.at, c.at);
 }
 
-bool same_place(const LoopPoint& a, const LoopPoint& b) {
-    return a.u == b.u && a.v == b.v;
+std::vector<Vec2d> points_of(const VertexLoop& loop) {
+    std::vector<Vec2d> points;
+    points.reserve(loop.size());
+    for (const PolygonVertex& corner : loop) points.push_back(corner.at);
+    return points;
 }
 
-Signed twice_area(const PointLoop& loop) {
-    Signed area = 0;
-    for (std::size_t i = 0; i < loop.size(); ++i) area += turn(loop[0], loop[i], loop[(i + 1) % loop.size()]);
-    return area;
+bool between(const PolygonVertex& a, const PolygonVertex& b, const PolygonVertex& p) {
+    return std::min(a.at.x, b.at.x) <= p.at.x && p.at.x <= std::max(a.at.x, b.at.x) &&
+           std::min(a.at.y, b.at.y) <= p.at.y && p.at.y <= std::max(a.at.y, b.at.y);
 }
 
-bool inside(const PointLoop& loop, const LoopPoint& p) {
-    bool in = false;
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-        const LoopPoint &a = loop[i], &b = loop[(i + 1) % loop.size()];
-        if ((a.v > p.v) != (b.v > p.v) && (turn(a, b, p) > 0) == (b.v > a.v)) in = !in;
-    }
-    return in;
-}
-
-bool between(const LoopPoint& a, const LoopPoint& b, const LoopPoint& p) {
-    return std::min(a.u, b.u) <= p.u && p.u <= std::max(a.u, b.u) && std::min(a.v, b.v) <= p.v &&
-           p.v <= std::max(a.v, b.v);
-}
-
-int sign(Signed value) {
+int sign(double value) {
     return value > 0 ? 1 : value < 0 ? -1 : 0;
 }
 
 /// Whether two segments have a point in common that is not an end of both.
-bool cross(const LoopPoint& a, const LoopPoint& b, const LoopPoint& c, const LoopPoint& d) {
-    const int abc = sign(turn(a, b, c)), abd = sign(turn(a, b, d)), cda = sign(turn(c, d, a)),
-              cdb = sign(turn(c, d, b));
+bool cross(const PolygonVertex& a, const PolygonVertex& b, const PolygonVertex& c, const PolygonVertex& d) {
+    const int abc = sign(orientation(a, b, c)), abd = sign(orientation(a, b, d)),
+              cda = sign(orientation(c, d, a)), cdb = sign(orientation(c, d, b));
     if (abc * abd < 0 && cda * cdb < 0) return true;
-    const auto touches = [](int side, const LoopPoint& from, const LoopPoint& to, const LoopPoint& p) {
-        return side == 0 && between(from, to, p) && !same_place(from, p) && !same_place(to, p);
+    const auto touches = [](int side, const PolygonVertex& from, const PolygonVertex& to,
+                            const PolygonVertex& p) {
+        return side == 0 && between(from, to, p) && from.at != p.at && to.at != p.at;
     };
     return touches(abc, a, b, c) || touches(abd, a, b, d) || touches(cda, c, d, a) || touches(cdb, c, d, b);
 }
 
-bool crosses(const PointLoop& loop, const LoopPoint& a, const LoopPoint& b) {
+bool crosses(const VertexLoop& loop, const PolygonVertex& a, const PolygonVertex& b) {
     for (std::size_t i = 0; i < loop.size(); ++i)
         if (cross(a, b, loop[i], loop[(i + 1) % loop.size()])) return true;
     return false;
 }
 
 /// Whether the way from corner i to p begins inside the loop.
-bool begins_inside(const PointLoop& loop, std::size_t i, const LoopPoint& p) {
-    const LoopPoint &before = loop[(i + loop.size() - 1) % loop.size()], &at = loop[i],
-                    &after = loop[(i + 1) % loop.size()];
-    const bool left_of_after = turn(at, after, p) > 0, left_of_before = turn(before, at, p) > 0;
-    return turn(before, at, after) > 0 ? left_of_after && left_of_before : left_of_after || left_of_before;
+bool begins_inside(const VertexLoop& loop, std::size_t i, const PolygonVertex& p) {
+    const PolygonVertex &before = loop[(i + loop.size() - 1) % loop.size()], &at = loop[i],
+                        &after = loop[(i + 1) % loop.size()];
+    const bool left_of_after = orientation(at, after, p) > 0, left_of_before = orientation(before, at, p) > 0;
+    return orientation(before, at, after) > 0 ? left_of_after && left_of_before
+                                              : left_of_after || left_of_before;
 }
 
 /// Makes one loop of an outer one and a hole, joined by the shortest way that meets neither nor other holes;
 /// false where others stand in every way.
-bool join_hole(PointLoop& outer, const PointLoop& hole, const std::vector<const PointLoop*>& others) {
-    std::vector<std::pair<Signed, std::pair<std::size_t, std::size_t>>> ways;
+bool join_hole(VertexLoop& outer, const VertexLoop& hole, const std::vector<const VertexLoop*>& others) {
+    std::vector<std::pair<double, std::pair<std::size_t, std::size_t>>> ways;
     for (std::size_t h = 0; h < hole.size(); ++h)
         for (std::size_t i = 0; i < outer.size(); ++i) {
-            const Signed u = hole[h].u - outer[i].u, v = hole[h].v - outer[i].v;
-            ways.push_back({u * u + v * v, {h, i}});
+            const Vec2d way = hole[h].at - outer[i].at;
+            ways.push_back({way.x * way.x + way.y * way.y, {h, i}});
         }
     std::sort(ways.begin(), ways.end());
     for (const auto& way : ways) {
         const std::size_t h = way.second.first, i = way.second.second;
-        const LoopPoint &from = outer[i], &to = hole[h];
+        const PolygonVertex &from = outer[i], &to = hole[h];
         if (!begins_inside(outer, i, to) || crosses(outer, from, to) || crosses(hole, from, to)) continue;
         if (std::any_of(others.begin(), others.end(),
-                        [&](const PointLoop* other) { return crosses(*other, from, to); }))
+                        [&](const VertexLoop* other) { return crosses(*other, from, to); }))
             continue;
-        PointLoop bridge;
+        VertexLoop bridge;
         for (std::size_t n = 0; n <= hole.size(); ++n) bridge.push_back(hole[(h + n) % hole.size()]);
         bridge.push_back(from);
         outer.insert(outer.begin() + static_cast<std::ptrdiff_t>(i) + 1, bridge.begin(), bridge.end());
@@ -94,9 +86,9 @@ bool join_hole(PointLoop& outer, const PointLoop& hole, const std::vector<const 
 }
 
 /// Joins holes until none is left: there is always one that no other hides.
-void join_holes(PointLoop& outer, std::vector<const PointLoop*> holes) {
+void join_holes(VertexLoop& outer, std::vector<const VertexLoop*> holes) {
     for (std::size_t hidden = 0; hidden < holes.size();) {
-        const PointLoop* hole = holes.back();
+        const VertexLoop* hole = holes.back();
         holes.pop_back();
         if (join_hole(outer, *hole, holes)) {
             hidden = 0;
@@ -107,46 +99,26 @@ void join_holes(PointLoop& outer, std::vector<const PointLoop*> holes) {
     }
 }
 
-/// Cuts off ears until nothing is left.
-void clip_ears(PointLoop loop, std::vector<Triangle>& triangles) {
-    const auto is_ear = [&](std::size_t i) {
-        const std::size_t n = loop.size();
-        const LoopPoint &a = loop[(i + n - 1) % n], &b = loop[i], &c = loop[(i + 1) % n];
-        if (turn(a, b, c) <= 0) return false;
-        return std::none_of(loop.begin(), loop.end(), [&](const LoopPoint& p) {
-            if (same_place(p, a) || same_place(p, b) || same_place(p, c)) return false;
-            return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
-        });
-    };
-    std::size_t at = 0, missed = 0;
-    while (loop.size() >= 3 && missed < loop.size()) {
-        at %= loop.size();
-        if (!is_ear(at)) {
-            ++at;
-            ++missed;
-            continue;
-        }
-        const std::size_t n = loop.size();
-        triangles.push_back({loop[(at + n - 1) % n].vertex, loop[at].vertex, loop[(at + 1) % n].vertex});
-        loop.erase(loop.begin() + static_cast<std::ptrdiff_t>(at));
-        missed = 0;
-    }
-}
-
 }  // namespace
 
-void triangulate_loops(const std::vector<PointLoop>& loops, std::vector<Triangle>& triangles) {
-    std::vector<const PointLoop*> holes;
-    for (const PointLoop& loop : loops)
-        if (twice_area(loop) < 0) holes.push_back(&loop);
-    for (const PointLoop& loop : loops) {
-        if (twice_area(loop) <= 0) continue;
-        std::vector<const PointLoop*> own;
-        for (const PointLoop* hole : holes)
-            if (inside(loop, hole->front())) own.push_back(hole);
-        PointLoop whole = loop;
+void triangulate_loops(const std::vector<VertexLoop>& loops, std::vector<Triangle>& triangles) {
+    constexpr double kNone = -1;  // of its triangles may be flat: on the lattice every ear has an area
+    std::vector<const VertexLoop*> holes;
+    for (const VertexLoop& loop : loops)
+        if (signed_area(points_of(loop)) < 0) holes.push_back(&loop);
+    for (const VertexLoop& loop : loops) {
+        const std::vector<Vec2d> outline = points_of(loop);
+        if (signed_area(outline) <= 0) continue;
+        std::vector<const VertexLoop*> own;
+        for (const VertexLoop* hole : holes)
+            if (contains(outline, hole->front().at)) own.push_back(hole);
+        VertexLoop whole = loop;
         join_holes(whole, std::move(own));
-        clip_ears(std::move(whole), triangles);
+        std::vector<std::array<std::size_t, 3>> ears;
+        [[maybe_unused]] const bool whole_area = clip_ears(points_of(whole), kNone, ears);
+        assert(whole_area);
+        for (const auto& [a, b, c] : ears)
+            triangles.push_back({whole[a].vertex, whole[b].vertex, whole[c].vertex});
     }
 }
 

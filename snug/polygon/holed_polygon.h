@@ -4,21 +4,22 @@
 #include <vector>
 
 #include "snug/base/vec.h"
+#include "snug/base/vec2.h"
 
 namespace snug {
 
-/// A corner of a loop in a plane, and the vertex that stands there.
-struct LoopPoint {
-    std::int64_t u = 0, v = 0;
+/// A corner of a polygon on the lattice, and the vertex that stands there.
+struct PolygonVertex {
+    Vec2d at;
     std::uint32_t vertex = 0;
 };
 
-using PointLoop = std::vector<LoopPoint>;
+using VertexLoop = std::vector<PolygonVertex>;
 
-/// Triangulates what lies within loops: outer ones counter-clockwise (u to the right, v up), holes clockwise,
-/// none meeting another or itself. Vertices along straight sides are fine and no triangle is flat. By cutting
-/// off ears, with bridges to the holes (Eberly, Triangulation by ear clipping): for faces of some hundred
+/// Triangulates polygons with holes: outer loops counter-clockwise (x to the right, y upward), holes
+/// clockwise, none meeting another or itself. Vertices along straight sides are fine and no triangle is flat.
+/// By bridges to the holes (Eberly, Triangulation by ear clipping) and clip_ears(): for faces of some hundred
 /// corners.
-void triangulate_loops(const std::vector<PointLoop>& loops, std::vector<Triangle>& triangles);
+void triangulate_loops(const std::vector<VertexLoop>& loops, std::vector<Triangle>& triangles);
 
 }  // namespace snug

@@ -8,10 +8,7 @@
 
 namespace snug {
 
-/// Lengths in plan and height are whole numbers of steps, so that every question about them has an exact
-/// answer. A step is 1/1024 mm: float32 holds all steps of 16 m.
-constexpr int kStepsPerMm = 1024;
-
+/// In steps of lattice.h.
 struct PlanPoint {
     int y = 0, z = 0;
     friend bool operator==(const PlanPoint&, const PlanPoint&) = default;

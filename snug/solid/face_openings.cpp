@@ -40,9 +40,8 @@ void add_opening_corners(std::span<const FaceOpening> openings, int line, std::v
 
 }  // namespace
 
-void step_row(RowTriangulator& triangulator, int row, std::vector<LineCorner>& corners,
+void step_row(RowTriangulator& triangulator, int first, int steps, std::vector<LineCorner>& corners,
               std::span<const FaceRun> runs, std::span<const FaceOpening> openings) {
-    const int first = row * kBlockSteps;
     if (openings.empty()) {
         triangulator.step(first, corners, runs);
         return;
@@ -50,7 +49,7 @@ void step_row(RowTriangulator& triangulator, int row, std::vector<LineCorner>& c
     std::vector<int> lines{first};
     for (const FaceOpening& opening : openings)
         for (const int line : {opening.row_begin, opening.row_end})
-            if (line > first && line < first + kBlockSteps) lines.push_back(line);
+            if (line > first && line < first + steps) lines.push_back(line);
     std::sort(lines.begin(), lines.end());
     lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
     for (const int line : lines) {

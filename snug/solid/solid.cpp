@@ -9,7 +9,7 @@ namespace snug {
 Solid solid_of(const Grid<Run>& runs, const DesignSpace& space, Half half) {
     const SolidCorners corners(runs);
     Solid solid;
-    add_faces(runs, corners, {}, solid.triangles);
+    add_faces(runs, corners, solid.triangles);
     if (half == Half::lid)
         for (Triangle& t : solid.triangles) std::swap(t[1], t[2]);
     solid.vertices.reserve(corners.points().size());

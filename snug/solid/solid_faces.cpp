@@ -11,8 +11,8 @@ namespace {
 class LevelFaces {
   public:
     LevelFaces(const Grid<Run>& columns, const SolidCorners& corners, std::span<const FaceOpening> openings,
-               bool bottoms)
-        : columns_(columns), corners_(corners), bottoms_(bottoms) {
+               Vec3i block_steps, bool bottoms)
+        : columns_(columns), corners_(corners), block_steps_(block_steps), bottoms_(bottoms) {
         for (const FaceOpening& opening : openings)
             if (opening.axis == 0 && (opening.plane == 0) == bottoms) openings_.push_back(opening);
     }
@@ -22,7 +22,7 @@ class LevelFaces {
         for (int J = 0; J <= columns_.ny(); ++J) {
             find_corners(J);
             find_runs(J);
-            step_row(triangulator, J, line_corners_, runs_, openings_);
+            step_row(triangulator, J * block_steps_.y, block_steps_.y, line_corners_, runs_, openings_);
         }
     }
 
@@ -43,7 +43,7 @@ class LevelFaces {
         for (int K = 0; K <= columns_.nz(); ++K) {
             const auto line = corners_.on_line(J, K);
             if (line.empty()) continue;
-            line_corners_.push_back({K * kBlockSteps, vertex(line, J, K, J - 1, K - 1),
+            line_corners_.push_back({K * block_steps_.z, vertex(line, J, K, J - 1, K - 1),
                                      vertex(line, J, K, J - 1, K), vertex(line, J, K, J, K - 1),
                                      vertex(line, J, K, J, K)});
         }
@@ -56,7 +56,7 @@ class LevelFaces {
             const Run column = columns_(j, k);
             if (column.none()) continue;
             const int face = bottoms_ ? -1 - column.first : column.end;
-            const int begin = k * kBlockSteps, end = begin + kBlockSteps;
+            const int begin = k * block_steps_.z, end = begin + block_steps_.z;
             if (!runs_.empty() && runs_.back().end == begin && runs_.back().face == face)
                 runs_.back().end = end;
             else
@@ -66,6 +66,7 @@ class LevelFaces {
 
     const Grid<Run>& columns_;
     const SolidCorners& corners_;
+    Vec3i block_steps_;
     std::vector<FaceOpening> openings_;
     bool bottoms_;
     std::vector<LineCorner> line_corners_;
@@ -78,8 +79,8 @@ class SideFaces {
   public:
     /// `axis`: the planes stand across y (1) or z (2).
     SideFaces(const Grid<Run>& columns, const SolidCorners& corners, std::span<const FaceOpening> openings,
-              int axis)
-        : columns_(columns), corners_(corners), axis_(axis) {
+              Vec3i block_steps, int axis)
+        : columns_(columns), corners_(corners), block_steps_(block_steps), axis_(axis) {
         for (const FaceOpening& opening : openings)
             if (opening.axis == axis) openings_.push_back(opening);
     }
@@ -88,6 +89,7 @@ class SideFaces {
         RowTriangulator triangulator(triangles);
         const int planes = along_y() ? columns_.ny() : columns_.nz();
         const int rows = along_y() ? columns_.nz() : columns_.ny();
+        const int row_steps = along_y() ? block_steps_.z : block_steps_.y;
         for (int plane = 0; plane <= planes; ++plane) {
             std::vector<FaceOpening> here;
             for (const FaceOpening& opening : openings_)
@@ -99,7 +101,7 @@ class SideFaces {
                 shown = !runs_.empty();
                 if (!shown && !shown_before) continue;
                 find_corners(plane, line);
-                step_row(triangulator, line, line_corners_, runs_, here);
+                step_row(triangulator, line * row_steps, row_steps, line_corners_, runs_, here);
             }
         }
     }
@@ -132,7 +134,8 @@ class SideFaces {
     void add_run(Run blocks, bool before) {
         if (blocks.none()) return;
         // From z to x is a turn about +y, from y to x one about -z.
-        runs_.push_back({blocks.first * kBlockSteps, blocks.end * kBlockSteps, before == along_y() ? 1 : -1});
+        runs_.push_back(
+            {blocks.first * block_steps_.x, blocks.end * block_steps_.x, before == along_y() ? 1 : -1});
     }
 
     void find_corners(int plane, int line) {
@@ -142,13 +145,14 @@ class SideFaces {
         const int next = kOctantBit[along_y() ? 2 : 1], above = kOctantBit[0];
         for (const SolidCorner& corner : corners_.on_line(J, K)) {
             const auto vertex = [&](int octant) { return corner.vertex_at(octant_face(octant, axis_)); };
-            line_corners_.push_back(
-                {corner.level * kBlockSteps, vertex(0), vertex(above), vertex(next), vertex(next | above)});
+            line_corners_.push_back({corner.level * block_steps_.x, vertex(0), vertex(above), vertex(next),
+                                     vertex(next | above)});
         }
     }
 
     const Grid<Run>& columns_;
     const SolidCorners& corners_;
+    Vec3i block_steps_;
     std::vector<FaceOpening> openings_;
     int axis_;
     std::vector<LineCorner> line_corners_;
@@ -158,11 +162,15 @@ class SideFaces {
 }  // namespace
 
 void add_faces(const Grid<Run>& runs, const SolidCorners& corners, std::span<const FaceOpening> openings,
-               std::vector<Triangle>& triangles) {
-    LevelFaces(runs, corners, openings, true).add_to(triangles);
-    LevelFaces(runs, corners, openings, false).add_to(triangles);
-    SideFaces(runs, corners, openings, 1).add_to(triangles);
-    SideFaces(runs, corners, openings, 2).add_to(triangles);
+               Vec3i block_steps, std::vector<Triangle>& triangles) {
+    LevelFaces(runs, corners, openings, block_steps, true).add_to(triangles);
+    LevelFaces(runs, corners, openings, block_steps, false).add_to(triangles);
+    SideFaces(runs, corners, openings, block_steps, 1).add_to(triangles);
+    SideFaces(runs, corners, openings, block_steps, 2).add_to(triangles);
+}
+
+void add_faces(const Grid<Run>& runs, const SolidCorners& corners, std::vector<Triangle>& triangles) {
+    add_faces(runs, corners, {}, {1, 1, 1}, triangles);
 }
 
 }  // namespace snug

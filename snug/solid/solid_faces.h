@@ -14,8 +14,11 @@
 namespace snug {
 
 /// Appends every face of the solid with these runs and corners, outward where x counts the levels. Vertices
-/// are those of the corners and of the openings.
+/// are those of the corners and of the openings. `block_steps`: how many steps of the openings' lattice a
+/// block counts along x, y and z.
 void add_faces(const Grid<Run>& runs, const SolidCorners& corners, std::span<const FaceOpening> openings,
-               std::vector<Triangle>& triangles);
+               Vec3i block_steps, std::vector<Triangle>& triangles);
+/// The same without openings.
+void add_faces(const Grid<Run>& runs, const SolidCorners& corners, std::vector<Triangle>& triangles);
 
 }  // namespace snug

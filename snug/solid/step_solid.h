@@ -6,7 +6,7 @@
 
 namespace snug {
 
-/// A solid in steps, see plan_region.h: x counts the height, y and z lie in plan.
+/// A solid in steps, see lattice.h: x counts the height, y and z lie in plan.
 struct StepSolid {
     std::vector<Vec3i> points;
     std::vector<Triangle> triangles;  ///< outward where x, y and z are right-handed

@@ -11,22 +11,16 @@
 #include "snug/fabricate/printing/print_joints.h"
 #include "snug/fabricate/printing/print_things.h"
 #include "snug/fabricate/printing/slab_solid.h"
+#include "snug/polygon/lattice.h"
 
 namespace snug {
 namespace {
 
 constexpr double kCubicStep = 1.0 / kStepsPerMm / kStepsPerMm / kStepsPerMm;
 
-int in_steps(double mm) {
-    return static_cast<int>(std::floor(mm * kStepsPerMm + 0.5));
-}
-
 /// Lines `first` to `last` in steps from line `origin`. Every line is rounded by itself, so parts meet.
 std::vector<int> stepped(const std::vector<double>& lines, int first, int last, int origin) {
-    const auto at = [&](int line) {
-        return static_cast<std::int64_t>(
-            std::floor(lines[static_cast<std::size_t>(line)] * kStepsPerMm + 0.5));
-    };
+    const auto at = [&](int line) { return in_steps(lines[static_cast<std::size_t>(line)]); };
     std::vector<int> steps;
     for (int line = first; line <= last; ++line) steps.push_back(static_cast<int>(at(line) - at(origin)));
     return steps;
@@ -48,7 +42,7 @@ class MouldMaker {
 
     Result<MouldedHalf> make() {
         if (auto done = find_cuts(); !done) return tl::unexpected(done.error());
-        draft_ = {lean_.sine / lean_.cosine, in_steps(form_.mm(0, form_.pour_level))};
+        draft_ = {lean_.sine / lean_.cosine, static_cast<int>(in_steps(form_.mm(0, form_.pour_level)))};
         add_tiles();
         const PrintLayout layout =
             print_layout(form_.heights, cuts_,
@@ -163,29 +157,20 @@ class MouldMaker {
         }
         std::vector<SlabBore> own_bores;
         for (const Bore& bore : bores) {
-            if (bore.before == part) own_bores.push_back(slab_bore(bore, tile, false));
-            if (bore.after == part) own_bores.push_back(slab_bore(bore, tile, true));
+            if (bore.before == part) own_bores.push_back(own_bore(bore, tile, false));
+            if (bore.after == part) own_bores.push_back(own_bore(bore, tile, true));
         }
         place(slab_solid(own, tile.box, own_bores), tile);
     }
 
-    [[nodiscard]] SlabBore slab_bore(const Bore& bore, const Tile& tile, bool after) const {
-        SlabBore result{{bore.axis, after}, in_steps(bore_depth_mm(print_)), {}};
-        const int across = (bore.axis + 1) % 3, along = (bore.axis + 2) % 3;
+    [[nodiscard]] SlabBore own_bore(const Bore& bore, const Tile& tile, bool after) const {
         Vec3d from;
         for (int axis = 0; axis < 3; ++axis) from[axis] = form_.mm(axis, tile.first[axis]);
-        for (int i = 0; i < kBoreSides; ++i) {
-            const SineCosine turn = sine_cosine_degrees(360.0 / kBoreSides * i);
-            Vec3d at = bore.centre_mm - from;
-            at[across] += bore_corner_radius_mm(print_) * turn.cosine;
-            at[along] += bore_corner_radius_mm(print_) * turn.sine;
-            Vec3i rim{in_steps(at.x), in_steps(at.y), in_steps(at.z)};
-            if (bore.axis == 0) rim.x = tile.levels[static_cast<std::size_t>(bore.plane)];
-            if (bore.axis == 1) rim.y = after ? tile.box.least.y : tile.box.greatest.y;
-            if (bore.axis == 2) rim.z = after ? tile.box.least.z : tile.box.greatest.z;
-            result.rim.push_back(rim);
-        }
-        return result;
+        const PlanPoint side = after ? tile.box.least : tile.box.greatest;
+        const int plane = bore.axis == 0   ? tile.levels[static_cast<std::size_t>(bore.plane)]
+                          : bore.axis == 1 ? side.y
+                                           : side.z;
+        return slab_bore(bore, after, from, plane, print_);
     }
 
     /// Turns a part as it is printed, and tells where it stands in the assembled mould.

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "snug/fabricate/printing/bores.h"
 #include "snug/polygon/holed_polygon.h"
 #include "snug/solid/step_solid.h"
 
@@ -19,12 +20,18 @@ struct FaceSide {
     friend auto operator<=>(const FaceSide&, const FaceSide&) = default;
 };
 
-/// A blind bore into a face that lies on a side of the box, its mouth within that face.
+/// A blind bore into a face that lies on a side of the box, in steps; its opening lies within that face.
 struct SlabBore {
     FaceSide side;
-    int depth = 0;           ///< steps, into the solid
-    std::vector<Vec3i> rim;  ///< the mouth's corners, in either direction round
+    int depth = 0;               ///< into the solid
+    std::vector<Vec3i> opening;  ///< four corners, as BoreVertices says
+    std::vector<Vec3i> mouth;    ///< kBoreSides corners
 };
+
+/// The bore of a dowel in a part whose first corner stands at `from_mm`; `plane`: where the part's face lies
+/// along the bore's axis, in steps from there. `after`: the part begins at the cut.
+[[nodiscard]] SlabBore slab_bore(const Bore& bore, bool after, Vec3d from_mm, int plane,
+                                 const PrintOptions& options);
 
 /// Collects the outlines of the faces that have bores, and triangulates them around the bores.
 class BoredFaces {

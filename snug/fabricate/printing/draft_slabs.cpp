@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "snug/polygon/lattice.h"
 #include "snug/polygon/plan_outline.h"
 
 namespace snug {

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "snug/base/box.h"
-#include "snug/base/rotation.h"
 
 namespace snug {
 namespace {
@@ -18,11 +17,6 @@ constexpr int kMostSamples = 48;       // of places along each side of a cut
 constexpr std::size_t kMostBores = 4;  // for two parts
 
 using Pair = std::pair<int, int>;
-
-/// The axes in the plane of a cut across `axis`: that of its rows and that of its positions.
-std::pair<int, int> plane_axes(int axis) {
-    return axis == 0 ? std::pair{1, 2} : axis == 1 ? std::pair{2, 0} : std::pair{1, 0};
-}
 
 /// Places from `low` to `high`, both included, no nearer than `step` and no more than kMostSamples.
 std::vector<double> samples(double low, double high, double step) {
@@ -217,21 +211,6 @@ class JointPlacer {
 };
 
 }  // namespace
-
-double bore_corner_radius_mm(const PrintOptions& options) {
-    return (options.dowel_diameter_mm / 2 + options.joint_clearance_mm) /
-           sine_cosine_degrees(180.0 / kBoreSides).cosine;
-}
-
-double bore_depth_mm(const PrintOptions& options) {
-    return options.dowel_length_mm / 2 + options.joint_clearance_mm;
-}
-
-double bore_volume_mm3(const PrintOptions& options) {
-    const double radius = bore_corner_radius_mm(options);
-    return kBoreSides / 2.0 * radius * radius * sine_cosine_degrees(360.0 / kBoreSides).sine *
-           bore_depth_mm(options);
-}
 
 Joints place_joints(const PrintLayout& layout, const BlockLines& lines, const PrintOptions& options) {
     return JointPlacer(layout, lines, options).place();

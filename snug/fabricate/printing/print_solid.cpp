@@ -1,19 +1,24 @@
 #include "snug/fabricate/printing/print_solid.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
 
 #include "snug/base/box.h"
 #include "snug/base/rotation.h"
+#include "snug/polygon/lattice.h"
 #include "snug/solid/solid_faces.h"
 
 namespace snug {
 namespace {
 
-constexpr double kStep = 1.0 / kBlockSteps;
+/// Of the lattice, that a block counts along each axis: of a block of any size a whole number.
+Vec3i steps_of(Vec3d block_mm) {
+    Vec3i steps;
+    for (int axis = 0; axis < 3; ++axis) steps[axis] = static_cast<int>(in_steps(block_mm[axis]));
+    return steps;
+}
 
 /// A bore in one part, in that part's own coordinates: levels, y and z in mm from its first corner.
 struct PartBore {
@@ -21,20 +26,6 @@ struct PartBore {
     Vec3d centre_mm;
     bool after = false;  ///< the part begins at the cut
 };
-
-struct PlaneAxes {
-    int row, position;
-};
-
-PlaneAxes plane_axes(int axis) {
-    if (axis == 0) return {1, 2};
-    return axis == 1 ? PlaneAxes{2, 0} : PlaneAxes{1, 0};
-}
-
-/// The face that the bore opens turns from its rows towards its positions.
-bool turns_forward(const PartBore& bore) {
-    return bore.opening.axis == 2 ? bore.after : !bore.after;
-}
 
 Vec3d first_corner(const PrintPart& part, Vec3d block) {
     return {part.first.x * block.x, part.first.y * block.y, part.first.z * block.z};
@@ -47,11 +38,12 @@ PartBore part_bore(const Bore& bore, const PrintPart& part, bool after, Vec3d bl
     result.opening.axis = bore.axis;
     result.opening.plane = bore.plane - part.first[bore.axis];
     const PlaneAxes axes = plane_axes(bore.axis);
+    const Vec3i steps = steps_of(block);
     const auto begin = [&](int a) {
-        return static_cast<int>(std::floor((result.centre_mm[a] - radius) / block[a] * kBlockSteps)) - 1;
+        return static_cast<int>(std::floor((result.centre_mm[a] - radius) / block[a] * steps[a])) - 1;
     };
     const auto end = [&](int a) {
-        return static_cast<int>(std::ceil((result.centre_mm[a] + radius) / block[a] * kBlockSteps)) + 1;
+        return static_cast<int>(std::ceil((result.centre_mm[a] + radius) / block[a] * steps[a])) + 1;
     };
     result.opening.row_begin = begin(axes.row);
     result.opening.row_end = end(axes.row);
@@ -63,7 +55,8 @@ PartBore part_bore(const Bore& bore, const PrintPart& part, bool after, Vec3d bl
 /// In the part's own coordinates; made one after another: corners of the solid, then of openings, then bores.
 class PartBuilder {
   public:
-    PartBuilder(const PrintPart& part, Vec3d block_mm) : part_(part), block_(block_mm) {}
+    PartBuilder(const PrintPart& part, Vec3d block_mm)
+        : part_(part), block_(block_mm), block_steps_(steps_of(block_mm)) {}
 
     void add_foam(std::vector<PartBore>& bores) {
         const SolidCorners corners(part_.runs);
@@ -74,31 +67,18 @@ class PartBuilder {
             add_corners(bore.opening);
             openings.push_back(bore.opening);
         }
-        add_faces(part_.runs, corners, openings, triangles);
+        add_faces(part_.runs, corners, openings, block_steps_, triangles);
     }
 
     void add_bore(const PartBore& bore, double radius, double depth) {
         const auto mouth = static_cast<std::uint32_t>(points.size());
-        const auto bottom = mouth + kBoreSides;
-        add_ring(bore, radius, 0);
-        add_ring(bore, radius, bore.after ? depth : -depth);
-        const bool forward = turns_forward(bore);
-        const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-            triangles.push_back(forward ? Triangle{a, b, c} : Triangle{a, c, b});
-        };
-        const auto next = [](std::uint32_t i) { return (i + 1) % kBoreSides; };
-        // The corner of the opening in each quadrant, from rows towards positions.
-        constexpr std::array<std::uint32_t, 4> kCorner{3, 1, 0, 2};
-        const std::uint32_t first = bore.opening.first_vertex;
-        for (std::uint32_t i = 0; i < kBoreSides; ++i) {
-            const std::uint32_t quadrant = i / (kBoreSides / 4);
-            add(mouth + next(i), mouth + i, first + kCorner[quadrant]);
-            if (next(i) % (kBoreSides / 4) == 0)
-                add(first + kCorner[quadrant], first + kCorner[(quadrant + 1) % 4], mouth + next(i));
-            add(mouth + i, mouth + next(i), bottom + next(i));
-            add(mouth + i, bottom + next(i), bottom + i);
-            if (i >= 2) add(bottom, bottom + i - 1, bottom + i);
-        }
+        for (const double along : {0.0, bore.after ? depth : -depth})
+            for (Vec3d at : bore_ring(bore.opening.axis, bore.centre_mm, radius)) {
+                at[bore.opening.axis] = bore.opening.plane * block_[bore.opening.axis] + along;
+                points.push_back(at);
+            }
+        snug::add_bore({bore.opening.first_vertex, mouth, mouth + kBoreSides}, bore.opening.axis, bore.after,
+                       triangles);
     }
 
     std::vector<Vec3d> points;
@@ -115,26 +95,15 @@ class PartBuilder {
             for (const int position : {opening.position_begin, opening.position_end}) {
                 Vec3d at;
                 at[opening.axis] = opening.plane;
-                at[axes.row] = row * kStep;
-                at[axes.position] = position * kStep;
+                at[axes.row] = static_cast<double>(row) / block_steps_[axes.row];
+                at[axes.position] = static_cast<double>(position) / block_steps_[axes.position];
                 points.push_back(in_mm(at));
             }
     }
 
-    void add_ring(const PartBore& bore, double radius, double along) {
-        const PlaneAxes axes = plane_axes(bore.opening.axis);
-        for (int i = 0; i < kBoreSides; ++i) {
-            const SineCosine turn = sine_cosine_degrees(360.0 / kBoreSides * i);
-            Vec3d at = bore.centre_mm;
-            at[bore.opening.axis] = bore.opening.plane * block_[bore.opening.axis] + along;
-            at[axes.row] += radius * turn.cosine;
-            at[axes.position] += radius * turn.sine;
-            points.push_back(at);
-        }
-    }
-
     const PrintPart& part_;
     Vec3d block_;
+    Vec3i block_steps_;
 };
 
 Solid moved_to_corner(const std::vector<Vec3d>& points, std::vector<Triangle> triangles) {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "snug/base/rotation.h"
+#include "snug/polygon/lattice.h"
 #include "snug/polygon/plan_outline.h"
 
 #include "tests/support/closedness.h"
@@ -180,23 +181,21 @@ TEST(SlabSolid, BoresAreBlindHolesInFlatFaces) {
     const Grid<std::uint16_t> heights(2, 2, 1);
     const std::vector<int> levels{0, 20000}, lines{0, 15000, 30000};
     const auto slabs = draft_slabs({heights, levels, lines, lines}, 0, 1, {}, {});
+    PrintOptions options;
+    options.dowel_diameter_mm = 2;
+    options.dowel_length_mm = 6;
     std::vector<SlabBore> bores;
     for (int axis = 0; axis < 3; ++axis)
-        for (const bool low : {false, true})
-            for (const int at : {7000, 13000}) {
-                SlabBore bore{{axis, low}, 3000, {}};
-                for (const auto& [u, v] :
-                     {std::pair{0, 0}, std::pair{2000, 0}, std::pair{2000, 2000}, std::pair{0, 2000}}) {
-                    Vec3i p{at + u, at + u, at + u};
-                    p[axis] = low ? 0 : axis == 0 ? 20000 : 30000;
-                    p[(axis + 1) % 3] = at + v;
-                    bore.rim.push_back(p);
-                }
-                bores.push_back(bore);
+        for (const bool after : {false, true})
+            for (const double at : {7.0, 13.0}) {
+                const Bore bore{axis, 0, {at, at, at}, 0, 0};
+                bores.push_back(slab_bore(bore, after, {}, after ? 0 : axis == 0 ? 20000 : 30000, options));
             }
     const StepSolid solid = slab_solid(slabs, {{0, 0}, {30000, 30000}}, bores);
     EXPECT_TRUE(test::every_edge_has_two_triangles(solid.triangles));
-    EXPECT_NEAR(volume_of(solid), 20000.0 * 30000 * 30000 - 12 * 3000.0 * 2000 * 2000, 1);
+    const double steps3 = kStepsPerMm * double{kStepsPerMm} * kStepsPerMm;
+    EXPECT_NEAR(20000.0 * 30000 * 30000 - volume_of(solid), 12 * bore_volume_mm3(options) * steps3,
+                2e-3 * 12 * bore_volume_mm3(options) * steps3);
 }
 
 }  // namespace
