@@ -13,81 +13,65 @@ namespace snug {
 namespace {
 
 constexpr long long kMostOffcutWork = 30'000'000;  // words; bounds the search among thousands of islands
-constexpr double kStepsPerMm = 1000;               // boxes are packed in whole steps, so sums are exact
-
-using Steps = long long;
-
-Steps rounded_up(double mm) {
-    return static_cast<Steps>(std::ceil(mm * kStepsPerMm - 1e-6));
-}
-Steps rounded_down(double mm) {
-    return static_cast<Steps>(std::floor(mm * kStepsPerMm + 1e-6));
-}
-
-struct Box {
-    Steps width = 0, height = 0;
-};
+constexpr double kRounding = 1e-6;                 // mm: lengths that differ by less are the same
 
 /// The upper border of what is packed on one stock sheet, from the left to the right; y grows away from the
 /// edge where packing began.
 class Skyline {
   public:
-    explicit Skyline(Box stock) : stock_(stock), parts_{{0, 0, stock.width}} {}
-
-    struct Spot {
-        Steps x, y;
-    };
+    explicit Skyline(Vec2d stock_mm) : stock_(stock_mm), parts_{{0, 0, stock_mm.x}} {}
 
     /// The place whose far edge lies nearest, the leftmost among equals.
-    [[nodiscard]] std::optional<Spot> room_for(Box box) const {
-        std::optional<Spot> found;
-        if (box.width * box.height > stock_.width * stock_.height - taken_) return found;
+    [[nodiscard]] std::optional<Vec2d> room_for(Vec2d box) const {
+        std::optional<Vec2d> found;
+        if (box.x * box.y > stock_.x * stock_.y - taken_ + kRounding * (stock_.x + stock_.y)) return found;
         for (std::size_t i = 0; i < parts_.size(); ++i) {
-            const std::optional<Steps> y = floor_at(i, box);
-            if (y && (!found || *y < found->y)) found = Spot{parts_[i].x, *y};
+            const std::optional<double> y = floor_at(i, box);
+            if (y && (!found || *y < found->y - kRounding)) found = Vec2d{parts_[i].x, *y};
         }
         return found;
     }
 
-    void take(Spot spot, Box box) {
-        taken_ += box.width * box.height;
-        highest_ = std::max(highest_, spot.y + box.height);
+    void take(Vec2d spot, Vec2d box) {
+        taken_ += box.x * box.y;
+        highest_ = std::max(highest_, spot.y + box.y);
         std::vector<Part> next;
-        const Steps end = spot.x + box.width;
+        const double end = spot.x + box.x;
         for (const Part& part : parts_) {
-            if (part.x < spot.x) next.push_back({part.x, part.y, std::min(part.width, spot.x - part.x)});
-            if (part.x == spot.x) next.push_back({spot.x, spot.y + box.height, box.width});
-            const Steps from = std::max(part.x, end);
-            if (part.x + part.width > from) next.push_back({from, part.y, part.x + part.width - from});
+            if (part.x < spot.x) next.push_back({part.x, part.y, std::min(part.end, spot.x)});
+            if (part.x == spot.x) next.push_back({spot.x, spot.y + box.y, end});
+            const double from = std::max(part.x, end);
+            if (part.end > from + kRounding) next.push_back({from, part.y, part.end});
         }
         parts_.clear();
         for (const Part& part : next) {
-            if (!parts_.empty() && parts_.back().y == part.y)
-                parts_.back().width += part.width;
+            if (!parts_.empty() && std::fabs(parts_.back().y - part.y) < kRounding)
+                parts_.back().end = part.end;
             else
                 parts_.push_back(part);
         }
     }
 
-    [[nodiscard]] Steps highest() const { return highest_; }
+    [[nodiscard]] double highest() const { return highest_; }
 
   private:
     struct Part {
-        Steps x, y, width;
+        double x, y, end;
     };
 
-    [[nodiscard]] std::optional<Steps> floor_at(std::size_t first, Box box) const {
-        const Steps end = parts_[first].x + box.width;
-        if (end > stock_.width) return {};
-        Steps y = 0;
-        for (std::size_t i = first; i < parts_.size() && parts_[i].x < end; ++i) y = std::max(y, parts_[i].y);
-        if (y + box.height > stock_.height) return {};
+    [[nodiscard]] std::optional<double> floor_at(std::size_t first, Vec2d box) const {
+        const double end = parts_[first].x + box.x;
+        if (end > stock_.x + kRounding) return {};
+        double y = 0;
+        for (std::size_t i = first; i < parts_.size() && parts_[i].x < end - kRounding; ++i)
+            y = std::max(y, parts_[i].y);
+        if (y + box.y > stock_.y + kRounding) return {};
         return y;
     }
 
-    Box stock_;
+    Vec2d stock_;
     std::vector<Part> parts_;
-    Steps taken_ = 0, highest_ = 0;
+    double taken_ = 0, highest_ = 0;
 };
 
 class Nester {
@@ -154,32 +138,28 @@ class Nester {
 
     /// None where a piece is larger than the stock lying this way.
     [[nodiscard]] std::optional<Nesting> packed(Vec2d stock) const {
-        const Vec2d room{stock.x - 2 * border_ + gap_, stock.y - 2 * border_ + gap_};
-        const Box area{rounded_down(room.x), rounded_down(room.y)};
+        const Vec2d area{stock.x - 2 * border_ + gap_, stock.y - 2 * border_ + gap_};
         std::vector<Skyline> stocks;
         Nesting nesting{stock, 0, places_, 0};
         for (const std::size_t piece : boxes_) {
-            const Vec2d mm = size(piece);
-            const Box box{rounded_up(mm.x + gap_), rounded_up(mm.y + gap_)};
-            if (box.width > area.width || box.height > area.height) return {};
-            std::optional<Skyline::Spot> spot;
+            const Vec2d box = size(piece) + Vec2d{gap_, gap_};
+            if (box.x > area.x + kRounding || box.y > area.y + kRounding) return {};
+            std::optional<Vec2d> spot;
             std::size_t on = 0;
             for (; on < stocks.size() && !spot; ++on) spot = stocks[on].room_for(box);
             if (spot) {
                 --on;
             } else {
                 stocks.emplace_back(area);
-                spot = Skyline::Spot{0, 0};
+                spot = Vec2d{};
             }
             stocks[on].take(*spot, box);
             nesting.places[piece].stock = static_cast<int>(on);
-            nesting.places[piece].corner = {border_ + static_cast<double>(spot->x) / kStepsPerMm,
-                                            border_ + static_cast<double>(spot->y) / kStepsPerMm};
+            nesting.places[piece].corner = Vec2d{border_, border_} + *spot;
         }
         nesting.stocks = static_cast<int>(stocks.size());
         for (const Skyline& sheet : stocks)
-            nesting.used_mm2 +=
-                stock.x * (static_cast<double>(sheet.highest()) / kStepsPerMm - gap_ + 2 * border_);
+            nesting.used_mm2 += stock.x * (sheet.highest() - gap_ + 2 * border_);
         return nesting;
     }
 
