@@ -14,7 +14,7 @@ void link(std::vector<OutlineCorner>& corners, std::uint32_t from, std::uint32_t
 /// Adds the corners on the line `y` and links those that the outline joins along it.
 void add_line(int y, const std::vector<PlanSpan>& before, const std::vector<PlanSpan>& behind,
               std::vector<OutlineCorner>& corners, std::vector<char>& leaves_along_y) {
-    for (const PlanSpan& side : difference(before, behind)) {
+    for (const PlanSpan& side : symmetric_difference(before, behind)) {
         const auto first = static_cast<std::uint32_t>(corners.size()), second = first + 1;
         corners.push_back({{y, side.begin}});
         corners.push_back({{y, side.end}});
@@ -52,7 +52,7 @@ std::vector<OutlineCorner> outline_corners(const PlanRegion& region) {
     return corners;
 }
 
-std::vector<PlanPoint> grown_corners(const std::vector<OutlineCorner>& corners, int by, const PlanBox& box) {
+std::vector<PlanPoint> offset_corners(const std::vector<OutlineCorner>& corners, int by, const PlanBox& box) {
     std::vector<PlanPoint> grown;
     grown.reserve(corners.size());
     for (const OutlineCorner& corner : corners) {

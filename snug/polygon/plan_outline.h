@@ -20,7 +20,7 @@ struct OutlineCorner {
 
 /// Where the corners come to when the region grows by `by`, in their order. What lies on the box's sides
 /// stays on them. Nothing may be so narrow that it closes.
-[[nodiscard]] std::vector<PlanPoint> grown_corners(const std::vector<OutlineCorner>& corners, int by,
-                                                   const PlanBox& box);
+[[nodiscard]] std::vector<PlanPoint> offset_corners(const std::vector<OutlineCorner>& corners, int by,
+                                                    const PlanBox& box);
 
 }  // namespace snug

@@ -31,7 +31,7 @@ class Ends {
 };
 
 template <class Rule>
-Spans combined(const Spans& a, const Spans& b, Rule rule) {
+Spans boolean_operation(const Spans& a, const Spans& b, Rule rule) {
     Spans result;
     Ends ends_a(a), ends_b(b);
     bool inside = false;
@@ -50,8 +50,8 @@ Spans combined(const Spans& a, const Spans& b, Rule rule) {
     return result;
 }
 
-Spans united(const Spans& a, const Spans& b) {
-    return combined(a, b, [](bool in_a, bool in_b) { return in_a || in_b; });
+Spans union_of(const Spans& a, const Spans& b) {
+    return boolean_operation(a, b, [](bool in_a, bool in_b) { return in_a || in_b; });
 }
 
 Spans widened(const Spans& spans, int by) {
@@ -95,18 +95,18 @@ class BandWindow {
   public:
     void add(const Spans& spans) {
         added_.push_back(&spans);
-        all_added_ = united(all_added_, spans);
+        all_added_ = union_of(all_added_, spans);
     }
     void drop_first() {
         if (first_.empty()) {
             for (; !added_.empty(); added_.pop_back())
-                first_.push_back(first_.empty() ? *added_.back() : united(*added_.back(), first_.back()));
+                first_.push_back(first_.empty() ? *added_.back() : union_of(*added_.back(), first_.back()));
             all_added_.clear();
         }
         first_.pop_back();
     }
     [[nodiscard]] Spans all() const {
-        return first_.empty() ? all_added_ : united(first_.back(), all_added_);
+        return first_.empty() ? all_added_ : union_of(first_.back(), all_added_);
     }
 
   private:
@@ -117,12 +117,13 @@ class BandWindow {
 };
 
 template <class Rule>
-PlanRegion combined(const PlanRegion& a, const PlanRegion& b, Rule rule) {
+PlanRegion boolean_operation(const PlanRegion& a, const PlanRegion& b, Rule rule) {
     const std::vector<int> lines = breaks(a, b);
     BandCursor cursor_a(a), cursor_b(b);
     PlanRegion result;
     for (std::size_t i = 0; i + 1 < lines.size(); ++i)
-        result.append(lines[i], lines[i + 1], combined(cursor_a.at(lines[i]), cursor_b.at(lines[i]), rule));
+        result.append(lines[i], lines[i + 1],
+                      boolean_operation(cursor_a.at(lines[i]), cursor_b.at(lines[i]), rule));
     return result;
 }
 
@@ -152,23 +153,23 @@ PlanRegion region_of(const PlanBox& box) {
     return region;
 }
 
-PlanRegion united(const PlanRegion& a, const PlanRegion& b) {
-    return combined(a, b, [](bool in_a, bool in_b) { return in_a || in_b; });
+PlanRegion union_of(const PlanRegion& a, const PlanRegion& b) {
+    return boolean_operation(a, b, [](bool in_a, bool in_b) { return in_a || in_b; });
 }
 
-PlanRegion common(const PlanRegion& a, const PlanRegion& b) {
-    return combined(a, b, [](bool in_a, bool in_b) { return in_a && in_b; });
+PlanRegion intersection(const PlanRegion& a, const PlanRegion& b) {
+    return boolean_operation(a, b, [](bool in_a, bool in_b) { return in_a && in_b; });
 }
 
-PlanRegion less(const PlanRegion& a, const PlanRegion& b) {
-    return combined(a, b, [](bool in_a, bool in_b) { return in_a && !in_b; });
+PlanRegion difference(const PlanRegion& a, const PlanRegion& b) {
+    return boolean_operation(a, b, [](bool in_a, bool in_b) { return in_a && !in_b; });
 }
 
-Spans difference(const Spans& a, const Spans& b) {
-    return combined(a, b, [](bool in_a, bool in_b) { return in_a != in_b; });
+Spans symmetric_difference(const Spans& a, const Spans& b) {
+    return boolean_operation(a, b, [](bool in_a, bool in_b) { return in_a != in_b; });
 }
 
-PlanRegion grown(const PlanRegion& region, int by) {
+PlanRegion dilated(const PlanRegion& region, int by) {
     if (by == 0) return region;
     std::vector<PlanBand> wide = region.bands;
     std::vector<int> lines;
@@ -189,6 +190,19 @@ PlanRegion grown(const PlanRegion& region, int by) {
     return result;
 }
 
+PlanRegion eroded(const PlanRegion& region, int by) {
+    if (by == 0 || region.empty()) return region;
+    PlanBox around{{region.bands.front().begin, region.bands.front().spans.front().begin},
+                   {region.bands.back().end, region.bands.front().spans.back().end}};
+    for (const PlanBand& band : region.bands) {
+        around.least.z = std::min(around.least.z, band.spans.front().begin);
+        around.greatest.z = std::max(around.greatest.z, band.spans.back().end);
+    }
+    // The complement, a step of it around the region.
+    around = {{around.least.y - 1, around.least.z - 1}, {around.greatest.y + 1, around.greatest.z + 1}};
+    return difference(region, dilated(difference(region_of(around), region), by));
+}
+
 std::int64_t area_of(const PlanRegion& region) {
     std::int64_t area = 0;
     for (const PlanBand& band : region.bands)
@@ -197,7 +211,7 @@ std::int64_t area_of(const PlanRegion& region) {
     return area;
 }
 
-std::vector<PlanRegion> pieces_of(const PlanRegion& region) {
+std::vector<PlanRegion> connected_components(const PlanRegion& region) {
     // Every span is joined with those of the next band that it shares a length with.
     std::vector<std::size_t> first_span{0};
     for (const PlanBand& band : region.bands) first_span.push_back(first_span.back() + band.spans.size());
@@ -239,7 +253,7 @@ std::vector<PlanRegion> pieces_of(const PlanRegion& region) {
     return pieces;
 }
 
-bool holds(const PlanRegion& region, PlanPoint point) {
+bool contains(const PlanRegion& region, PlanPoint point) {
     for (const Spans* spans : {&region.spans_behind(point.y), &region.spans_before(point.y)})
         for (const PlanSpan& span : *spans)
             if (span.begin <= point.z && point.z <= span.end) return true;

@@ -44,24 +44,26 @@ struct PlanRegion {
 };
 
 [[nodiscard]] PlanRegion region_of(const PlanBox& box);
-[[nodiscard]] PlanRegion united(const PlanRegion& a, const PlanRegion& b);
-[[nodiscard]] PlanRegion common(const PlanRegion& a, const PlanRegion& b);
-[[nodiscard]] PlanRegion less(const PlanRegion& a, const PlanRegion& b);
+[[nodiscard]] PlanRegion union_of(const PlanRegion& a, const PlanRegion& b);
+[[nodiscard]] PlanRegion intersection(const PlanRegion& a, const PlanRegion& b);
+[[nodiscard]] PlanRegion difference(const PlanRegion& a, const PlanRegion& b);
 
-/// Every point within `by` of the region along y and along z.
-[[nodiscard]] PlanRegion grown(const PlanRegion& region, int by);
+/// Every point within `by` of the region along y and along z: dilation by a square.
+[[nodiscard]] PlanRegion dilated(const PlanRegion& region, int by);
+/// Every point that has nothing but the region within `by` along y and along z: erosion by a square.
+[[nodiscard]] PlanRegion eroded(const PlanRegion& region, int by);
 
 /// Where spans of one list and not of the other lie.
-[[nodiscard]] std::vector<PlanSpan> difference(const std::vector<PlanSpan>& a,
-                                               const std::vector<PlanSpan>& b);
+[[nodiscard]] std::vector<PlanSpan> symmetric_difference(const std::vector<PlanSpan>& a,
+                                                         const std::vector<PlanSpan>& b);
 
 /// In steps squared.
 [[nodiscard]] std::int64_t area_of(const PlanRegion& region);
 
-/// The parts of a region that hang together by more than points.
-[[nodiscard]] std::vector<PlanRegion> pieces_of(const PlanRegion& region);
+/// The parts of a region that share more than points.
+[[nodiscard]] std::vector<PlanRegion> connected_components(const PlanRegion& region);
 
 /// Whether a point lies in the region or on its outline.
-[[nodiscard]] bool holds(const PlanRegion& region, PlanPoint point);
+[[nodiscard]] bool contains(const PlanRegion& region, PlanPoint point);
 
 }  // namespace snug

@@ -17,7 +17,7 @@ using Cells = Grid<char>;
 
 Cells random_cells(test::Random& random) {
     Cells cells(kSize, kSize);
-    const double share = random.unit();
+    const double share = random.chance(0.3) ? 0.97 : random.unit();
     for (char& cell : cells) cell = random.chance(share) ? 1 : 0;
     return cells;
 }
@@ -55,10 +55,10 @@ TEST(Region, SetOperationsAreThoseOfTheirCells) {
         const auto both = [&](int y, int z) { return a(y, z) && b(y, z); };
         const auto either = [&](int y, int z) { return a(y, z) || b(y, z); };
         const auto first_only = [&](int y, int z) { return a(y, z) && !b(y, z); };
-        EXPECT_EQ(united(ra, rb), region_of(cells_where(either)));
-        EXPECT_EQ(common(ra, rb), region_of(cells_where(both)));
-        EXPECT_EQ(less(ra, rb), region_of(cells_where(first_only)));
-        EXPECT_EQ(area_of(united(ra, rb)) + area_of(common(ra, rb)), area_of(ra) + area_of(rb));
+        EXPECT_EQ(union_of(ra, rb), region_of(cells_where(either)));
+        EXPECT_EQ(intersection(ra, rb), region_of(cells_where(both)));
+        EXPECT_EQ(difference(ra, rb), region_of(cells_where(first_only)));
+        EXPECT_EQ(area_of(union_of(ra, rb)) + area_of(intersection(ra, rb)), area_of(ra) + area_of(rb));
     }
 }
 
@@ -77,7 +77,23 @@ TEST(Region, DilatingReachesEveryPointWithinASquare) {
                     if (cells(j, k) && std::abs(j - y) <= by && std::abs(k - z) <= by) return true;
             return false;
         });
-        EXPECT_EQ(grown(region_of(cells), by), region_of(wide));
+        EXPECT_EQ(dilated(region_of(cells), by), region_of(wide));
+    }
+}
+
+TEST(Region, ErodingKeepsThePointsWithNothingElseWithinASquare) {
+    for (std::uint64_t seed = 0; seed < 200; ++seed) {
+        SCOPED_TRACE(seed);
+        test::Random random(seed);
+        const int by = random.integer(0, 2);
+        const Cells cells = random_cells(random);
+        const Cells narrow = cells_where([&](int y, int z) {
+            for (int j = y - by; j <= y + by; ++j)
+                for (int k = z - by; k <= z + by; ++k)
+                    if (!cells.contains(j, k) || !cells(j, k)) return false;
+            return true;
+        });
+        EXPECT_EQ(eroded(region_of(cells), by), region_of(narrow));
     }
 }
 
@@ -88,9 +104,9 @@ TEST(Region, PartsAreJoinedBySidesAndTogetherTheWhole) {
         const PlanRegion region = region_of(random_cells(random));
         PlanRegion all;
         std::int64_t area = 0;
-        for (const PlanRegion& part : pieces_of(region)) {
-            EXPECT_EQ(pieces_of(part).size(), 1u);
-            all = united(all, part);
+        for (const PlanRegion& part : connected_components(region)) {
+            EXPECT_EQ(connected_components(part).size(), 1u);
+            all = union_of(all, part);
             area += area_of(part);
         }
         EXPECT_EQ(all, region);
@@ -98,14 +114,14 @@ TEST(Region, PartsAreJoinedBySidesAndTogetherTheWhole) {
     }
     Cells corner(kSize, kSize);
     corner(3, 3) = corner(4, 4) = 1;
-    EXPECT_EQ(pieces_of(region_of(corner)).size(), 2u);
+    EXPECT_EQ(connected_components(region_of(corner)).size(), 2u);
 }
 
 TEST(Region, ContainsItsOutline) {
     const PlanRegion square = region_of(PlanBox{{2, 3}, {5, 7}});
     for (int y = 0; y < 10; ++y)
         for (int z = 0; z < 10; ++z)
-            EXPECT_EQ(holds(square, {y, z}), y >= 2 && y <= 5 && z >= 3 && z <= 7) << y << " " << z;
+            EXPECT_EQ(contains(square, {y, z}), y >= 2 && y <= 5 && z >= 3 && z <= 7) << y << " " << z;
 }
 
 }  // namespace

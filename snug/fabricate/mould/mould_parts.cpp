@@ -110,7 +110,7 @@ class MouldMaker {
                     slabs = draft_slabs(field, cut(0, level), cut(0, level + 1), draft_, above);
                     if (slabs.empty()) continue;
                     above = bottom_of(slabs.back(), tile.box);
-                    tile.pieces[static_cast<std::size_t>(level)] = pieces_of(above);
+                    tile.pieces[static_cast<std::size_t>(level)] = connected_components(above);
                 }
                 tiles_.push_back(std::move(tile));
             }
@@ -132,7 +132,7 @@ class MouldMaker {
             for (int k = 0; k < piece.nz(); ++k) {
                 if (piece(j, k) == 0) continue;
                 const auto part = std::find_if(parts.begin(), parts.end(), [&](const PlanRegion& region) {
-                    return holds(region, {half_way(tile.y, j), half_way(tile.z, k)});
+                    return contains(region, {half_way(tile.y, j), half_way(tile.z, k)});
                 });
                 part_at(j, k) = static_cast<int>(part - parts.begin());
             }
@@ -150,7 +150,7 @@ class MouldMaker {
         std::vector<DraftSlab> own = tile.slabs[level];
         if (tile.pieces[level].size() > 1) {
             for (DraftSlab& slab : own)
-                slab.region = common(slab.region, tile.pieces[level][static_cast<std::size_t>(piece)]);
+                slab.region = intersection(slab.region, tile.pieces[level][static_cast<std::size_t>(piece)]);
             own.erase(std::remove_if(own.begin(), own.end(),
                                      [](const DraftSlab& slab) { return slab.region.empty(); }),
                       own.end());
@@ -224,8 +224,9 @@ class MouldMaker {
                     if (height < slab.bottom || height >= slab.top) continue;
                     const std::int64_t moved = draft_.moved_at(height);
                     const PlanRegion core =
-                        grown(slab.region, static_cast<int>(moved - draft_.moved_at(slab.top)));
-                    count_lost(tile, grown(less(region_of(tile.box), core), static_cast<int>(moved)), level);
+                        dilated(slab.region, static_cast<int>(moved - draft_.moved_at(slab.top)));
+                    count_lost(tile, dilated(difference(region_of(tile.box), core), static_cast<int>(moved)),
+                               level);
                 }
     }
 

@@ -34,18 +34,17 @@ PlanRegion columns_at(const SteppedField& field, int level) {
     return region;
 }
 
-PlanBox widened(const PlanBox& box, int by) {
+PlanBox dilated(const PlanBox& box, int by) {
     return {{box.least.y - by, box.least.z - by}, {box.greatest.y + by, box.greatest.z + by}};
 }
 
-/// The region and every gap in it that no square of twice `reach` fits into.
-PlanRegion closed(const PlanRegion& region, int reach, const PlanBox& box) {
-    const PlanRegion around = region_of(widened(box, 4 * reach));
-    return common(less(around, grown(less(around, grown(region, reach)), reach)), region_of(box));
+/// The region and every gap in it that no square of twice `reach` fits into (its closing).
+PlanRegion closing(const PlanRegion& region, int reach, const PlanBox& box) {
+    return intersection(eroded(dilated(region, reach), reach), region_of(box));
 }
 
 /// The region and all between it and the box's sides that is no wider than `reach`.
-PlanRegion closed_to_sides(const PlanRegion& region, int reach, const PlanBox& box) {
+PlanRegion closing_to_sides(const PlanRegion& region, int reach, const PlanBox& box) {
     PlanRegion result;
     for (const PlanBand& band : region.bands) {
         std::vector<PlanSpan> spans = band.spans;
@@ -57,14 +56,14 @@ PlanRegion closed_to_sides(const PlanRegion& region, int reach, const PlanBox& b
          {std::pair{box.least.y, box.least.y + reach}, std::pair{box.greatest.y - reach, box.greatest.y}}) {
         // Whatever lies near the side spreads to it.
         const bool least = side == box.least.y;
-        const PlanRegion near = common(result, region_of({{side, box.least.z}, {end, box.greatest.z}}));
+        const PlanRegion near = intersection(result, region_of({{side, box.least.z}, {end, box.greatest.z}}));
         PlanRegion strips;
         for (const PlanBand& band : near.bands) {
             PlanRegion strip;
             strip.append(least ? side : band.begin, least ? band.end : end, band.spans);
-            strips = united(strips, strip);
+            strips = union_of(strips, strip);
         }
-        result = united(result, strips);
+        result = union_of(result, strips);
     }
     return result;
 }
@@ -81,15 +80,15 @@ PlanPoint outward(const std::vector<OutlineCorner>& corners, const OutlineCorner
 
 PlanRegion all_of(std::span<const PlanBox> boxes) {
     if (boxes.empty()) return {};
-    if (boxes.size() == 1) return region_of(widened(boxes[0], kLeastBridge));
+    if (boxes.size() == 1) return region_of(dilated(boxes[0], kLeastBridge));
     const std::size_t half = boxes.size() / 2;
-    return united(all_of(boxes.first(half)), all_of(boxes.subspan(half)));
+    return union_of(all_of(boxes.first(half)), all_of(boxes.subspan(half)));
 }
 
-/// Adds the boxes, widened, as far as they lie within `within`; false if there are none.
+/// Adds the boxes, dilated, as far as they lie within `within`; false if there are none.
 bool bridged(PlanRegion& region, const std::vector<PlanBox>& gaps, const PlanBox& within) {
     if (gaps.empty()) return false;
-    region = united(region, common(all_of(gaps), region_of(within)));
+    region = union_of(region, intersection(all_of(gaps), region_of(within)));
     return true;
 }
 
@@ -139,7 +138,7 @@ std::int64_t Draft::moved_at(int height) const {
 }
 
 PlanRegion bottom_of(const DraftSlab& slab, const PlanBox& box) {
-    return common(grown(slab.region, slab.growth), region_of(box));
+    return intersection(dilated(slab.region, slab.growth), region_of(box));
 }
 
 std::vector<DraftSlab> draft_slabs(const SteppedField& field, int first, int last, const Draft& draft,
@@ -152,7 +151,7 @@ std::vector<DraftSlab> draft_slabs(const SteppedField& field, int first, int las
                   bottom = field.levels[static_cast<std::size_t>(level) - 1];
         const std::int64_t growth = draft.moved_at(bottom) - draft.moved_at(top);
         const auto pieces = static_cast<int>(growth / kMostGrowth + 1);
-        PlanRegion region = united(before, columns_at(field, level));
+        PlanRegion region = union_of(before, columns_at(field, level));
         for (int piece = 0; piece < pieces; ++piece) {
             const auto at = [&](int i) {
                 return top - static_cast<int>(std::int64_t{top - bottom} * i / pieces);
@@ -160,7 +159,7 @@ std::vector<DraftSlab> draft_slabs(const SteppedField& field, int first, int las
             DraftSlab slab{at(piece), at(piece + 1), 0, std::move(region)};
             slab.growth = static_cast<int>(draft.moved_at(slab.bottom) - draft.moved_at(slab.top));
             const int reach = slab.growth + kLeastGap;
-            do slab.region = closed_to_sides(closed(slab.region, reach, box), reach, box);
+            do slab.region = closing_to_sides(closing(slab.region, reach, box), reach, box);
             while (join_points(slab.region, box) || join_corners(slab.region, 2 * reach, box));
             region = before = bottom_of(slab, box);
             if (!slab.region.empty()) slabs.push_back(std::move(slab));

@@ -96,7 +96,7 @@ class SlabMesher {
         for (std::size_t i = 0; i < slabs_.size(); ++i) {
             SlabOutline& outline = outlines_[i];
             outline.top = outline_corners(slabs_[i].region);
-            outline.bottom = grown_corners(outline.top, slabs_[i].growth, box_);
+            outline.bottom = offset_corners(outline.top, slabs_[i].growth, box_);
             outline.goes_on.assign(outline.top.size(), kNoVertex);
             outline.begins.assign(outline.top.size(), 1);
             outline.passed.assign(outline.top.size(), 0);
@@ -211,7 +211,7 @@ class SlabMesher {
         if ((i == 0 || base) && bored_.has(side)) return add_bored_level(side);
         const PlanRegion face = base     ? bottom_of(slabs_[i - 1], box_)
                                 : i == 0 ? slabs_[0].region
-                                         : less(slabs_[i].region, bottom_of(slabs_[i - 1], box_));
+                                         : difference(slabs_[i].region, bottom_of(slabs_[i - 1], box_));
         const auto& points = levels_[i].points();
         RowTriangulator triangulator(solid_.triangles);
         for (std::size_t at = 0; at < points.size();) {

@@ -41,7 +41,7 @@ struct RandomField {
         return draft_slabs(view(), 0, static_cast<int>(levels.size()) - 1, draft, {});
     }
     /// As it should be: the highest of all columns, less what their faces fall from here to there.
-    [[nodiscard]] bool holds(Vec3d p, double margin) const {
+    [[nodiscard]] bool contains(Vec3d p, double margin) const {
         for (int j = 0; j < heights.ny(); ++j)
             for (int k = 0; k < heights.nz(); ++k) {
                 const int top = levels[heights(j, k)];
@@ -65,10 +65,10 @@ StepSolid meshed(const RandomField& field) {
     const auto slabs = field.slabs();
     StepSolid all;
     if (slabs.empty()) return all;
-    for (const PlanRegion& piece : pieces_of(bottom_of(slabs.back(), field.view().box()))) {
+    for (const PlanRegion& piece : connected_components(bottom_of(slabs.back(), field.view().box()))) {
         std::vector<DraftSlab> own;
         for (const DraftSlab& slab : slabs)
-            if (PlanRegion region = common(slab.region, piece); !region.empty())
+            if (PlanRegion region = intersection(slab.region, piece); !region.empty())
                 own.push_back({slab.top, slab.bottom, slab.growth, std::move(region)});
         const StepSolid solid = slab_solid(own, field.view().box());
         const auto first = static_cast<std::uint32_t>(all.points.size());
@@ -112,7 +112,7 @@ TEST(SlabSolid, GrowingMovesEveryCornerAndMakesNone) {
         test::Random random(seed);
         const RandomField field(random);
         for (const DraftSlab& slab : field.slabs()) {
-            auto moved = grown_corners(outline_corners(slab.region), slab.growth, field.view().box());
+            auto moved = offset_corners(outline_corners(slab.region), slab.growth, field.view().box());
             std::sort(moved.begin(), moved.end(),
                       [](PlanPoint a, PlanPoint b) { return a.y != b.y ? a.y < b.y : a.z < b.z; });
             std::vector<PlanPoint> corners;
@@ -151,11 +151,11 @@ TEST(SlabSolid, IsTheUnionOfLeaningColumns) {
                           random.between(0, field.z.back())};
             const int turns = winding(solid, p);
             ASSERT_TRUE(turns == 0 || turns == 1);
-            if (field.holds(p, -3)) {
+            if (field.contains(p, -3)) {
                 ASSERT_EQ(turns, 1);
             }
             inside += turns;
-            if (turns == 1 && !field.holds(p, 3)) ++filled;
+            if (turns == 1 && !field.contains(p, 3)) ++filled;
         }
     }
     EXPECT_GT(inside, 5000);
