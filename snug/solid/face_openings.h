@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "snug/polygon/triangulate.h"
+#include "snug/polygon/row_triangulator.h"
 
 // Rectangles left open in the faces of a solid, for whoever fills them.
 

@@ -7,7 +7,7 @@
 #include "snug/base/grid.h"
 #include "snug/base/run.h"
 #include "snug/base/vec.h"
-#include "snug/polygon/triangulate.h"
+#include "snug/polygon/row_triangulator.h"
 #include "snug/solid/corner_fans.h"
 
 namespace snug {

@@ -7,10 +7,10 @@
 
 #include "snug/base/rotation.h"
 #include "snug/base/text.h"
-#include "snug/fabricate/printing/draft_slabs.h"
+#include "snug/fabricate/mould/draft_slabs.h"
+#include "snug/fabricate/mould/slab_solid.h"
 #include "snug/fabricate/printing/print_joints.h"
 #include "snug/fabricate/printing/print_things.h"
-#include "snug/fabricate/printing/slab_solid.h"
 #include "snug/polygon/lattice.h"
 
 namespace snug {

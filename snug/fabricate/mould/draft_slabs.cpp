@@ -1,4 +1,4 @@
-#include "snug/fabricate/printing/draft_slabs.h"
+#include "snug/fabricate/mould/draft_slabs.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "snug/polygon/holed_polygon.h"
+#include "snug/polygon/polygon_with_holes.h"
 
 #include <algorithm>
 #include <numeric>
@@ -28,7 +28,7 @@ std::int64_t triangulated_area(const std::vector<VertexLoop>& loops) {
     std::sort(points.begin(), points.end(),
               [](const PolygonVertex& a, const PolygonVertex& b) { return a.vertex < b.vertex; });
     std::vector<Triangle> triangles;
-    triangulate_loops(loops, triangles);
+    triangulate_polygons(loops, triangles);
     return std::accumulate(triangles.begin(), triangles.end(), std::int64_t{0},
                            [&](std::int64_t sum, const Triangle& t) {
                                const PolygonVertex &a = points[t[0]], &b = points[t[1]], &c = points[t[2]];
@@ -38,7 +38,7 @@ std::int64_t triangulated_area(const std::vector<VertexLoop>& loops) {
                            });
 }
 
-TEST(HoledPolygon, VerticesAlongStraightSidesMakeNoFlatTriangle) {
+TEST(PolygonWithHoles, VerticesAlongStraightSidesMakeNoFlatTriangle) {
     std::uint32_t vertex = 0;
     EXPECT_EQ(triangulated_area(
                   {loop_of({{0, 0}, {1, 0}, {2, 0}, {4, 0}, {4, 3}, {4, 4}, {0, 4}, {0, 1}}, vertex)}),
@@ -46,7 +46,7 @@ TEST(HoledPolygon, VerticesAlongStraightSidesMakeNoFlatTriangle) {
     EXPECT_EQ(triangulated_area({}), 0);
 }
 
-TEST(HoledPolygon, AHoleBetweenTheFingersOfAnotherIsReached) {
+TEST(PolygonWithHoles, AHoleBetweenTheFingersOfAnotherIsReached) {
     std::uint32_t vertex = 0;
     const VertexLoop outer = loop_of({{0, 0}, {100, 0}, {100, 100}, {0, 100}}, vertex);
     // A C open to the right, clockwise, and a small square between its arms.
@@ -58,7 +58,7 @@ TEST(HoledPolygon, AHoleBetweenTheFingersOfAnotherIsReached) {
     EXPECT_EQ(triangulated_area({outer, square, c}), expected);
 }
 
-TEST(HoledPolygon, PiecesApartKeepTheirOwnHoles) {
+TEST(PolygonWithHoles, PiecesApartKeepTheirOwnHoles) {
     std::uint32_t vertex = 0;
     const VertexLoop left = loop_of({{0, 0}, {10, 0}, {10, 10}, {0, 10}}, vertex);
     const VertexLoop hole = loop_of({{4, 4}, {4, 6}, {6, 6}, {6, 4}}, vertex);
@@ -67,7 +67,7 @@ TEST(HoledPolygon, PiecesApartKeepTheirOwnHoles) {
 }
 
 /// As bores in the cut face of a part: squares apart from each other in an outline with leaning sides.
-TEST(HoledPolygon, RandomSquareHolesInALeaningOutlineStayOpen) {
+TEST(PolygonWithHoles, RandomSquareHolesInALeaningOutlineStayOpen) {
     for (std::uint64_t seed = 0; seed < 200; ++seed) {
         SCOPED_TRACE(seed);
         test::Random random(seed);

@@ -1,4 +1,4 @@
-#include "snug/polygon/triangulate.h"
+#include "snug/polygon/row_triangulator.h"
 
 #include <cassert>
 #include <utility>

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "snug/fabricate/printing/bores.h"
-#include "snug/polygon/holed_polygon.h"
+#include "snug/polygon/polygon_with_holes.h"
 #include "snug/solid/step_solid.h"
 
 namespace snug {

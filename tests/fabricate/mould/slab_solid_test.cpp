@@ -1,4 +1,4 @@
-#include "snug/fabricate/printing/slab_solid.h"
+#include "snug/fabricate/mould/slab_solid.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "snug/fabricate/printing/bored_faces.h"
+#include "snug/fabricate/mould/bored_faces.h"
 
 #include <algorithm>
 
@@ -100,7 +100,7 @@ void BoredFaces::add_to(StepSolid& solid) const {
         std::vector<VertexLoop> loops = loops_of(face.second, solid, face.first);
         for (const SlabBore& bore : bores_)
             if (bore.side == face.first) loops.push_back(add_bore(bore, solid));
-        triangulate_loops(loops, solid.triangles);
+        triangulate_polygons(loops, solid.triangles);
     }
 }
 

@@ -1,4 +1,4 @@
-#include "snug/polygon/holed_polygon.h"
+#include "snug/polygon/polygon_with_holes.h"
 
 #include <algorithm>
 #include <array>
@@ -101,7 +101,7 @@ void join_holes(VertexLoop& outer, std::vector<const VertexLoop*> holes) {
 
 }  // namespace
 
-void triangulate_loops(const std::vector<VertexLoop>& loops, std::vector<Triangle>& triangles) {
+void triangulate_polygons(const std::vector<VertexLoop>& loops, std::vector<Triangle>& triangles) {
     constexpr double kNone = -1;  // of its triangles may be flat: on the lattice every ear has an area
     std::vector<const VertexLoop*> holes;
     for (const VertexLoop& loop : loops)

@@ -1,9 +1,10 @@
+#include "snug/polygon/plan_region.h"
+
 #include <cstdlib>
 
 #include <gtest/gtest.h>
 
 #include "snug/base/grid.h"
-#include "snug/polygon/plan_region.h"
 
 #include "tests/support/random.h"
 

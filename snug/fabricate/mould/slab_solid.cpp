@@ -1,4 +1,4 @@
-#include "snug/fabricate/printing/slab_solid.h"
+#include "snug/fabricate/mould/slab_solid.h"
 
 #include <algorithm>
 #include <cstdint>
@@ -6,9 +6,9 @@
 #include <numeric>
 #include <utility>
 
-#include "snug/fabricate/printing/bored_faces.h"
+#include "snug/fabricate/mould/bored_faces.h"
 #include "snug/polygon/plan_outline.h"
-#include "snug/polygon/triangulate.h"
+#include "snug/polygon/row_triangulator.h"
 
 namespace snug {
 namespace {

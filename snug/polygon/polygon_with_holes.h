@@ -20,6 +20,6 @@ using VertexLoop = std::vector<PolygonVertex>;
 /// clockwise, none meeting another or itself. Vertices along straight sides are fine and no triangle is flat.
 /// By bridges to the holes (Eberly, Triangulation by ear clipping) and clip_ears(): for faces of some hundred
 /// corners.
-void triangulate_loops(const std::vector<VertexLoop>& loops, std::vector<Triangle>& triangles);
+void triangulate_polygons(const std::vector<VertexLoop>& loops, std::vector<Triangle>& triangles);
 
 }  // namespace snug

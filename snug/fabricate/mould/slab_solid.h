@@ -2,8 +2,8 @@
 
 #include <span>
 
-#include "snug/fabricate/printing/bored_faces.h"
-#include "snug/fabricate/printing/draft_slabs.h"
+#include "snug/fabricate/mould/bored_faces.h"
+#include "snug/fabricate/mould/draft_slabs.h"
 #include "snug/solid/step_solid.h"
 
 namespace snug {
