@@ -49,13 +49,14 @@ Heights turned(const Heights& heights) {
     return result;
 }
 
-/// Under the heights, all that a rectangle of wy x wz columns reaches.
-Heights opened(const Heights& heights, int wy, int wz) {
+/// The opening by a rectangle of wy x wz columns (erosion, then dilation): under the heights, all that the
+/// rectangle reaches.
+Heights opening(const Heights& heights, int wy, int wz) {
     const auto least = [](std::uint16_t a, std::uint16_t b) { return std::min(a, b); };
     const auto most = [](std::uint16_t a, std::uint16_t b) { return std::max(a, b); };
-    Heights shrunk = turned(slid(heights, wz, wz - 1, least));
-    shrunk = slid(shrunk, wy, wy - 1, least);
-    return slid(turned(slid(shrunk, wy, 0, most)), wz, 0, most);
+    Heights eroded = turned(slid(heights, wz, wz - 1, least));
+    eroded = slid(eroded, wy, wy - 1, least);
+    return slid(turned(slid(eroded, wy, 0, most)), wz, 0, most);
 }
 
 int columns(double least_mm, double block_mm) {
@@ -76,8 +77,8 @@ long long cut_thin_ribs(BlockMap& blocks, const DesignSpace& space, int parting_
         lower[i] = static_cast<std::uint16_t>(run.none() ? parting_level : run.first);
         upper[i] = static_cast<std::uint16_t>(nx - (run.none() ? parting_level : run.end));
     }
-    lower = opened(lower, wy, wz);
-    upper = opened(upper, wy, wz);
+    lower = opening(lower, wy, wz);
+    upper = opening(upper, wy, wz);
     long long cut = 0;
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         const CutRun before = blocks[i];

@@ -54,15 +54,6 @@ std::pair<std::size_t, double> farthest(const Loop& line, std::size_t from, std:
 
 }  // namespace
 
-double signed_area(const Loop& loop) {
-    double doubled = 0;
-    for (std::size_t i = 0; i < loop.size(); ++i) {
-        const Vec2d a = loop[i], b = loop[i + 1 == loop.size() ? 0 : i + 1];
-        doubled += a.x * b.y - a.y * b.x;
-    }
-    return 0.5 * doubled;
-}
-
 std::vector<Loop> outlines(const Mask& mask, double least_cells) {
     std::vector<Loop> loops;
     for (const CellLoop& corners : cell_loops(mask)) loops.push_back(crack_middles(corners));

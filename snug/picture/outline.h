@@ -4,6 +4,7 @@
 
 #include "snug/picture/depth_image.h"
 #include "snug/polygon/cell_loops.h"
+#include "snug/polygon/polygon.h"
 
 namespace snug {
 
@@ -18,8 +19,5 @@ using Loop = std::vector<Vec2d>;
 
 /// The loop with fewer points, nowhere farther than `tolerance` from it (Douglas and Peucker, 1973).
 [[nodiscard]] Loop simplified(const Loop& loop, double tolerance);
-
-/// Positive for loops that run clockwise on the page.
-[[nodiscard]] double signed_area(const Loop& loop);
 
 }  // namespace snug

@@ -16,7 +16,7 @@ class Tracer {
         // Every loop, around cells or around a hole, passes above some cell from left to right.
         for (int row = 0; row < mask_.height; ++row)
             for (int column = 0; column < mask_.width; ++column)
-                if (mask_.inside(column, row) && !mask_.inside(column, row - 1) && !begun(column, row))
+                if (mask_.contains(column, row) && !mask_.contains(column, row - 1) && !begun(column, row))
                     loops.push_back(follow(column, row));
         return loops;
     }
@@ -39,8 +39,8 @@ class Tracer {
             x += dx;
             y += dy;
             // The cells ahead lie around the corner (x, y): to the left (dy, -dx), to the right (-dy, dx).
-            const bool left = mask_.inside(x + (dx + dy - 1) / 2, y + (dy - dx - 1) / 2);
-            const bool right = mask_.inside(x + (dx - dy - 1) / 2, y + (dy + dx - 1) / 2);
+            const bool left = mask_.contains(x + (dx + dy - 1) / 2, y + (dy - dx - 1) / 2);
+            const bool right = mask_.contains(x + (dx - dy - 1) / 2, y + (dy + dx - 1) / 2);
             turned = left || !right;
             if (left)
                 std::tie(dx, dy) = std::pair(dy, -dx);

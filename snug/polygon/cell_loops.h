@@ -16,7 +16,7 @@ struct Mask {
         : width(mask_width),
           height(mask_height),
           cells(static_cast<std::size_t>(mask_width) * static_cast<std::size_t>(mask_height), 0) {}
-    [[nodiscard]] bool inside(int column, int row) const {
+    [[nodiscard]] bool contains(int column, int row) const {
         return column >= 0 && row >= 0 && column < width && row < height && cells[index(column, row)] != 0;
     }
     void set(int column, int row) { cells[index(column, row)] = 1; }

@@ -32,7 +32,8 @@ struct LineCorner {
 /// Triangulates the regions of a plane of cells, row by row, with no other vertices than those on their
 /// outlines: holes, regions that touch themselves in a point and any number of vertices along a straight side
 /// are fine, and no triangle is degenerate. A plane sweep after Hertel and Mehlhorn, Fast triangulation of
-/// simple polygons (1983); time and memory follow the runs and corners.
+/// simple polygons (1983); time and memory follow the runs and corners, so faces of millions of cells are no
+/// matter. Outlines that run in any other direction are for clip_ears().
 class RowTriangulator {
   public:
     /// Triangles are appended to `triangles`, which must outlive this.

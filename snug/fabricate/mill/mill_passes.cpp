@@ -6,8 +6,8 @@
 namespace snug {
 namespace {
 
-/// What two ascending lists of stretches have in common.
-std::vector<Stretch> common(const std::vector<Stretch>& a, const std::vector<Stretch>& b) {
+/// Of two ascending lists of stretches.
+std::vector<Stretch> intersection(const std::vector<Stretch>& a, const std::vector<Stretch>& b) {
     std::vector<Stretch> both;
     std::size_t i = 0, k = 0;
     while (i < a.size() && k < b.size()) {
@@ -24,7 +24,7 @@ void add_fill(const CentreLines& lines, double stepover, std::vector<CutLine>& f
     const int count = std::max(1, static_cast<int>(std::ceil(length / stepover)));
     for (int i = 0; i <= count; ++i) {
         const double y = length * i / count;
-        for (const Stretch& stretch : common({{0, size.x}}, lines.along_x(y)))
+        for (const Stretch& stretch : intersection({{0, size.x}}, lines.along_x(y)))
             fill.push_back({{stretch.begin, y}, {stretch.end, y}});
     }
 }
@@ -64,7 +64,8 @@ void add_walls(const CentreLines& lines, std::vector<CutLine>& walls) {
                 return higher(foam, column) && !higher(pocket, column);
             });
             if (wanted.empty()) continue;
-            for (const Stretch& stretch : common(beside(wanted, y, size.y, lines.radius()), lines.along_x(y)))
+            for (const Stretch& stretch :
+                 intersection(beside(wanted, y, size.y, lines.radius()), lines.along_x(y)))
                 walls.push_back({{stretch.begin, y}, {stretch.end, y}});
         }
         for (int line = 1; line < nx; ++line) {
@@ -73,7 +74,8 @@ void add_walls(const CentreLines& lines, std::vector<CutLine>& walls) {
             const auto wanted = walls_of(ny, field.cell_mm.y,
                                          [&](int row) { return higher(row, foam) && !higher(row, pocket); });
             if (wanted.empty()) continue;
-            for (const Stretch& stretch : common(beside(wanted, x, size.x, lines.radius()), lines.along_y(x)))
+            for (const Stretch& stretch :
+                 intersection(beside(wanted, x, size.x, lines.radius()), lines.along_y(x)))
                 walls.push_back({{x, stretch.begin}, {x, stretch.end}});
         }
     }

@@ -155,11 +155,12 @@ class JointPlacer {
     }
 
     [[nodiscard]] bool fits(Pair pair, int axis, Vec3d centre) const {
-        return holds(pair.first, room(axis, centre, false)) && holds(pair.second, room(axis, centre, true));
+        return has_room(pair.first, room(axis, centre, false)) &&
+               has_room(pair.second, room(axis, centre, true));
     }
 
     /// Whether the box is all foam of this part and takes no other bore's room.
-    [[nodiscard]] bool holds(int index, const Box3d& box) const {
+    [[nodiscard]] bool has_room(int index, const Box3d& box) const {
         const PrintPart& part = layout_.parts[static_cast<std::size_t>(index)];
         const auto first = [&](int a) { return block_at(a, box.min[a], kRounding) - part.first[a]; };
         const auto end = [&](int a) { return block_at(a, box.max[a], -kRounding) + 1 - part.first[a]; };

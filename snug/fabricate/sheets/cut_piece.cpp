@@ -5,6 +5,7 @@
 
 #include "snug/fabricate/sheets/sheet_engraving.h"
 #include "snug/fabricate/sheets/sheet_outlines.h"
+#include "snug/polygon/polygon.h"
 
 namespace snug {
 namespace {
@@ -14,7 +15,7 @@ constexpr double kPi = 3.14159265358979323846;
 /// Middle of a dowel hole from the piece's own corner; the cell there tells whether it is in this piece.
 bool in_piece(const SheetPiece& piece, Vec2d at, Vec2d cell) {
     return at.x >= 0 && at.y >= 0 &&
-           piece.mask.inside(static_cast<int>(at.x / cell.x), static_cast<int>(at.y / cell.y));
+           piece.mask.contains(static_cast<int>(at.x / cell.x), static_cast<int>(at.y / cell.y));
 }
 
 }  // namespace
@@ -23,7 +24,7 @@ CutPiece cut_piece(const SheetStack& stack, const SheetPiece& piece, const Dowel
                    const SheetOptions& options) {
     CutPiece made;
     for (std::size_t i = 0; i < piece.loops.size(); ++i) {
-        auto line = cut_line(piece.loops[i], stack.cell_mm, options.kerf_mm);
+        auto line = offset_outline(piece.loops[i], stack.cell_mm, options.kerf_mm / 2);
         if (i == 0)
             made.outer = std::move(line);
         else
@@ -44,8 +45,8 @@ CutPiece cut_piece(const SheetStack& stack, const SheetPiece& piece, const Dowel
 }
 
 double cut_length(const CutPiece& piece) {
-    double sum = loop_length(piece.outer);
-    for (const auto& loop : piece.inner) sum += loop_length(loop);
+    double sum = perimeter(piece.outer);
+    for (const auto& loop : piece.inner) sum += perimeter(loop);
     for (const CircleItem& circle : piece.circles) sum += 2 * kPi * circle.radius_mm;
     return sum;
 }

@@ -45,8 +45,8 @@ std::vector<Run> runs_of(const Mask& mask) {
     std::vector<Run> runs;
     for (int row = 0; row < mask.height; ++row)
         for (int column = 0; column < mask.width; ++column) {
-            if (!mask.inside(column, row)) continue;
-            if (!mask.inside(column - 1, row)) runs.push_back({row, column, 0});
+            if (!mask.contains(column, row)) continue;
+            if (!mask.contains(column - 1, row)) runs.push_back({row, column, 0});
             ++runs.back().length;
         }
     // Long runs rule out most places.

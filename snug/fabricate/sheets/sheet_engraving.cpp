@@ -75,7 +75,7 @@ class FreeCells {
             int run = 0;
             for (int column = 0; column < free_.width; ++column) {
                 int& height = tall[static_cast<std::size_t>(column)];
-                height = free_.inside(column, row) ? height + 1 : 0;
+                height = free_.contains(column, row) ? height + 1 : 0;
                 run = height >= rows ? run + 1 : 0;
                 if (run == columns)
                     return Vec2d{(column + 1 - 0.5 * columns) * cell_.x, (row + 1 - 0.5 * rows) * cell_.y};
@@ -92,7 +92,7 @@ class FreeCells {
 /// Whether the piece has the half's corner at BACK and low z.
 bool has_odd_corner(const SheetStack& stack, const SheetPiece& piece) {
     const int row = stack.half == Half::lower ? 0 : stack.rows() - 1;
-    return piece.mask.inside(-piece.column, row - piece.row);
+    return piece.mask.contains(-piece.column, row - piece.row);
 }
 
 std::vector<Vec2d> odd_corner(const SheetStack& stack, const SheetPiece& piece) {

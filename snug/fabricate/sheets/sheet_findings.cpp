@@ -45,7 +45,7 @@ bool lies_on_a_sheet(const SheetStack& stack, const SheetPiece& piece) {
     if (piece.sheet == 0) return false;
     for (int row = 0; row < piece.mask.height; ++row)
         for (int column = 0; column < piece.mask.width; ++column)
-            if (piece.mask.inside(column, row) &&
+            if (piece.mask.contains(column, row) &&
                 stack.has(piece.row + row, piece.column + column, piece.sheet - 1))
                 return true;
     return false;

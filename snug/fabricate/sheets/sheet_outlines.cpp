@@ -19,7 +19,7 @@ Step direction(CellPoint from, CellPoint to) {
 /// line lies on it.
 bool on_piece(const SheetPiece& piece, CellPoint from, Step step) {
     const int column = from.x + (step.x + step.y - 1) / 2, row = from.y + (step.y - step.x - 1) / 2;
-    return piece.mask.inside(column, row);
+    return piece.mask.contains(column, row);
 }
 
 /// The parts of a loop that lie on the piece, corners only.
@@ -70,8 +70,7 @@ class LoopParts {
 
 }  // namespace
 
-std::vector<Vec2d> cut_line(const CellLoop& loop, Vec2d cell_mm, double kerf_mm) {
-    const double half = kerf_mm / 2;
+std::vector<Vec2d> offset_outline(const CellLoop& loop, Vec2d cell_mm, double offset_mm) {
     std::vector<Vec2d> line;
     line.reserve(loop.size());
     for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -79,7 +78,8 @@ std::vector<Vec2d> cut_line(const CellLoop& loop, Vec2d cell_mm, double kerf_mm)
         const Step in = direction(loop[i == 0 ? loop.size() - 1 : i - 1], at);
         const Step out = direction(at, loop[i + 1 == loop.size() ? 0 : i + 1]);
         // The inside is on the right-hand side, so outward is to the left: (dy, -dx).
-        line.push_back({at.x * cell_mm.x + half * (in.y + out.y), at.y * cell_mm.y - half * (in.x + out.x)});
+        line.push_back(
+            {at.x * cell_mm.x + offset_mm * (in.y + out.y), at.y * cell_mm.y - offset_mm * (in.x + out.x)});
     }
     return line;
 }
@@ -89,7 +89,7 @@ std::vector<std::vector<Vec2d>> outline_above(const SheetStack& stack, const She
     bool less = false;
     for (int row = 0; row < above.height; ++row)
         for (int column = 0; column < above.width; ++column) {
-            if (!piece.mask.inside(column, row)) continue;
+            if (!piece.mask.contains(column, row)) continue;
             if (stack.has(piece.row + row, piece.column + column, piece.sheet + 1))
                 above.set(column, row);
             else
@@ -99,13 +99,6 @@ std::vector<std::vector<Vec2d>> outline_above(const SheetStack& stack, const She
     LoopParts parts(piece, stack.cell_mm);
     for (const CellLoop& loop : cell_loops(above)) parts.add(loop);
     return parts.finish();
-}
-
-double loop_length(const std::vector<Vec2d>& loop) {
-    double sum = 0;
-    for (std::size_t i = 0; i < loop.size(); ++i)
-        sum += length(loop[i + 1 == loop.size() ? 0 : i + 1] - loop[i]);
-    return sum;
 }
 
 }  // namespace snug

@@ -88,7 +88,7 @@ std::string index_csv(const AllPieces& all, const Nesting& nesting) {
         const PiecePlace& place = nesting.places[i];
         const Vec2d cell = all.stacks[i]->cell_mm;
         int column = 0;
-        while (!piece.mask.inside(column, 0)) ++column;
+        while (!piece.mask.contains(column, 0)) ++column;
         text += piece.name;
         text += all.stacks[i]->half == Half::lower ? ",lower" : ",lid";
         for (const int value : {piece.sheet + 1, place.stock + 1}) text += "," + std::to_string(value);

@@ -9,6 +9,7 @@
 #include "snug/fabricate/sheets/nesting.h"
 #include "snug/fabricate/sheets/sheet_outlines.h"
 #include "snug/fabricate/sheets/sheets_pack.h"
+#include "snug/polygon/polygon.h"
 #include "snug/space/available.h"
 #include "snug/words/words.h"
 
@@ -45,11 +46,11 @@ TEST(Sheets, OutlinesGrowAndHolesShrinkByTheKerf) {
     const SheetPiece& ring = stack->pieces.back();
     ASSERT_EQ(ring.loops.size(), 2u);
     for (const double kerf : {0.0, 0.25, 3.0}) {
-        const auto outer = cut_line(ring.loops[0], stack->cell_mm, kerf);
-        EXPECT_EQ(loop_length(outer), 2 * (6 * 12 + 4 * 10) + 4 * kerf);
+        const auto outer = offset_outline(ring.loops[0], stack->cell_mm, kerf / 2);
+        EXPECT_EQ(perimeter(outer), 2 * (6 * 12 + 4 * 10) + 4 * kerf);
         EXPECT_EQ(outer[0].x, -kerf / 2);
-        const auto hole = cut_line(ring.loops[1], stack->cell_mm, kerf);
-        EXPECT_EQ(loop_length(hole), 2 * (2 * 12 + 2 * 10) - 4 * kerf);
+        const auto hole = offset_outline(ring.loops[1], stack->cell_mm, kerf / 2);
+        EXPECT_EQ(perimeter(hole), 2 * (2 * 12 + 2 * 10) - 4 * kerf);
     }
 }
 
