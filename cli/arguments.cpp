@@ -1,26 +1,30 @@
 #include "cli/arguments.h"
 
+#include <cstdio>
 #include <map>
+#include <regex>
 
 #include <CLI/CLI.hpp>
 #include <fmt/core.h>
 
 #include "snug/base/text.h"
 #include "snug/design/option_text.h"
+#include "snug/words/words.h"
 
 namespace snug::cli {
 namespace {
 
 /// Written so that what is no number at all fails as well.
-CLI::Validator within_range(double least, double most) {
-    const std::string range = number(least) + " to " + number(most);
-    return {[least, most, range](std::string& text) {
-                const auto value = typed_number(text);
-                return value && *value >= least && *value <= most
-                           ? std::string()
-                           : "takes " + range + ", not " + snug::quoted(text);
-            },
-            range};
+CLI::Validator within_range(double least, double most, Language language) {
+    const std::string from = number(least), to = number(most);
+    return {
+        [least, most, from, to](std::string& typed) {
+            const auto value = typed_number(typed);
+            return value && *value >= least && *value <= most
+                       ? std::string()
+                       : "takes " + from + " to " + to + ", not " + snug::quoted(typed);
+        },
+        text(say("in_both", {{"english", from + " to " + to}, {"japanese", from + "～" + to}}), language)};
 }
 
 /// Makes the option that an argument describes.
@@ -62,39 +66,134 @@ struct Adding {
     }
 };
 
-void add(CLI::App& app, const std::vector<Argument>& arguments) {
+void add(CLI::App& app, const std::vector<Argument>& arguments, Language language) {
     std::map<std::string, CLI::Option*> added;
     for (const Argument& argument : arguments) {
         CLI::Option* const option = std::visit(Adding{app, argument}, argument.target);
         added[argument.name] = option;
         if (!argument.takes.empty()) option->type_name(argument.takes);
         if (argument.required) option->required();
-        if (argument.range) option->check(within_range(argument.range->first, argument.range->second));
+        if (argument.range)
+            option->check(within_range(argument.range->first, argument.range->second, language));
         for (const std::string& name : argument.needs) option->needs(added.at(name));
         for (const std::string& name : argument.excludes) option->excludes(added.at(name));
     }
 }
 
+/// A sentence of the library that reads command lines, and what it says in words of our own. Each bracket is
+/// the value of that name.
+struct Refusal {
+    const char* pattern;
+    const char* code;
+    std::vector<const char*> values;
+};
+
+const std::vector<Refusal>& refusals() {
+    static const std::vector<Refusal> known{
+        {"(.*): takes (.*) to (.*), not (.*)", "usage.range", {"name", "least", "most", "found"}},
+        {"A subcommand is required", "usage.no_command", {}},
+        {"(.*) is required", "usage.required", {"name"}},
+        {"(.*) requires (.*)", "usage.requires", {"name", "other"}},
+        {"(.*) excludes (.*)", "usage.excludes", {"name", "other"}},
+        {"Could not convert: (.*) = (.*)", "usage.no_number", {"name", "found"}},
+        {"(.*): 1 required (.*) missing", "usage.no_value", {"name", "takes"}},
+        {"(.*) was given a disallowed flag override", "usage.flag_value", {"name"}},
+    };
+    return known;
+}
+
+Message refusal_of(const CLI::ParseError& error) {
+    const std::string said = error.what();
+    std::smatch found;
+    // CLI11 joins them by a space each.
+    if (std::regex_match(said, found, std::regex("The following arguments? (was|were) not expected: ([^]*)")))
+        return say("usage.not_expected", {{"count", found[1] == "was" ? 1U : 2U}, {"names", found[2].str()}});
+    for (const Refusal& refusal : refusals()) {
+        if (!std::regex_match(said, found, std::regex(refusal.pattern))) continue;
+        std::vector<Value> values;
+        for (std::size_t i = 0; i < refusal.values.size(); ++i)
+            values.emplace_back(refusal.values[i], found[i + 1].str());
+        return say(refusal.code, values);
+    }
+    return say("usage.other", {{"problem", said}});
+}
+
+/// Help goes to standard output, what is wrong to standard error.
+int ended(const CLI::App& app, const CLI::ParseError& error, Language language) {
+    if (error.get_exit_code() == 0) return app.exit(error) == 0 ? kDone : kWrongUsage;
+    fmt::print(stderr, "{}\n{}\n", text(refusal_of(error), language), text(say("usage.see_help"), language));
+    return kWrongUsage;
+}
+
+std::string footer(const std::string& examples, Language language) {
+    return text(examples.starts_with('\n') ? say("help.examples", {{"examples", examples}})
+                                           : say("help.example", {{"example", examples}}),
+                language);
+}
+
+/// The words of the help that are not those of an argument.
+void translate(CLI::App& app, Language language) {
+    const auto said = [&](const Message& message) { return text(message, language); };
+    app.set_help_flag("-h,--help", said(say("help.help")));
+    app.option_defaults()->group(said(say("help.options")));
+    if (CLI::Option* const help = app.get_help_ptr()) help->group(said(say("help.options")));
+    const std::map<std::string, Message> labels{
+        {"Positionals", say("help.positionals")}, {"Usage", say("help.usage")},
+        {"REQUIRED", say("help.required")},       {"Needs", say("help.needs")},
+        {"Excludes", say("help.excludes")},       {"OPTIONS", say("help.option_list")},
+        {"SUBCOMMAND", say("help.command")}};
+    for (const auto& [label, message] : labels) app.get_formatter()->label(label, said(message));
+}
+
 }  // namespace
 
-int run_program(int argc, const char* const* argv, const CommandSpec& program,
+Result<Language> typed_language(int argc, const char* const* argv) {
+    constexpr std::string_view kFlag = "--language";
+    for (int i = 1; i < argc && argv[i] != std::string_view("--"); ++i) {
+        const std::string_view word = argv[i];
+        std::string_view typed;
+        if (word == kFlag && i + 1 < argc)
+            typed = argv[i + 1];
+        else if (word.starts_with(kFlag) && word.substr(kFlag.size()).starts_with('='))
+            typed = word.substr(kFlag.size() + 1);
+        else
+            continue;
+        if (const auto language = language_from_name(typed)) return *language;
+        const std::vector<std::string_view> known{language_name(Language::english),
+                                                  language_name(Language::japanese)};
+        return not_what_it_takes(kFlag, say("takes.one_of", {{"words", each_as_it_is(known)}}), typed);
+    }
+    return Language::english;
+}
+
+int run_program(int argc, const char* const* argv, Language language,
                 const std::vector<CommandSpec>& commands) {
-    CLI::App app(program.help, program.name);
-    app.set_version_flag("--version", "snug " SNUG_VERSION);
-    app.set_help_flag("-h,--help", "Print this help");
+    const auto said = [&](const Message& message) { return text(message, language); };
+    CLI::App app(said(say("help.snug")), "snug");
+    translate(app, language);
+    std::string ignored;  // typed_language() has read it
+    const auto add_language = [&](CLI::App& to) {
+        to.add_option("--language", ignored, said(say("help.language")))->type_name("en|ja");
+    };
+    add_language(app);
+    app.set_version_flag("--version", "snug " SNUG_VERSION, said(say("help.version")))
+        ->group(said(say("help.options")));
     app.require_subcommand(1);
-    app.footer(program.footer);
+    app.footer(footer("snug make vase.stl -o vase-foam", language) + "\n" + said(say("help.every_command")));
     const CommandSpec* chosen = nullptr;
     for (const CommandSpec& command : commands) {
         CLI::App* const added = app.add_subcommand(command.name, command.help);
-        add(*added, command.arguments);
-        added->footer(command.footer);
+        translate(*added, language);
+        added->group(said(say("help.commands")));
+        add(*added, command.arguments, language);
+        add_language(*added);
+        added->footer(footer(command.examples, language));
         added->callback([&chosen, &command] { chosen = &command; });
     }
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? kDone : kWrongUsage;
+        return ended(app, error, language);
     }
     return chosen->run();
 }

@@ -8,7 +8,9 @@
 #include <variant>
 #include <vector>
 
+#include "snug/base/result.h"
 #include "snug/design/flags.h"
+#include "snug/words/words.h"
 
 #include "cli/commands.h"
 
@@ -40,13 +42,18 @@ struct Argument {
 
 /// A command of the program.
 struct CommandSpec {
-    std::string name, help, footer;
+    std::string name, help;
+    std::string examples;  ///< one, or several lines that each begin with a line end
     std::vector<Argument> arguments;
     Command run;  ///< gives the exit status
 };
 
-/// Reads the command line, prints help and refusals, and runs the command that was called.
-[[nodiscard]] int run_program(int argc, const char* const* argv, const CommandSpec& program,
+/// What was typed as --language, wherever it stands, so that all that is wrong can be said in it; English
+/// where it was not typed. Fails (kind `usage`) for a word that names none.
+[[nodiscard]] Result<Language> typed_language(int argc, const char* const* argv);
+
+/// Reads the command line, prints help and refusals in the language, and runs the command that was called.
+[[nodiscard]] int run_program(int argc, const char* const* argv, Language language,
                               const std::vector<CommandSpec>& commands);
 
 }  // namespace snug::cli

@@ -1,12 +1,12 @@
 #include "snug/design/cases.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
 #include <string>
 
-#include <fmt/core.h>
 #include <nlohmann/json.hpp>
 
 #include "snug/base/rotation.h"
@@ -23,6 +23,7 @@
 #include "cli/scene_file.h"
 #include "cli/user_cases.h"
 #include "cli/user_presets.h"
+#include "cli/wrapped.h"
 
 namespace snug::cli {
 namespace {
@@ -30,6 +31,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct CasesArguments {
+    Language language;
     std::optional<std::string> object;
     std::vector<TypedFlag> typed;  ///< about the design
     std::optional<double> mass;
@@ -71,6 +73,36 @@ std::string angles_text(Vec3d angles) {
     return number(angles.x, 6) + "," + number(angles.y, 6) + "," + number(angles.z, 6);
 }
 
+/// Cells below each other, each `widths` columns wide but the last.
+template <std::size_t N>
+std::string line(const std::array<std::size_t, N>& widths, const std::array<std::string, N + 1>& cells) {
+    std::string text;
+    for (std::size_t i = 0; i < N; ++i) text += padded(cells[i], widths[i]);
+    return text + cells[N] + "\n";
+}
+
+/// "hard case"; a kind of a user's own as it was written.
+std::string kind_of(const KnownCase& known, Language language) {
+    if (known.kind == "carton") return text(say("kind.carton"), language);
+    if (known.kind == "hard case") return text(say("kind.hard_case"), language);
+    if (known.kind == "parcel class") return text(say("kind.parcel_class"), language);
+    return known.kind;
+}
+
+std::string cases_text(const std::vector<KnownCase>& cases, Language language) {
+    constexpr std::array<std::size_t, 6> kWidths{19, 14, 26, 8, 9, 9};
+    const auto said = [&](const Message& message) { return snug::text(message, language); };
+    std::string text =
+        line(kWidths,
+             {said(say("list.name")), said(say("list.kind")), said(say("list.inside")), said(say("list.lid")),
+              said(say("list.most_kg")), said(say("list.price")), said(say("list.carrier"))});
+    for (const KnownCase& known : cases)
+        text += line(kWidths, {known.name, kind_of(known, language),
+                               dimensions(length_first(known.inside_mm)), optional_text(known.lid_mm),
+                               optional_text(known.most_kg), optional_text(known.price), known.carrier});
+    return text + "\n" + said(say("list.own_cases", {{"file", user_cases_path().string()}})) + "\n";
+}
+
 int list_cases(const std::vector<KnownCase>& cases, const CasesArguments& arguments) {
     std::string text;
     if (arguments.csv) {
@@ -80,35 +112,26 @@ int list_cases(const std::vector<KnownCase>& cases, const CasesArguments& argume
         for (const KnownCase& known : cases) list.push_back(case_json(known));
         text = list.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
     } else {
-        text = fmt::format("{:<19}{:<14}{:<26}{:<8}{:<9}{:<9}{}\n", "name", "kind", "inside L x W x H, mm",
-                           "lid mm", "most kg", "price", "carrier");
-        for (const KnownCase& known : cases)
-            text += fmt::format("{:<19}{:<14}{:<26}{:<8}{:<9}{:<9}{}\n", known.name, known.kind,
-                                dimensions(length_first(known.inside_mm)), optional_text(known.lid_mm),
-                                optional_text(known.most_kg), optional_text(known.price), known.carrier);
-        text += fmt::format(
-            "\nSizes differ between makers by some mm: measure yours. Add your own in {};\n"
-            "`snug cases --csv` shows its columns, name and the three sizes are required.\n",
-            user_cases_path().string());
+        text = cases_text(cases, arguments.language);
     }
     const auto done = print(text);
-    return done ? kDone : report(done.error());
+    return done ? kDone : report(done.error(), arguments.language);
 }
 
-std::string fitting_text(const CaseRanking& ranking, const Design& design) {
-    std::string text = fmt::format("{:<19}{:<26}{:<7}{:<11}{:<9}{}\n", "name", "inside L x W x H, mm", "fill",
-                                   "billed kg", "price", "lay it with");
+std::string fitting_text(const CaseRanking& ranking, const Design& design, Language language) {
+    constexpr std::array<std::size_t, 5> kWidths{19, 26, 7, 11, 9};
+    const auto said = [&](const Message& message) { return snug::text(message, language); };
+    std::string text =
+        line(kWidths, {said(say("list.name")), said(say("list.inside")), said(say("list.fill")),
+                       said(say("list.billed")), said(say("list.price")), said(say("list.lay"))});
     for (const RankedCase& ranked : ranking.fitting)
-        text +=
-            fmt::format("{:<19}{:<26}{:<7}{:<11}{:<9}--rotate={}\n", ranked.known.name,
-                        dimensions(length_first(ranked.known.inside_mm)), number(ranked.fill * 100, 0) + " %",
-                        optional_text(ranked.billed_kg, 0), optional_text(ranked.known.price),
-                        angles_text(rotation_for(ranked.lay, design.placement.rotation_deg)));
-    text += fmt::format(
-        "\nBilled weight is the greater of mass and inside volume / divisor, in whole kg; a "
-        "carrier measures outside.\nUse one with `snug make ... --case {}`.\n",
-        ranking.fitting.front().known.name);
-    return text;
+        text += line(kWidths,
+                     {ranked.known.name, dimensions(length_first(ranked.known.inside_mm)),
+                      number(ranked.fill * 100, 0) + " %", optional_text(ranked.billed_kg, 0),
+                      optional_text(ranked.known.price),
+                      "--rotate=" + angles_text(rotation_for(ranked.lay, design.placement.rotation_deg))});
+    return text + "\n" + said(say("list.billed_weight", {{"name", ranking.fitting.front().known.name}})) +
+           "\n";
 }
 
 /// What would do, and what is in the way of the nearest case.
@@ -155,7 +178,8 @@ Result<Design> design_for(const CasesArguments& a, Design design, bool is_projec
     const auto is_preset = [](const TypedFlag& typed) { return typed.flag == "--preset"; };
     const auto preset = std::find_if(a.typed.begin(), a.typed.end(), is_preset);
     if (preset != a.typed.end()) {
-        auto result = with_flags({&*preset, 1}, std::move(design), true, {known_presets, known_cases});
+        auto result = with_flags({&*preset, 1}, std::move(design), true,
+                                 {known_presets, [&] { return known_cases(a.language); }});
         if (!result) return result;
         design = std::move(*result);
     }
@@ -166,74 +190,68 @@ Result<Design> design_for(const CasesArguments& a, Design design, bool is_projec
 }
 
 int rank_for(const std::vector<KnownCase>& cases, const CasesArguments& arguments) {
+    const Language language = arguments.language;
     auto source = find_object(*arguments.object);
-    if (!source) return report(source.error());
+    if (!source) return report(source.error(), language);
     const auto design = design_for(arguments, source->project ? source->project->design : Design{},
                                    source->project.has_value());
-    if (!design) return report(design.error());
+    if (!design) return report(design.error(), language);
     const std::string path = source->object.string();
     const auto bytes = read_file(source->object);
-    if (!bytes) return report(bytes.error());
+    if (!bytes) return report(bytes.error(), language);
     auto mesh = read_object(*bytes, path);
-    if (!mesh) return report({mesh.error().kind, in_file(path, mesh.error().message)});
+    if (!mesh) return report({mesh.error().kind, in_file(path, mesh.error().message)}, language);
     if (const auto error = unwanted_units(*mesh, was_typed(arguments.typed, "--units")))
-        return report({error->kind, in_file(path, error->message)});
+        return report({error->kind, in_file(path, error->message)}, language);
     const auto object = prepare(std::move(*mesh), *design);
-    if (!object) return report({object.error().kind, in_file(path, object.error().message)});
+    if (!object) return report({object.error().kind, in_file(path, object.error().message)}, language);
     const Placement placement = place(object->mesh, design->placement.rotation_deg, {});
     const Cargo cargo{placement.bounds.size(), arguments.mass, arguments.divisor};
     const CaseRanking ranking = rank_cases(cases, *design, cargo);
     if (arguments.json) {
         const Json json = ranking_json(ranking, *design);
         if (auto done = print(json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n"); !done)
-            return report(done.error());
+            return report(done.error(), language);
     }
     if (ranking.fitting.empty())
-        return report({ErrorKind::does_not_fit, in_file(path, nothing_fits(ranking))});
+        return report({ErrorKind::does_not_fit, in_file(path, nothing_fits(ranking))}, language);
     if (arguments.json) return kDone;
-    const auto done = print(fitting_text(ranking, *design));
-    return done ? kDone : report(done.error());
+    const auto done = print(fitting_text(ranking, *design, language));
+    return done ? kDone : report(done.error(), language);
 }
 
 int cases(const CasesArguments& arguments) {
-    const auto known = known_cases();
-    if (!known) return report(known.error());
+    const auto known = known_cases(arguments.language);
+    if (!known) return report(known.error(), arguments.language);
     return arguments.object ? rank_for(*known, arguments) : list_cases(*known, arguments);
 }
 
 /// Flags of `snug make`, with what they mean here.
-Argument of_the_design(CasesArguments& a, const char* name, const char* takes, const char* help) {
-    return {name, takes, help, DesignFlag{&a.typed}, false, {}, {"--for"}};
+Argument of_the_design(CasesArguments& a, const char* name, const char* takes, Message help) {
+    return {name, takes, text(help, a.language), DesignFlag{&a.typed}, false, {}, {"--for"}};
 }
 
 }  // namespace
 
-CommandSpec cases_command() {
+CommandSpec cases_command(Language language) {
     const auto a = std::make_shared<CasesArguments>();
-    return {
-        "cases",
-        "List cartons and cases, or those that fit an object",
-        "Examples:\n  snug cases\n  snug cases --for camera.stl --wall 25 --mass 1.2",
-        {{"--for", "OBJECT|PROJECT", "Only cases that fit this object (or project), best first", &a->object},
-         {"--mass", "KG", "The object's mass", &a->mass, false, {{0, 1e6}}, {"--for"}},
-         of_the_design(*a, "--wall", "MM|X,Y,Z|SIX",
-                       "Least foam on each side, as `snug make` takes it (50, or the project's)"),
-         of_the_design(*a, "--preset", "NAME", "The foam (paper, or the project's)"),
-         of_the_design(*a, "--clearance", "MM|X,Y,Z|SIX", "Grow the object by this (0, or the preset's)"),
-         of_the_design(*a, "--rotate", "PSI,THETA,PHI",
-                       "How the object lies (0,0,0); its axes are exchanged too"),
-         of_the_design(*a, "--units", "mm|cm|m|in", "The unit of the file (mm)"),
-         of_the_design(*a, "--case-play", "MM", "Air between foam and case on each side (3)"),
-         {"--divisor",
-          "CM3",
-          "cm3 for one kg of volumetric weight (5000)",
-          &a->divisor,
-          false,
-          {{1, 1e6}},
-          {"--for"}},
-         {"--json", "", "Print JSON instead of a table", &a->json},
-         {"--csv", "", "Print the list as CSV, to extend", &a->csv, false, {}, {}, {"--for", "--json"}}},
-        [a] { return cases(*a); }};
+    a->language = language;
+    const auto help = [&](const Message& message) { return text(message, language); };
+    return {"cases",
+            help(say("help.cases")),
+            "\n  snug cases\n  snug cases --for camera.stl --wall 25 --mass 1.2",
+            {{"--for", "OBJECT|PROJECT", help(say("help.cases.for")), &a->object},
+             {"--mass", "KG", help(say("help.cases.mass")), &a->mass, false, {{0, 1e6}}, {"--for"}},
+             of_the_design(*a, "--wall", "MM|X,Y,Z|SIX", say("help.cases.wall")),
+             of_the_design(*a, "--preset", "NAME", say("help.cases.preset")),
+             of_the_design(*a, "--clearance", "MM|X,Y,Z|SIX", say("help.cases.clearance")),
+             of_the_design(*a, "--rotate", "PSI,THETA,PHI", say("help.cases.rotate")),
+             of_the_design(*a, "--units", "mm|cm|m|in", say("help.cases.units")),
+             of_the_design(*a, "--case-play", "MM", say("help.cases.play")),
+             {"--divisor", "CM3", help(say("help.cases.divisor")), &a->divisor, false, {{1, 1e6}}, {"--for"}},
+             {"--json", "", help(say("help.cases.json")), &a->json},
+             {"--csv", "", help(say("help.cases.csv")), &a->csv, false, {}, {}, {"--for", "--json"}}},
+            [a] { return cases(*a); }};
 }
 
 }  // namespace snug::cli

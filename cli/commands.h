@@ -2,6 +2,8 @@
 
 #include <functional>
 
+#include "snug/words/words.h"
+
 namespace snug::cli {
 
 /// Exit statuses, fixed because scripts rely on them.
@@ -19,12 +21,12 @@ using Command = std::function<int()>;
 
 struct CommandSpec;  // arguments.h
 
-// Each describes its command.
-[[nodiscard]] CommandSpec make_command();
-[[nodiscard]] CommandSpec inspect_command();
-[[nodiscard]] CommandSpec sample_command();
-[[nodiscard]] CommandSpec presets_command();
-[[nodiscard]] CommandSpec cases_command();
-[[nodiscard]] CommandSpec studio_command();
+// Each describes its command, which prints in the language.
+[[nodiscard]] CommandSpec make_command(Language language);
+[[nodiscard]] CommandSpec inspect_command(Language language);
+[[nodiscard]] CommandSpec sample_command(Language language);
+[[nodiscard]] CommandSpec presets_command(Language language);
+[[nodiscard]] CommandSpec cases_command(Language language);
+[[nodiscard]] CommandSpec studio_command(Language language);
 
 }  // namespace snug::cli

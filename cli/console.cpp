@@ -29,16 +29,16 @@ int exit_status(ErrorKind kind) {
     return kBadInput;
 }
 
-int report(const Error& error) {
-    std::fputs(fmt::format("snug: {}\n", one_line(text(error.message))).c_str(), stderr);
+int report(const Error& error, Language language) {
+    std::fputs(fmt::format("snug: {}\n", one_line(text(error.message, language))).c_str(), stderr);
     return exit_status(error.kind);
 }
 
-int within_memory(const std::string& object, const std::function<int()>& command) {
+int within_memory(const std::string& object, Language language, const std::function<int()>& command) {
     try {
         return command();
     } catch (const std::bad_alloc&) {
-        return report({ErrorKind::input, in_file(object, say("file.no_memory"))});
+        return report({ErrorKind::input, in_file(object, say("file.no_memory"))}, language);
     }
 }
 
@@ -49,22 +49,27 @@ Result<void> print(std::string_view text) {
     return {};
 }
 
-StatusLine::StatusLine(bool quiet) : visible_(!quiet && isatty(STDERR_FILENO) != 0) {}
+StatusLine::StatusLine(bool quiet, Language language)
+    : visible_(!quiet && isatty(STDERR_FILENO) != 0), language_(language) {}
 
 StatusLine::~StatusLine() {
-    show("");
+    show_text("");
 }
 
-void StatusLine::show(const std::string& text) {
+void StatusLine::show(const Message& message) {
+    show_text(text(message, language_));
+}
+
+void StatusLine::show_text(const std::string& text) {
     if (!visible_ || text == shown_) return;
     std::fputs(fmt::format("\r\033[K{}", one_line(text)).c_str(), stderr);
     std::fflush(stderr);
     shown_ = text;
 }
 
-Progress StatusLine::progress(std::string text) {
-    return [this, text = std::move(text)](double fraction) {
-        show(fmt::format("{} {:.0f} %", text, fraction * 100));
+Progress StatusLine::progress(Message work) {
+    return [this, work = std::move(work)](double fraction) {
+        show(say("status.percent", {{"work", work}, {"percent", fmt::format("{:.0f}", fraction * 100)}}));
         return true;
     };
 }

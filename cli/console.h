@@ -6,6 +6,7 @@
 
 #include "snug/base/progress.h"
 #include "snug/base/result.h"
+#include "snug/words/words.h"
 
 namespace snug::cli {
 
@@ -14,10 +15,10 @@ namespace snug::cli {
 
 /// Prints "snug: sentence" on one line of standard error, without what would steer a terminal (names of files
 /// may hold anything), and gives the exit status.
-int report(const Error& error);
+int report(const Error& error, Language language);
 
 /// Runs a command; where memory does not suffice for an object, that is a sentence of kind `input`, too.
-int within_memory(const std::string& object, const std::function<int()>& command);
+int within_memory(const std::string& object, Language language, const std::function<int()>& command);
 
 /// Text to standard output; an Error of kind `output` where nobody takes it.
 [[nodiscard]] Result<void> print(std::string_view text);
@@ -26,17 +27,20 @@ int within_memory(const std::string& object, const std::function<int()>& command
 /// set.
 class StatusLine {
   public:
-    explicit StatusLine(bool quiet);
+    StatusLine(bool quiet, Language language);
     ~StatusLine();
     StatusLine(const StatusLine&) = delete;
     StatusLine& operator=(const StatusLine&) = delete;
 
-    void show(const std::string& text);
-    /// A progress callback that shows `text` with percents.
-    [[nodiscard]] Progress progress(std::string text);
+    void show(const Message& message);
+    /// A progress callback that shows what is worked on with percents.
+    [[nodiscard]] Progress progress(Message work);
 
   private:
+    void show_text(const std::string& text);
+
     bool visible_;
+    Language language_;
     std::string shown_;
 };
 

@@ -20,6 +20,7 @@
 #include "cli/console.h"
 #include "cli/files.h"
 #include "cli/scene_file.h"
+#include "cli/wrapped.h"
 
 namespace snug::cli {
 namespace {
@@ -28,6 +29,7 @@ constexpr std::array<Unit, 4> kUnits{Unit::mm, Unit::cm, Unit::m, Unit::in};
 constexpr std::size_t kPartsShown = 20;
 
 struct InspectArguments {
+    Language language;
     std::string object;
     bool json = false;
 };
@@ -44,26 +46,44 @@ const Unit* likely_unit(double longest) {
     return nullptr;
 }
 
-std::string size_lines(Vec3d size, bool in_mm) {
-    if (in_mm) return fmt::format("Size        {} mm; the file states its unit\n", dimensions(size, 2));
-    const double longest = std::max({size.x, size.y, size.z});
-    const Unit* best = likely_unit(longest);
-    std::string text = "Size, if the file is in\n";
+constexpr std::size_t kLabel = 12;  // columns
+
+/// Lines of text in a language.
+struct Lines {
+    Language language;
+    std::string text = {};
+
+    [[nodiscard]] std::string said(const Message& message) const { return snug::text(message, language); }
+    void add(const Message& label, const Message& message) {
+        text += padded(said(label), kLabel) + said(message) + "\n";
+    }
+    void add_heading(const Message& message) { text += said(message) + "\n"; }
+    /// Below a heading, behind a short word.
+    void add_below(std::string_view word, const std::string& rest) {
+        text += fmt::format("  {:<4}{}\n", word, rest);
+    }
+};
+
+void add_size(Vec3d size, bool in_mm, Lines& lines) {
+    if (in_mm)
+        return lines.add(say("inspect.size"), say("inspect.size_stated", {{"size", dimensions(size, 2)}}));
+    const Unit* best = likely_unit(std::max({size.x, size.y, size.z}));
+    lines.add_heading(say("inspect.size_if"));
     for (const Unit& unit : kUnits)
-        text += fmt::format("  {:<4}{} mm{}\n", name_of(unit), dimensions(size * millimetres(unit), 2),
-                            &unit == best ? "   <- likely" : "");
-    return text;
+        lines.add_below(name_of(unit),
+                        dimensions(size * millimetres(unit), 2) + " mm" +
+                            (&unit == best ? lines.said(say("inspect.likely")) : std::string()));
 }
 
-std::string volume_lines(const std::optional<double>& volume, bool in_mm) {
-    if (!volume) return "Volume      unknown: the surface is not closed\n";
-    if (in_mm) return fmt::format("Volume      {} litres\n", number(*volume * 1e-6, 4));
-    std::string text = "Volume, if the file is in\n";
+void add_volume(const std::optional<double>& volume, bool in_mm, Lines& lines) {
+    const auto litres = [](double mm3) { return say("figure.litres", {{"litres", number(mm3 * 1e-6, 4)}}); };
+    if (!volume) return lines.add(say("inspect.volume"), say("inspect.no_volume"));
+    if (in_mm) return lines.add(say("inspect.volume"), litres(*volume));
+    lines.add_heading(say("inspect.volume_if"));
     for (const Unit unit : kUnits) {
         const double mm = millimetres(unit);
-        text += fmt::format("  {:<4}{} litres\n", name_of(unit), number(*volume * mm * mm * mm * 1e-6, 4));
+        lines.add_below(name_of(unit), lines.said(litres(*volume * mm * mm * mm)));
     }
-    return text;
 }
 
 std::vector<Finding> findings_of(const Mesh& mesh) {
@@ -73,52 +93,65 @@ std::vector<Finding> findings_of(const Mesh& mesh) {
     return findings;
 }
 
-std::string finding_lines(const Mesh& mesh) {
-    std::string text;
+void add_findings(const Mesh& mesh, Lines& lines) {
     for (const Finding& finding : findings_of(mesh))
-        text +=
-            fmt::format("{:<12}{}\n", severity_name(finding.severity), one_line(snug::text(finding.message)));
-    return text;
+        lines.add(say(finding.severity == Severity::danger    ? "inspect.danger"
+                      : finding.severity == Severity::warning ? "inspect.warning"
+                                                              : "inspect.note"),
+                  as_it_is(one_line(lines.said(finding.message))));
 }
 
 /// The rest of the parts in one line.
-std::string smaller_parts(const std::vector<PartShare>& shares) {
+Message smaller_parts(const std::vector<PartShare>& shares) {
     double share = 0, longest = 0;
     for (std::size_t i = kPartsShown; i < shares.size(); ++i) {
         share += shares[i].share;
         longest = std::max(longest, shares[i].bounds.longest_side());
     }
-    return fmt::format("  and {} more, at most {} long, {} % of the surface; --json lists all\n",
-                       grouped(shares.size() - kPartsShown), number(longest, 3), number(share * 100, 2));
+    return say("inspect.smaller_parts", {{"parts", shares.size() - kPartsShown},
+                                         {"longest", number(longest, 3)},
+                                         {"percent", number(share * 100, 2)}});
 }
 
-std::string described(const std::string& name, const Mesh& mesh, const MeshMeasure& measure) {
-    const Vec3d size = measure.bounds.size();
-    std::string text = fmt::format("{}\n", one_line(name));
-    if (mesh.is_cloud())
-        return text + fmt::format("A cloud of {}\n", counted(mesh.vertices.size(), "point", "points")) +
-               size_lines(size, mesh.read.in_mm) + finding_lines(mesh);
-    text += fmt::format("Triangles   {} with {}\n", grouped(mesh.triangles.size()),
-                        counted(mesh.vertices.size(), "vertex", "vertices"));
-    text += fmt::format("Holes       {}\n", measure.holes.empty() ? "none" : grouped(measure.holes.size()));
-    text += fmt::format("Closed      {}\n", measure.watertight      ? "yes"
-                                            : measure.holes.empty() ? "no: its triangles are wound both ways"
-                                                                    : "no");
-    text += fmt::format("Parts       {}\n", grouped(measure.parts.size()));
-    if (measure.parts.size() > 1) {
-        const std::vector<PartShare> shares = part_shares(mesh, measure);
-        for (std::size_t i = 0; i < std::min(shares.size(), kPartsShown); ++i)
-            text += fmt::format(
-                "  {:<4}{} in {}, {}, {} % of the surface\n", shares[i].number,
-                dimensions(shares[i].bounds.size(), 3), mesh.read.in_mm ? "mm" : "the file's unit",
-                counted(shares[i].triangles, "triangle", "triangles"), number(shares[i].share * 100, 2));
-        if (shares.size() > kPartsShown) text += smaller_parts(shares);
+void add_parts(const Mesh& mesh, const MeshMeasure& measure, Lines& lines) {
+    lines.add(say("inspect.parts"), as_it_is(grouped(measure.parts.size())));
+    if (measure.parts.size() < 2) return;
+    const Message unit = mesh.read.in_mm ? as_it_is("mm") : say("inspect.file_unit");
+    const std::vector<PartShare> shares = part_shares(mesh, measure);
+    for (std::size_t i = 0; i < std::min(shares.size(), kPartsShown); ++i)
+        lines.add_below(std::to_string(shares[i].number),
+                        lines.said(say("inspect.part", {{"size", dimensions(shares[i].bounds.size(), 3)},
+                                                        {"unit", unit},
+                                                        {"triangles", shares[i].triangles},
+                                                        {"percent", number(shares[i].share * 100, 2)}})));
+    if (shares.size() > kPartsShown) lines.text += "  " + lines.said(smaller_parts(shares)) + "\n";
+}
+
+std::string described(const std::string& name, const Mesh& mesh, const MeshMeasure& measure,
+                      Language language) {
+    Lines lines{language};
+    lines.add_heading(as_it_is(one_line(name)));
+    if (mesh.is_cloud()) {
+        lines.add_heading(say("inspect.cloud", {{"points", mesh.vertices.size()}}));
+    } else {
+        lines.add(say("inspect.triangles"),
+                  say("inspect.triangles_of",
+                      {{"triangles", mesh.triangles.size()}, {"vertices", mesh.vertices.size()}}));
+        lines.add(say("inspect.holes"),
+                  measure.holes.empty() ? say("figure.none") : as_it_is(grouped(measure.holes.size())));
+        lines.add(say("inspect.closed"), say(measure.watertight      ? "inspect.yes"
+                                             : measure.holes.empty() ? "inspect.wound"
+                                                                     : "inspect.no"));
+        add_parts(mesh, measure, lines);
     }
-    return text + size_lines(size, mesh.read.in_mm) + volume_lines(measure.volume, mesh.read.in_mm) +
-           finding_lines(mesh);
+    add_size(measure.bounds.size(), mesh.read.in_mm, lines);
+    if (!mesh.is_cloud()) add_volume(measure.volume, mesh.read.in_mm, lines);
+    add_findings(mesh, lines);
+    return lines.text;
 }
 
-std::string described_json(const std::string& name, const Mesh& mesh, const MeshMeasure& measure) {
+std::string described_json(const std::string& name, const Mesh& mesh, const MeshMeasure& measure,
+                           Language language) {
     using Json = nlohmann::ordered_json;
     const Vec3d size = measure.bounds.size();
     const Unit* best = mesh.read.in_mm ? nullptr : likely_unit(std::max({size.x, size.y, size.z}));
@@ -137,7 +170,7 @@ std::string described_json(const std::string& name, const Mesh& mesh, const Mesh
     for (const Finding& finding : findings_of(mesh))
         json["findings"].push_back({{"severity", std::string(severity_name(finding.severity))},
                                     {"code", finding.code()},
-                                    {"message", snug::text(finding.message)}});
+                                    {"message", snug::text(finding.message, language)}});
     json["parts"] = Json::array();
     for (const PartShare& part : part_shares(mesh, measure)) {
         const Vec3d extent = part.bounds.size();
@@ -149,27 +182,28 @@ std::string described_json(const std::string& name, const Mesh& mesh, const Mesh
 }
 
 int inspect(const InspectArguments& arguments) {
+    const Language language = arguments.language;
     const auto bytes = read_file(arguments.object);
-    if (!bytes) return report(bytes.error());
+    if (!bytes) return report(bytes.error(), language);
     const auto mesh = read_object(*bytes, arguments.object);
-    if (!mesh) return report({mesh.error().kind, in_file(arguments.object, mesh.error().message)});
+    if (!mesh) return report({mesh.error().kind, in_file(arguments.object, mesh.error().message)}, language);
     const MeshMeasure measured = measure(*mesh);
-    const auto done = print(arguments.json ? described_json(arguments.object, *mesh, measured)
-                                           : described(arguments.object, *mesh, measured));
-    return done ? kDone : report(done.error());
+    const auto done = print(arguments.json ? described_json(arguments.object, *mesh, measured, language)
+                                           : described(arguments.object, *mesh, measured, language));
+    return done ? kDone : report(done.error(), language);
 }
 
 }  // namespace
 
-CommandSpec inspect_command() {
+CommandSpec inspect_command(Language language) {
     const auto a = std::make_shared<InspectArguments>();
+    a->language = language;
     return {"inspect",
-            "Tell size, holes, parts, volume and likely units",
-            "Example: snug inspect scan.ply",
-            {{"OBJECT", "", "A mesh (STL, OBJ, PLY, OFF, glTF, 3MF) or a point cloud (PLY, XYZ, PTS)",
-              &a->object, true},
-             {"--json", "", "Print it as JSON", &a->json}},
-            [a] { return within_memory(a->object, [&] { return inspect(*a); }); }};
+            text(say("help.inspect"), language),
+            "snug inspect scan.ply",
+            {{"OBJECT", "", text(say("help.inspect.object"), language), &a->object, true},
+             {"--json", "", text(say("help.inspect.json"), language), &a->json}},
+            [a] { return within_memory(a->object, a->language, [&] { return inspect(*a); }); }};
 }
 
 }  // namespace snug::cli

@@ -1,6 +1,7 @@
 #include "cli/interrupt.h"
 
 #include <csignal>
+#include <string>
 #include <unistd.h>
 
 #include "cli/commands.h"
@@ -12,18 +13,19 @@ namespace {
 volatile std::sig_atomic_t deferred = 0;
 volatile std::sig_atomic_t raised = 0;
 volatile std::sig_atomic_t done = 0;
+std::string cancelled;  // what an interrupt says; made before there can be one
 
 void on_interrupt(int) {
     raised = 1;
     if (deferred || done) return;
-    constexpr char kMessage[] = "\nsnug: cancelled; nothing was written\n";
-    (void)!write(STDERR_FILENO, kMessage, sizeof kMessage - 1);
+    (void)!write(STDERR_FILENO, cancelled.data(), cancelled.size());
     _exit(kCancelled);
 }
 
 }  // namespace
 
-void catch_interrupts() {
+void catch_interrupts(Language language) {
+    cancelled = "\nsnug: " + text(say("cancelled.nothing_written"), language) + "\n";
     struct sigaction action {};
     action.sa_handler = on_interrupt;
     sigemptyset(&action.sa_mask);

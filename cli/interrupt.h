@@ -1,10 +1,12 @@
 #pragma once
 
+#include "snug/words/words.h"
+
 namespace snug::cli {
 
 /// From now on Ctrl-C (or a request to terminate) ends the program with status 5 and one sentence, at once
 /// while nothing is being written.
-void catch_interrupts();
+void catch_interrupts(Language language);
 
 /// While one of these lives, an interrupt only raises a flag, so that half-written files can be taken away.
 class InterruptGuard {

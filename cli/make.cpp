@@ -35,10 +35,11 @@ namespace fs = std::filesystem;
 
 /// What was typed.
 struct MakeArguments {
+    Language language;
     std::string object;
     std::string folder;
     std::vector<TypedFlag> design;
-    std::optional<std::string> replacement_object;
+    std::optional<std::string> replacement_object, font;
     SearchArguments search;
     bool dry_run = false, quiet = false, json = false;
     bool stream = false, no_stream = false;
@@ -46,54 +47,31 @@ struct MakeArguments {
 };
 
 std::vector<Argument> arguments_of(MakeArguments& a) {
-    std::vector<Argument> all{
-        {"OBJECT", "",
-         "A mesh (STL, OBJ, PLY, OFF, glTF, 3MF), a point cloud (PLY, XYZ, PTS) or a project (*.snug.json)",
-         &a.object, true},
-        {"-o,--output", "DIR",
-         "The folder for the files that are made; what an earlier run made there and this one does not goes, "
-         "unless somebody changed it",
-         &a.folder, true}};
-    for (const Flag& flag : design_flags())
+    const auto help = [&](const char* code) { return text(say(code), a.language); };
+    std::vector<Argument> all{{"OBJECT", "", help("help.make.object"), &a.object, true},
+                              {"-o,--output", "DIR", help("help.make.output"), &a.folder, true}};
+    for (const Flag& flag : design_flags(a.language))
         all.push_back({flag.name, flag.takes, flag.help, DesignFlag{&a.design, flag.many, flag.repeats}});
     const std::vector<Argument> rest{
-        {"--optimize", "", "Search the rotation and offset that are best; Ctrl-C keeps the best so far",
-         &a.search.optimize},
-        {"--fit-case", "", "Choose the smallest block counts that hold the object and its walls (50)",
-         &a.search.fit_case},
-        {"--search-seconds",
-         "S",
-         "Search this long instead of a fixed amount of work; results then depend on the machine",
-         &a.search.seconds,
-         false,
-         {{0.01, 86400}}},
-        {"--no-stream", "", "Read even a large file whole", &a.no_stream},
-        {"--stream",
-         "",
-         "Read the object in pieces, so that it need not fit into memory (chosen by itself for large files)",
-         &a.stream,
-         false,
-         {},
-         {},
-         {"--no-stream"}},
-        {"--object", "FILE", "The object's file, for a project that does not lie beside it",
-         &a.replacement_object},
-        {"--dry-run", "", "Say what would be made and what it takes; write nothing", &a.dry_run},
-        {"--threads",
-         "N",
-         "Threads to use at most; the files are the same for any number",
-         &a.threads,
-         false,
-         {{1, 1024}}},
-        {"--quiet", "", "Print nothing but errors", &a.quiet},
-        {"--json", "", "Print the report to standard output instead of the summary", &a.json}};
+        {"--optimize", "", help("help.make.optimize"), &a.search.optimize},
+        {"--fit-case", "", help("help.make.fit_case"), &a.search.fit_case},
+        {"--search-seconds", "S", help("help.make.seconds"), &a.search.seconds, false, {{0.01, 86400}}},
+        {"--no-stream", "", help("help.make.no_stream"), &a.no_stream},
+        {"--stream", "", help("help.make.stream"), &a.stream, false, {}, {}, {"--no-stream"}},
+        {"--object", "FILE", help("help.project_object"), &a.replacement_object},
+        {"--font", "FILE", help("help.make.font"), &a.font},
+        {"--dry-run", "", help("help.make.dry_run"), &a.dry_run},
+        {"--threads", "N", help("help.make.threads"), &a.threads, false, {{1, 1024}}},
+        {"--quiet", "", help("help.make.quiet"), &a.quiet},
+        {"--json", "", help("help.make.json"), &a.json}};
     all.insert(all.end(), rest.begin(), rest.end());
     return all;
 }
 
 /// The design with what was typed.
 Result<Design> design_from(const MakeArguments& a, Design design, bool from_project) {
-    auto typed = with_flags(a.design, std::move(design), from_project, {known_presets, known_cases});
+    auto typed = with_flags(a.design, std::move(design), from_project,
+                            {known_presets, [&] { return known_cases(a.language); }});
     return typed ? checked(std::move(*typed)) : typed;
 }
 
@@ -115,12 +93,15 @@ Result<Task> task_from(const MakeArguments& arguments) {
 }
 
 /// Writes everything, the report last, since it tells how long the rest took and what of earlier runs stays.
-Result<std::string> write_outputs(const Object& object, const Project& project, Made& made, FolderRun&& run) {
-    std::vector<PackFile> of_pack;
+Result<std::string> write_outputs(const Object& object, const Project& project, Made& made,
+                                  const PdfLetters& letters, FolderRun&& run) {
+    WorkshopFiles of_pack;
     if (made.pack) {
-        auto files = workshop_files(*made.pack);
+        auto files = workshop_files(*made.pack, letters);
         if (!files) return tl::unexpected(files.error());
         of_pack = std::move(*files);
+        made.packing.findings.insert(made.packing.findings.end(), of_pack.findings.begin(),
+                                     of_pack.findings.end());
     }
     const InterruptGuard guard;
     if (auto done = run.open(); !done) return tl::unexpected(done.error());
@@ -134,7 +115,7 @@ Result<std::string> write_outputs(const Object& object, const Project& project, 
     };
     if (auto done = make_output_files(object, project, made, write); !done)
         return tl::unexpected(done.error());
-    for (const PackFile& file : of_pack)
+    for (const PackFile& file : of_pack.files)
         if (auto done = write(file); !done) return tl::unexpected(done.error());
     const std::string report_name = "report.json";
     const auto earlier = run.look_back({&report_name, 1});
@@ -154,9 +135,11 @@ Message in_its_file(const Task& task, const Error& error) {
 }
 
 /// What this program has, and the status line that long work moves.
-Tools tools_for(const Task& task, const SearchArguments& searched, StatusLine& status) {
+Tools tools_for(const Task& task, const MakeArguments& arguments, StatusLine& status) {
+    const SearchArguments& searched = arguments.search;
     Tools tools;
     tools.solve_lp = clp_solver();
+    tools.language = arguments.language;
     if (searched.asked())
         tools.search = [&](Object& object, Design& design) -> Result<SearchReport> {
             auto found = search(object, design, searched, status);
@@ -164,19 +147,22 @@ Tools tools_for(const Task& task, const SearchArguments& searched, StatusLine& s
             return found;
         };
     tools.progress = [&status](Stage stage) {
-        if (stage == Stage::workshop) status.show("Drawing for the workshop");
-        return status.progress(stage == Stage::cut        ? "Cutting"
-                               : stage == Stage::workshop ? "Checking how firmly the bricks hold"
-                                                          : "Measuring gaps");
+        if (stage == Stage::workshop) status.show(say("status.workshop"));
+        return status.progress(say(stage == Stage::cut        ? "status.cutting"
+                                   : stage == Stage::workshop ? "status.bricks"
+                                                              : "status.gaps"));
     };
     return tools;
 }
 
-int say_that_it_does_not_fit(const Task& task, const Object& object, const Made& made, bool json) {
-    if (json)
-        if (auto done = print(report_json(object, task.project, made)); !done) return report(done.error());
+int say_that_it_does_not_fit(const Task& task, const Object& object, const Made& made,
+                             const MakeArguments& arguments) {
+    if (arguments.json)
+        if (auto done = print(report_json(object, task.project, made)); !done)
+            return report(done.error(), arguments.language);
     return report(
-        {ErrorKind::does_not_fit, in_file(task.object_path.string(), made.packing.findings.front().message)});
+        {ErrorKind::does_not_fit, in_file(task.object_path.string(), made.packing.findings.front().message)},
+        arguments.language);
 }
 
 int make(const MakeArguments& arguments) {
@@ -184,61 +170,64 @@ int make(const MakeArguments& arguments) {
     if (arguments.threads > 0)
         limit.emplace(tbb::global_control::max_allowed_parallelism,
                       static_cast<std::size_t>(arguments.threads));
+    const Language language = arguments.language;
     auto task = task_from(arguments);
-    if (!task) return report(task.error());
+    if (!task) return report(task.error(), language);
 
-    std::optional<StatusLine> status(std::in_place, arguments.quiet);
+    std::optional<StatusLine> status(std::in_place, arguments.quiet, language);
     const auto give_up = [&](const Error& error) {
         status.reset();
-        return report(error);
+        return report(error, language);
     };
     auto read = read_object_of(*task, *status);
     if (!read) return give_up(read.error());
     Object& object = read->object;
     Project& project = task->project;
-    auto made = snug::make(object, project, tools_for(*task, arguments.search, *status));
+    auto made = snug::make(object, project, tools_for(*task, arguments, *status));
     // What is read in pieces is read all the while.
     if (!made && made.error().kind == ErrorKind::input)
         return give_up({made.error().kind, in_its_file(*task, made.error())});
     if (!made) return give_up(made.error());
     made->packing.timing.read = read->read_ms;
     status.reset();
-    if (!made->packing.foams) return say_that_it_does_not_fit(*task, object, *made, arguments.json);
+    if (!made->packing.foams) return say_that_it_does_not_fit(*task, object, *made, arguments);
 
     // What it takes is said before anything is written.
     if (made->pack && !arguments.quiet && !arguments.json)
-        if (auto done = print(workshop_summary(*made->pack, project.design, Language::english)); !done)
-            return report(done.error());
+        if (auto done = print(workshop_summary(*made->pack, project.design, language)); !done)
+            return report(done.error(), language);
     const bool dry = arguments.dry_run;
-    status.emplace(arguments.quiet || dry);
-    status->show("Writing");
+    status.emplace(arguments.quiet || dry, language);
+    status->show(say("status.writing"));
     const auto report_text =
         dry ? Result<std::string>(report_json(object, project, *made))
-            : write_outputs(object, project, *made,
+            : write_outputs(object, project, *made, {language, arguments.font},
                             {arguments.folder, workshop_folders(), {arguments.object, task->object_path}});
     status.reset();
-    if (!report_text) return report(report_text.error());
+    if (!report_text) return report(report_text.error(), language);
     if (arguments.json) {
-        if (auto done = print(*report_text); !done) return report(done.error());
+        if (auto done = print(*report_text); !done) return report(done.error(), language);
     } else if (!arguments.quiet) {
-        if (auto done = print(
-                summary(object, project, *made, dry ? std::string() : arguments.folder, Language::english));
+        if (auto done =
+                print(summary(object, project, *made, dry ? std::string() : arguments.folder, language));
             !done)
-            return report(done.error());
+            return report(done.error(), language);
     }
     return kDone;
 }
 
 }  // namespace
 
-CommandSpec make_command() {
+CommandSpec make_command(Language language) {
     const auto a = std::make_shared<MakeArguments>();
-    return {"make", "Make foams from an object, or from a project file",
-            "Examples:\n"
+    a->language = language;
+    return {"make", text(say("help.make"), language),
+            "\n"
             "  snug make vase.stl -o vase-foam\n"
             "  snug make scan.ply --units m --preset slit-10 --blocks auto --clearance 1 -o scan-foam\n"
             "  snug make scan-foam/project.snug.json --object scan.ply --rotate 0,90,0 -o turned",
-            arguments_of(*a), [a] { return within_memory(a->object, [&] { return make(*a); }); }};
+            arguments_of(*a),
+            [a] { return within_memory(a->object, a->language, [&] { return make(*a); }); }};
 }
 
 }  // namespace snug::cli

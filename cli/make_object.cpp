@@ -30,7 +30,7 @@ void look_for_change(const Task& task, std::vector<Finding>& findings) {
 }
 
 Result<ReadObject> read_whole(Task& task, StatusLine& status) {
-    status.show("Reading " + task.object_path.string());
+    status.show(say("status.reading_file", {{"file", task.object_path.string()}}));
     Stopwatch watch;
     const auto bytes = read_file(task.object_path);
     if (!bytes) return tl::unexpected(bytes.error());
@@ -40,7 +40,7 @@ Result<ReadObject> read_whole(Task& task, StatusLine& status) {
     if (const auto error = unwanted_units(*mesh, task.units_typed)) return of_object(task, *error);
     task.project.object = describe(task.object_path, *bytes);
 
-    status.show("Cutting");
+    status.show(say("status.cutting"));
     auto object = prepare(std::move(*mesh), task.project.design);
     if (!object) return of_object(task, object.error());
     return ReadObject{std::move(*object), read_ms};
@@ -50,7 +50,7 @@ Result<ReadObject> read_in_pieces(Task& task, TriangleStream stream, std::uint64
                                   StatusLine& status) {
     // No hash: it would take longer than all the rest.
     task.project.object = {task.object_path.filename().string(), file_size, ""};
-    auto object = prepare(std::move(stream), task.project.design, status.progress("Measuring"));
+    auto object = prepare(std::move(stream), task.project.design, status.progress(say("status.measuring")));
     if (!object) return of_object(task, object.error());
     return ReadObject{std::move(*object), 0};
 }
@@ -70,7 +70,7 @@ Result<ReadObject> read_object_of(Task& task, StatusLine& status) {
         if (!task.stream.value_or(should_stream(task))) return read_whole(task, status);
         const auto source = open_source(task.object_path);
         if (!source) return tl::unexpected(source.error());
-        auto stream = TriangleStream::open(*source, status.progress("Reading"));
+        auto stream = TriangleStream::open(*source, status.progress(say("status.reading")));
         if (stream) return read_in_pieces(task, std::move(*stream), source->size, status);
         // What nobody wanted in pieces may be of a kind that is only read whole, and says itself what is
         // wrong.

@@ -14,7 +14,7 @@ namespace snug::cli {
 
 Result<SearchReport> search(Object& object, Design& design, const SearchArguments& arguments,
                             StatusLine& status) {
-    if (auto done = mark_stand_in(object, status.progress("Thinning")); !done)
+    if (auto done = mark_stand_in(object, status.progress(say("status.thinning"))); !done)
         return tl::unexpected(done.error());
     prepare_for_many(object);
     SearchTask task;
@@ -30,9 +30,10 @@ Result<SearchReport> search(Object& object, Design& design, const SearchArgument
         object.mesh, *object.prepared, design, task, [&](double share, std::optional<long long> cut_blocks) {
             const std::chrono::duration<double> spent = Clock::now() - begun;
             if (arguments.seconds) share = spent.count() / *arguments.seconds;
-            status.show(cut_blocks
-                            ? fmt::format("Searching {:.0f} %: {} blocks cut", share * 100, *cut_blocks)
-                            : fmt::format("Fitting the case {:.0f} %", share * 100));
+            const std::string percent = fmt::format("{:.0f}", share * 100);
+            status.show(cut_blocks ? say("status.searching",
+                                         {{"percent", percent}, {"blocks", std::to_string(*cut_blocks)}})
+                                   : say("status.fitting", {{"percent", percent}}));
             out_of_time = arguments.seconds && share >= 1;
             return !out_of_time && !InterruptGuard::interrupted();
         });

@@ -7,7 +7,6 @@
 
 #include "snug/words/words.h"
 
-#include "cli/pdf.h"
 #include "cli/wrapped.h"
 #include "cli/zip.h"
 
@@ -32,8 +31,9 @@ std::string workshop_summary(const WorkshopPack& pack, const Design& design, Lan
     return lines;
 }
 
-Result<std::vector<PackFile>> workshop_files(const WorkshopPack& pack) {
-    std::vector<PackFile> files;
+Result<WorkshopFiles> workshop_files(const WorkshopPack& pack, const PdfLetters& letters) {
+    WorkshopFiles made;
+    std::vector<PackFile>& files = made.files;
     for (const PackFile& file : pack.files) files.push_back({file.name, file.bytes});
     for (const PackContainer& container : pack.containers) {
         auto bytes = write_zip(container);
@@ -41,11 +41,14 @@ Result<std::vector<PackFile>> workshop_files(const WorkshopPack& pack) {
         files.push_back({container.name, std::move(*bytes)});
     }
     for (const DrawingDocument& document : pack.documents) {
-        auto bytes = write_pdf(document);
-        if (!bytes) return tl::unexpected(bytes.error());
-        files.push_back({document.name + ".pdf", std::move(*bytes)});
+        auto written = write_pdf(document, letters);
+        if (!written) return tl::unexpected(written.error());
+        files.push_back({document.name + ".pdf", std::move(written->bytes)});
+        if (made.findings.empty() && !written->missing.empty())
+            made.findings.push_back(
+                {Severity::note, say("letters_missing", {{"letters", written->missing}})});
     }
-    return files;
+    return made;
 }
 
 }  // namespace snug::cli

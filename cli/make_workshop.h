@@ -8,6 +8,8 @@
 #include "snug/fabricate/kit/workshop_pack.h"
 #include "snug/words/words.h"
 
+#include "cli/pdf.h"
+
 // The workshop's part of `snug make`: what is shown before anything is written, its files.
 
 namespace snug::cli {
@@ -18,7 +20,12 @@ namespace snug::cli {
 /// The figures as lines under a heading.
 [[nodiscard]] std::string workshop_summary(const WorkshopPack& pack, const Design& design, Language language);
 
+struct WorkshopFiles {
+    std::vector<PackFile> files;
+    std::vector<Finding> findings;  ///< that a page lacks letters of a name
+};
+
 /// Every file of the pack, drawings as PDF and containers zipped.
-[[nodiscard]] Result<std::vector<PackFile>> workshop_files(const WorkshopPack& pack);
+[[nodiscard]] Result<WorkshopFiles> workshop_files(const WorkshopPack& pack, const PdfLetters& letters);
 
 }  // namespace snug::cli

@@ -10,7 +10,7 @@
 
 #include "snug/words/words.h"
 
-#include "cli/latin_text.h"
+#include "cli/pdf_text.h"
 
 namespace snug::cli {
 namespace {
@@ -18,6 +18,7 @@ namespace {
 constexpr double kPoints = 72 / 25.4;   // a mm
 constexpr double kLongestPage = 14400;  // points
 constexpr std::size_t kMostDashes = 8;
+constexpr double kBoldOutline = 0.03;  // of the height
 
 void note_error(HPDF_STATUS code, HPDF_STATUS, void* first) {
     auto& kept = *static_cast<HPDF_STATUS*>(first);
@@ -34,8 +35,8 @@ float part(std::uint8_t value) {
 /// Draws the items of one page; y turned upward.
 class PagePainter {
   public:
-    PagePainter(HPDF_Page page, HPDF_Font plain, HPDF_Font bold, Vec2d size_mm)
-        : page_(page), plain_(plain), bold_(bold), height_mm_(size_mm.y) {}
+    PagePainter(HPDF_Page page, PdfFonts& fonts, Vec2d size_mm)
+        : page_(page), fonts_(fonts), height_mm_(size_mm.y) {}
 
     void paint(const PathItem& path) {
         const bool filled = path.closed && path.fill;
@@ -60,11 +61,14 @@ class PagePainter {
     }
 
     void paint(const TextItem& text) {
-        const std::string words = latin_text(text.text);
+        const std::vector<PdfRun> runs = fonts_.runs_of(text.text, text.bold);
         use(text.color, {});
         HPDF_Page_BeginText(page_);
-        HPDF_Page_SetFontAndSize(page_, text.bold ? bold_ : plain_, points(text.height_mm));
-        const float width = HPDF_Page_TextWidth(page_, words.c_str());
+        float width = 0;
+        for (const PdfRun& run : runs) {
+            HPDF_Page_SetFontAndSize(page_, run.font, points(text.height_mm));
+            width += HPDF_Page_TextWidth(page_, run.bytes.c_str());
+        }
         const float back = text.anchor == TextAnchor::start    ? 0
                            : text.anchor == TextAnchor::middle ? width / 2
                                                                : width;
@@ -73,7 +77,12 @@ class PagePainter {
         const float sine = quarter == 1 ? -1.0F : quarter == 3 ? 1.0F : 0.0F;
         HPDF_Page_SetTextMatrix(page_, cosine, sine, -sine, cosine, x(text.at) - back * cosine,
                                 y(text.at) - back * sine);
-        HPDF_Page_ShowText(page_, words.c_str());
+        for (const PdfRun& run : runs) {
+            if (runs.size() > 1) HPDF_Page_SetFontAndSize(page_, run.font, points(text.height_mm));
+            if (run.thicken) thicken(text);
+            HPDF_Page_ShowText(page_, run.bytes.c_str());
+            if (run.thicken) HPDF_Page_SetTextRenderingMode(page_, HPDF_FILL);
+        }
         HPDF_Page_EndText(page_);
     }
 
@@ -95,6 +104,12 @@ class PagePainter {
                           static_cast<HPDF_UINT>(dashes.size()), 0);
     }
 
+    /// A font that has no bold letters: their outlines are drawn as well.
+    void thicken(const TextItem& text) {
+        use({}, Pen{text.color, text.height_mm * kBoldOutline, {}});
+        HPDF_Page_SetTextRenderingMode(page_, HPDF_FILL_THEN_STROKE);
+    }
+
     void finish(bool filled, bool stroked) {
         if (filled && stroked)
             HPDF_Page_EofillStroke(page_);
@@ -105,7 +120,7 @@ class PagePainter {
     }
 
     HPDF_Page page_;
-    HPDF_Font plain_, bold_;
+    PdfFonts& fonts_;
     double height_mm_;
 };
 
@@ -113,44 +128,47 @@ struct Free {
     void operator()(HPDF_Doc document) const { HPDF_Free(document); }
 };
 
-void add_page(HPDF_Doc pdf, HPDF_Font plain, HPDF_Font bold, const Drawing& drawing) {
+void add_page(HPDF_Doc pdf, PdfFonts& fonts, const Drawing& drawing) {
     HPDF_Page page = HPDF_AddPage(pdf);
     if (!page) return;
     HPDF_Page_SetWidth(page, points(drawing.size_mm.x));
     HPDF_Page_SetHeight(page, points(drawing.size_mm.y));
     HPDF_Page_SetLineJoin(page, HPDF_ROUND_JOIN);
-    PagePainter painter(page, plain, bold, drawing.size_mm);
+    PagePainter painter(page, fonts, drawing.size_mm);
     for (const DrawingItem& item : drawing.items)
         std::visit([&](const auto& what) { painter.paint(what); }, item.what);
 }
 
 }  // namespace
 
-Result<std::vector<std::byte>> write_pdf(const DrawingDocument& document) {
+Result<WrittenPdf> write_pdf(const DrawingDocument& document, const PdfLetters& letters) {
+    const std::string name = document.name + ".pdf";
     for (const Drawing& page : document.pages)
         if (std::max(page.size_mm.x, page.size_mm.y) * kPoints > kLongestPage)
-            return fail(ErrorKind::usage, in_file(document.name + ".pdf", say("pdf.long_page")));
+            return fail(ErrorKind::usage, in_file(name, say("pdf.long_page")));
     HPDF_STATUS error = HPDF_OK;
     const std::unique_ptr<std::remove_pointer_t<HPDF_Doc>, Free> pdf(HPDF_New(note_error, &error));
-    if (!pdf) return fail(ErrorKind::output, in_file(document.name + ".pdf", say("pdf.no_memory")));
+    if (!pdf) return fail(ErrorKind::output, in_file(name, say("pdf.no_memory")));
     HPDF_SetCompressionMode(pdf.get(), HPDF_COMP_ALL);
-    HPDF_SetInfoAttr(pdf.get(), HPDF_INFO_TITLE, latin_text(document.title).c_str());
+    PdfFonts fonts(pdf.get(), error, letters.font);
+    fonts.set_title(document.title);
     HPDF_SetInfoAttr(pdf.get(), HPDF_INFO_CREATOR, "Snug");
     if (document.true_size) HPDF_SetViewerPreference(pdf.get(), HPDF_PRINT_SCALING_NONE);
-    HPDF_Font plain = HPDF_GetFont(pdf.get(), "Helvetica", "WinAnsiEncoding");
-    HPDF_Font bold = HPDF_GetFont(pdf.get(), "Helvetica-Bold", "WinAnsiEncoding");
-    for (const Drawing& page : document.pages) add_page(pdf.get(), plain, bold, page);
+    for (const Drawing& page : document.pages) add_page(pdf.get(), fonts, page);
+    if (letters.font && fonts.unreadable())
+        return fail(ErrorKind::input, in_file(letters.font->string(), say("pdf.no_true_type")));
+    if (letters.language == Language::japanese && !fonts.missing().empty() && !fonts.has_japanese())
+        return fail(ErrorKind::output, in_file(name, say("pdf.no_japanese")));
 
     HPDF_SaveToStream(pdf.get());
-    std::vector<std::byte> bytes(HPDF_GetStreamSize(pdf.get()));
-    auto size = static_cast<HPDF_UINT32>(bytes.size());
-    if (!bytes.empty()) HPDF_ReadFromStream(pdf.get(), reinterpret_cast<HPDF_BYTE*>(bytes.data()), &size);
-    if (error != HPDF_OK || bytes.empty())
-        return fail(
-            ErrorKind::output,
-            in_file(document.name + ".pdf", say("pdf.not_made", {{"error", fmt::format("{:#x}", error)}})));
-    bytes.resize(size);
-    return bytes;
+    WrittenPdf written{std::vector<std::byte>(HPDF_GetStreamSize(pdf.get())), fonts.missing()};
+    auto size = static_cast<HPDF_UINT32>(written.bytes.size());
+    if (size > 0) HPDF_ReadFromStream(pdf.get(), reinterpret_cast<HPDF_BYTE*>(written.bytes.data()), &size);
+    if (error != HPDF_OK || written.bytes.empty())
+        return fail(ErrorKind::output,
+                    in_file(name, say("pdf.not_made", {{"error", fmt::format("{:#x}", error)}})));
+    written.bytes.resize(size);
+    return written;
 }
 
 }  // namespace snug::cli

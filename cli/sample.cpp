@@ -4,8 +4,6 @@
 #include <memory>
 #include <string>
 
-#include <fmt/core.h>
-
 #include "snug/base/text.h"
 #include "snug/formats/mesh_files.h"
 #include "snug/samples/samples.h"
@@ -18,6 +16,7 @@ namespace snug::cli {
 namespace {
 
 struct SampleArguments {
+    Language language;
     std::string name;
     std::string file;
 };
@@ -34,27 +33,32 @@ Result<FileBytes> encoded(const Mesh& mesh, const std::filesystem::path& path) {
 }
 
 int write_sample(const SampleArguments& arguments) {
+    const Language language = arguments.language;
     const auto mesh = sample(arguments.name);
-    if (!mesh) return report(mesh.error());
+    if (!mesh) return report(mesh.error(), language);
     const auto bytes = encoded(*mesh, arguments.file);
-    if (!bytes) return report(bytes.error());
-    if (auto done = write_file(arguments.file, *bytes); !done) return report(done.error());
-    const auto done = print(fmt::format("{}: {}, {} mm\n", arguments.file,
-                                        counted(mesh->vertices.size(), "vertex", "vertices"),
-                                        dimensions(bounds(*mesh).size())));
-    return done ? kDone : report(done.error());
+    if (!bytes) return report(bytes.error(), language);
+    if (auto done = write_file(arguments.file, *bytes); !done) return report(done.error(), language);
+    const auto done = print(text(say("sample.written", {{"file", arguments.file},
+                                                        {"vertices", mesh->vertices.size()},
+                                                        {"size", dimensions(bounds(*mesh).size())}}),
+                                 language) +
+                            "\n");
+    return done ? kDone : report(done.error(), language);
 }
 
 }  // namespace
 
-CommandSpec sample_command() {
+CommandSpec sample_command(Language language) {
     const auto a = std::make_shared<SampleArguments>();
+    a->language = language;
+    const auto help = [&](const Message& message) { return text(message, language); };
+    const Message names = say("help.sample.name", {{"names", each_as_it_is(sample_names())}});
     return {"sample",
-            "Write an object that Snug generates, to try things with",
-            "Example: snug sample vase -o vase.stl",
-            {{"NAME", "", "torus, vase, figurine or camera", &a->name, true},
-             {"-o,--output", "FILE", "The file; its ending says the format: .stl .ply .obj .off", &a->file,
-              true}},
+            help(say("help.sample")),
+            "snug sample vase -o vase.stl",
+            {{"NAME", "", help(names), &a->name, true},
+             {"-o,--output", "FILE", help(say("help.sample.file")), &a->file, true}},
             [a] { return write_sample(*a); }};
 }
 

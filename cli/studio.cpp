@@ -38,6 +38,7 @@ constexpr std::uintmax_t kBrowserLimit = 200'000'000;
 constexpr std::size_t kThinTriangles = 500'000;
 
 struct StudioArguments {
+    Language language;
     std::optional<std::string> object;
     std::optional<std::string> replacement_object;
     std::optional<std::string> files;
@@ -95,7 +96,7 @@ SceneTools offering_tools(Site& site, nlohmann::json& beside, const fs::path& pa
 Result<nlohmann::json> offer_object(Site& site, const StudioArguments& arguments, StatusLine& status) {
     const auto source = find_object(*arguments.object, arguments.replacement_object);
     if (!source) return tl::unexpected(source.error());
-    status.show("Reading " + source->object.string());
+    status.show(say("status.reading_file", {{"file", source->object.string()}}));
     auto bytes = read_file(source->object);
     if (!bytes) return tl::unexpected(bytes.error());
     const ObjectFile file = describe(source->object, *bytes);
@@ -110,7 +111,7 @@ Result<nlohmann::json> offer_object(Site& site, const StudioArguments& arguments
                         {"triangles", triangles}, {"shown_triangles", triangles},
                         {"deviation", 0},         {"beside", beside}};
     if (thin) {
-        status.show("Thinning " + source->object.string());
+        status.show(say("status.thinning_file", {{"file", source->object.string()}}));
         offer_thin_copy(site, info, *mesh, source->object);
     } else {
         site.contents["/object/file"] = std::move(*bytes);
@@ -121,53 +122,57 @@ Result<nlohmann::json> offer_object(Site& site, const StudioArguments& arguments
 }
 
 int studio(const StudioArguments& arguments) {
+    const Language language = arguments.language;
     auto site = site_of_folder(arguments.files ? fs::path(*arguments.files) : studio_folder());
-    if (!site) return report(site.error());
+    if (!site) return report(site.error(), language);
     std::string thinned_note;
     if (arguments.object) {
-        std::optional<StatusLine> status(std::in_place, arguments.quiet);
+        std::optional<StatusLine> status(std::in_place, arguments.quiet, language);
         const auto info = offer_object(*site, arguments, *status);
         status.reset();
-        if (!info) return report(info.error());
+        if (!info) return report(info.error(), language);
         if ((*info)["thinned"])
-            thinned_note = fmt::format(
-                "{} is too large for a page: it shows a copy of {} triangles that lies at most {} (in the "
-                "file's unit) off. Foams are made from the original by `snug make`.\n",
-                *arguments.object, (*info)["shown_triangles"].get<std::size_t>(),
-                rounded_up((*info)["deviation"].get<double>()));
+            thinned_note =
+                text(say("studio.thinned",
+                         {{"file", *arguments.object},
+                          {"triangles", std::to_string((*info)["shown_triangles"].get<std::size_t>())},
+                          {"off", rounded_up((*info)["deviation"].get<double>())}}),
+                     language) +
+                "\n";
     }
     const auto done = serve(*site, arguments.port, [&](int port) {
         const std::string address =
             fmt::format("http://127.0.0.1:{}/{}", port, arguments.object ? "?object" : "");
-        (void)print(arguments.quiet ? address + "\n"
-                                    : fmt::format("{}Snug Studio is at {}\nIt is for this machine alone. "
-                                                  "Ctrl-C ends it.\n",
-                                                  thinned_note, address));
+        (void)print((arguments.quiet
+                         ? address
+                         : thinned_note + text(say("studio.at", {{"address", address}}), language)) +
+                    "\n");
     });
-    return done ? kDone : report(done.error());
+    return done ? kDone : report(done.error(), language);
 }
 
 }  // namespace
 
-CommandSpec studio_command() {
+CommandSpec studio_command(Language language) {
     const auto a = std::make_shared<StudioArguments>();
-    return {
-        "studio",
-        "Serve the studio to a browser on this machine",
-        "Examples:\n  snug studio\n  snug studio vase.stl",
-        {{"OBJECT", "", "A mesh or a project (*.snug.json) to open in it", &a->object},
-         {"--object",
-          "FILE",
-          "The object's file, for a project that does not lie beside it",
-          &a->replacement_object,
-          false,
-          {},
-          {"OBJECT"}},
-         {"--port", "N", "Port of 127.0.0.1 (0: 8737, or the next free one)", &a->port, false, {{0, 65535}}},
-         {"--files", "DIR", "The built studio, if it is elsewhere", &a->files},
-         {"--most-bytes", "N", "Larger files are shown as a thinned copy (200,000,000)", &a->most_bytes},
-         {"--quiet", "", "Print the address and nothing else", &a->quiet}},
-        [a] { return studio(*a); }};
+    a->language = language;
+    const auto help = [&](const Message& message) { return text(message, language); };
+    return {"studio",
+            help(say("help.studio")),
+            "\n  snug studio\n  snug studio vase.stl",
+            {{"OBJECT", "", help(say("help.studio.object")), &a->object},
+             {"--object",
+              "FILE",
+              help(say("help.project_object")),
+              &a->replacement_object,
+              false,
+              {},
+              {"OBJECT"}},
+             {"--port", "N", help(say("help.studio.port")), &a->port, false, {{0, 65535}}},
+             {"--files", "DIR", help(say("help.studio.files")), &a->files},
+             {"--most-bytes", "N", help(say("help.studio.most_bytes")), &a->most_bytes},
+             {"--quiet", "", help(say("help.studio.quiet")), &a->quiet}},
+            [a] { return studio(*a); }};
 }
 
 }  // namespace snug::cli

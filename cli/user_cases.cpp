@@ -1,11 +1,6 @@
 #include "cli/user_cases.h"
 
-#include <cstdio>
-
-#include <fmt/core.h>
-
-#include "snug/base/one_line.h"
-
+#include "cli/console.h"
 #include "cli/files.h"
 #include "cli/user_presets.h"
 
@@ -17,7 +12,7 @@ fs::path user_cases_path() {
     return user_presets_path().replace_filename("cases.csv");
 }
 
-Result<std::vector<KnownCase>> known_cases() {
+Result<std::vector<KnownCase>> known_cases(Language language) {
     std::vector<KnownCase> cases = built_in_cases();
     const fs::path path = user_cases_path();
     std::error_code error;
@@ -25,8 +20,10 @@ Result<std::vector<KnownCase>> known_cases() {
     const auto bytes = read_file(path);
     if (!bytes) return tl::unexpected(bytes.error());
     const CaseList own = parse_cases({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
-    for (const std::string& problem : own.problems)
-        fmt::print(stderr, "snug: {}, {}; the other lines are used\n", path.string(), one_line(problem));
+    for (const Message& problem : own.problems)
+        (void)report(
+            {ErrorKind::input, say("cases.other_lines", {{"file", path.string()}, {"problem", problem}})},
+            language);
     cases.insert(cases.end(), own.cases.begin(), own.cases.end());
     return cases;
 }

@@ -7,25 +7,23 @@
 namespace snug {
 namespace {
 
-std::string known_colors() {
-    std::string names;
-    for (const BrickColor& color : brick_colors())
-        names += (names.empty() ? "" : ", ") + std::string(color.name);
+std::vector<Message> known_colors() {
+    std::vector<Message> names;
+    for (const BrickColor& color : brick_colors()) names.push_back(as_it_is(color.name));
     return names;
 }
 
-std::string known_sizes() {
-    std::string names;
+std::vector<Message> known_sizes() {
+    std::vector<Message> sizes;
     for (const BrickPart& part : brick_parts())
         if (part.kind == BrickKind::brick)
-            names +=
-                (names.empty() ? "" : ", ") + std::to_string(part.width) + "x" + std::to_string(part.length);
-    return names;
+            sizes.push_back(as_it_is(std::to_string(part.width) + "x" + std::to_string(part.length)));
+    return sizes;
 }
 
-std::optional<std::string> problem_of_size(const std::string& size) {
+std::optional<Message> problem_of_size(const std::string& size) {
     if (brick_size(size)) return {};
-    return "no brick is " + quoted(size) + ": take sizes of " + known_sizes();
+    return say("brick.no_size", {{"size", quoted(size)}, {"known", known_sizes()}});
 }
 
 }  // namespace
@@ -33,7 +31,7 @@ std::optional<std::string> problem_of_size(const std::string& size) {
 SharedFlag<BrickOptions> brick_color_flag() {
     return {.flag = "--brick-colors",
             .takes = "LOWER,LID",
-            .help = "Bricks: of the lower half and the lid",
+            .help = {"Bricks: of the lower half and the lid", "ブロック玩具：下とふたの色"},
             .take =
                 [](std::string_view text, BrickOptions& bricks) {
                     const std::size_t comma = text.find(',');
@@ -56,7 +54,7 @@ std::optional<OptionProblem> problem_of(const BrickOptions& o) {
     for (const BrickStock& stock : o.stock)
         if (auto found = problem_of_size(stock.size)) return OptionProblem{"stock", *found};
     const auto unknown = [](const std::string& color) {
-        return "no bricks are known in " + quoted(color) + ": take " + known_colors();
+        return say("brick.no_color", {{"color", quoted(color)}, {"known", known_colors()}});
     };
     if (!brick_color(o.lower_color)) return OptionProblem{"lower_color", unknown(o.lower_color)};
     if (!brick_color(o.lid_color)) return OptionProblem{"lid_color", unknown(o.lid_color)};

@@ -53,44 +53,48 @@ void visit_options(Visit& visit, BrickOptions& bricks) {
     visit.option(bricks.unit, {.json = "unit",
                                .flag = "--brick-unit",
                                .takes = "auto|brick|plate",
-                               .label = "the height of a layer",
-                               .help = "Bricks: layers of bricks or of plates"});
+                               .label = {"the height of a layer", "段の高さ"},
+                               .help = {"Bricks: layers of bricks or of plates",
+                                        "ブロック玩具：段をブロックにするか、薄いプレートにするか"}});
     visit.option(bricks.family, {.json = "family",
                                  .flag = "--brick-sizes",
                                  .takes = "2x4,1x2,...",
-                                 .label = "the sizes of bricks",
-                                 .help = "Bricks: the sizes to build with",
-                                 .usual = "all"});
+                                 .label = {"the sizes of bricks", "ブロック玩具の大きさ"},
+                                 .help = {"Bricks: the sizes to build with", "ブロック玩具：使う大きさ"},
+                                 .usual = {"all", "すべて"}});
     visit.option(bricks.lower_color, {.json = "lower_color",
                                       .flag = "--brick-colors",
-                                      .label = "the lower half's colour",
-                                      .help = "Colour of the lower half's bricks"});
+                                      .label = {"the lower half's colour", "下の色"},
+                                      .help = {"Colour of the lower half's bricks", "下のブロック玩具の色"}});
     visit.option(bricks.lid_color, {.json = "lid_color",
                                     .flag = "--brick-colors",
-                                    .label = "the lid's colour",
-                                    .help = "Colour of the lid's bricks"});
+                                    .label = {"the lid's colour", "ふたの色"},
+                                    .help = {"Colour of the lid's bricks", "ふたのブロック玩具の色"}});
     visit.flag(bricks, brick_color_flag());
     visit.option(bricks.stock, {.json = "stock",
                                 .flag = "--brick-stock",
                                 .takes = "2x4=100,1x1=40",
-                                .unit = "pieces",
+                                .unit = {"pieces", "個"},
                                 .range = {0, 10'000'000},
-                                .label = "the stock of a brick",
-                                .help = "Bricks: pieces that there are",
-                                .usual = "no limit"});
+                                .label = {"the stock of a brick", "ブロック玩具の手持ちの数"},
+                                .help = {"Bricks: pieces that there are", "ブロック玩具：手持ちの数"},
+                                .usual = {"no limit", "制限なし"}});
     visit.option(bricks.rim, {.json = "rim",
                               .flag = "--brick-rim",
                               .takes = "studs|tiles",
-                              .label = "the rim",
-                              .help = "Bricks: what the halves meet with"});
-    visit.option(bricks.capacity_n, {.json = "capacity_n",
-                                     .flag = "--brick-capacity",
-                                     .takes = "N",
-                                     .unit = "newtons",
-                                     .range = {0.01, 100},
-                                     .step = 0.1,
-                                     .label = "what a contact point of a stud holds",
-                                     .help = "Bricks: newtons that a contact point of a stud holds"});
+                              .label = {"the rim", "合わせ面"},
+                              .help = {"Bricks: what the halves meet with",
+                                       "ブロック玩具：合わせ面をポッチにするか、タイルにするか"}});
+    visit.option(bricks.capacity_n,
+                 {.json = "capacity_n",
+                  .flag = "--brick-capacity",
+                  .takes = "N",
+                  .unit = {"newtons", "ニュートン"},
+                  .range = {0.01, 100},
+                  .step = 0.1,
+                  .label = {"what a contact point of a stud holds", "ポッチの接点の保持力"},
+                  .help = {"Bricks: newtons that a contact point of a stud holds",
+                           "ブロック玩具：ポッチの接点一つが支える力（ニュートン）"}});
 }
 
 /// What is out of range whatever the foam is; none where all is well.

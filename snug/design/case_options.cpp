@@ -14,15 +14,14 @@ std::string mm(double value) {
     return number(value, 2) + " mm";
 }
 
-std::optional<std::string> problem_of_taper(const CrossSection& section, Vec3d inside, double play,
-                                            const char* where) {
+std::optional<Message> problem_of_taper(const CrossSection& section, Vec3d inside, double play,
+                                        const Message& where) {
     if (!within(section.width, 0, inside.y) || !within(section.length, 0, inside.z))
-        return std::string("the case must be widest at its parting line: ") + where +
-               " it may measure up to " + number(inside.z, 2) + " x " + mm(inside.y) + ", not " +
-               number(section.length, 2) + " x " + mm(section.width);
+        return say("case.not_widest", {{"where", where},
+                                       {"most", number(inside.z, 2) + " x " + mm(inside.y)},
+                                       {"found", number(section.length, 2) + " x " + mm(section.width)}});
     if (std::min(section.width, section.length) <= 2 * play)
-        return std::string("nothing of the case is left ") + where + " within its play of " + mm(play) +
-               " on each side";
+        return say("case.nothing_left", {{"where", where}, {"play", mm(play)}});
     return {};
 }
 
@@ -31,10 +30,7 @@ Result<void> take_sizes(std::string_view text, CaseOptions& options) {
     const std::vector<double> sizes = typed_numbers(text.substr(0, colon), 'x');
     const auto lid = colon < text.size() ? typed_number(text.substr(colon + 1)) : std::nullopt;
     if (sizes.size() != 3 || (colon < text.size() && !lid))
-        return not_what_it_takes("--case",
-                                 "length, width and height inside in mm, with the lid's part of the height "
-                                 "if it is known, such as 425x284x155:45, or a name that `snug cases` lists",
-                                 text);
+        return not_what_it_takes("--case", say("takes.case", {{"example", "425x284x155:45"}}), text);
     options.name.clear();
     options.inside_mm = Vec3d{sizes[2], sizes[1], sizes[0]};
     options.lid_mm = lid;
@@ -53,43 +49,42 @@ std::optional<OptionProblem> problem_of_inside(const CaseOptions& options, Vec3d
     const double least = std::min({inside.x, inside.y, inside.z});
     if (least <= 2 * options.play_mm)
         return OptionProblem{"play_mm",
-                             "nothing of the case of " + dimensions({inside.z, inside.y, inside.x}) +
-                                 " mm is left within its play of " + mm(options.play_mm) + " on each side"};
+                             say("case.no_inside", {{"inside", dimensions({inside.z, inside.y, inside.x})},
+                                                    {"play", mm(options.play_mm)}})};
     if (options.lid_mm && *options.lid_mm >= inside.x)
-        return OptionProblem{"lid_mm", "the lid must be 0 mm or more and less than the case's height of " +
-                                           mm(inside.x) + ", not " + mm(*options.lid_mm)};
+        return OptionProblem{"lid_mm",
+                             say("case.lid", {{"height", mm(inside.x)}, {"lid", mm(*options.lid_mm)}})};
     if (options.top_mm && options.lid_mm.value_or(0) <= 0)
-        return OptionProblem{
-            "top_mm",
-            "what the case measures at the roof of its lid needs the lid's height: give both (--case "
-            "LxWxH:LID with --case-top), or leave it out"};
+        return OptionProblem{"top_mm", say("case.top_without_lid")};
     double narrowest = std::min(inside.y, inside.z);
     for (const auto& section : {options.base_mm, options.top_mm})
         if (section) narrowest = std::min({narrowest, section->width, section->length});
     if (options.base_mm)
-        if (auto problem = problem_of_taper(*options.base_mm, inside, options.play_mm, "at its floor"))
+        if (auto problem = problem_of_taper(*options.base_mm, inside, options.play_mm, say("case.at_floor")))
             return OptionProblem{"base_mm", *problem};
     if (options.top_mm)
-        if (auto problem = problem_of_taper(*options.top_mm, inside, options.play_mm, "at its roof"))
+        if (auto problem = problem_of_taper(*options.top_mm, inside, options.play_mm, say("case.at_roof")))
             return OptionProblem{"top_mm", *problem};
     if (!within(options.corner_radius_mm, 0, narrowest / 2))
-        return OptionProblem{"corner_radius_mm", "the corner radius must be 0 to " + mm(narrowest / 2) +
-                                                     " (half of the narrowest side), not " +
-                                                     mm(options.corner_radius_mm)};
+        return OptionProblem{
+            "corner_radius_mm",
+            say("case.radius", {{"most", mm(narrowest / 2)}, {"found", mm(options.corner_radius_mm)}})};
     return {};
 }
 
 }  // namespace
 
 SharedFlag<CaseOptions> case_size_flag() {
-    return {.flag = "--case",
-            .takes = "LxWxH[:LID]|NAME",
-            .help =
-                "Fill a case: its inside in mm and, after a colon, what of the height belongs to the lid; "
-                "or a name from `snug cases`. The length lies along z, the width along y, the height "
-                "along x",
-            .take = take_sizes,
-            .say = say_sizes};
+    return {
+        .flag = "--case",
+        .takes = "LxWxH[:LID]|NAME",
+        .help = {"Fill a case: its inside in mm and, after a colon, what of the height belongs to the lid; "
+                 "or a name from `snug cases`. The length lies along z, the width along y, the height "
+                 "along x",
+                 "ケースを満たします：内寸（mm）と、コロンの後に高さのうちふたの分、または `snug cases` "
+                 "にある名前。長さは z、幅は y、高さは x の方向です"},
+        .take = take_sizes,
+        .say = say_sizes};
 }
 
 std::optional<OptionProblem> problem_of(const CaseOptions& options) {

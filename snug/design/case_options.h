@@ -52,67 +52,76 @@ void visit_options(Visit& visit, CaseOptions& options) {
     constexpr Range kCase{0, 20000};
     visit.option(options.name, {.json = "name",
                                 .flag = "--case",
-                                .label = "the case's name",
-                                .help = "Name of the case in `snug cases`, for people"});
-    visit.option(options.inside_mm, {.json = "inside_mm",
-                                     .flag = "--case",
-                                     .unit = "mm",
-                                     .range = {1, 20000},
-                                     .step = 1,
-                                     .label = "a side of the case's inside",
-                                     .help = "Height, width and length inside the case"});
+                                .label = {"the case's name", "ケースの名前"},
+                                .help = {"Name of the case in `snug cases`, for people",
+                                         "`snug cases` にあるケースの名前（表示用）"}});
+    visit.option(options.inside_mm,
+                 {.json = "inside_mm",
+                  .flag = "--case",
+                  .unit = "mm",
+                  .range = {1, 20000},
+                  .step = 1,
+                  .label = {"a side of the case's inside", "ケースの内寸"},
+                  .help = {"Height, width and length inside the case", "ケースの内側の高さ、幅、長さ"}});
     visit.flag(options, case_size_flag());
-    visit.option(options.play_mm, {.json = "play_mm",
-                                   .flag = "--case-play",
-                                   .takes = "MM",
-                                   .unit = "mm",
-                                   .range = kCase,
-                                   .step = 0.5,
-                                   .label = "the play",
-                                   .help = "Air between foam and case on each side"});
-    visit.option(options.lid_mm, {.json = "lid_mm",
-                                  .flag = "--case",
-                                  .unit = "mm",
-                                  .range = kCase,
-                                  .step = 1,
-                                  .label = "the lid's height",
-                                  .help = "What of the height inside belongs to the lid"});
-    visit.option(options.corner_radius_mm, {.json = "corner_radius_mm",
-                                            .flag = "--case-radius",
-                                            .takes = "MM",
-                                            .unit = "mm",
-                                            .range = kCase,
-                                            .step = 1,
-                                            .label = "the corner radius",
-                                            .help = "Radius of the case's upright edges"});
-    visit.option(options.base_mm, {.json = "base_mm",
-                                   .flag = "--case-base",
-                                   .takes = "LxW",
-                                   .unit = "mm",
-                                   .range = kCase,
-                                   .step = 1,
-                                   .label = "a side of the case's floor",
-                                   .help = "Inside at the floor, where the walls lean"});
+    visit.option(options.play_mm,
+                 {.json = "play_mm",
+                  .flag = "--case-play",
+                  .takes = "MM",
+                  .unit = "mm",
+                  .range = kCase,
+                  .step = 0.5,
+                  .label = {"the play", "遊び"},
+                  .help = {"Air between foam and case on each side", "フォームとケースの間の遊び（各面）"}});
+    visit.option(options.lid_mm,
+                 {.json = "lid_mm",
+                  .flag = "--case",
+                  .unit = "mm",
+                  .range = kCase,
+                  .step = 1,
+                  .label = {"the lid's height", "ふたの高さ"},
+                  .help = {"What of the height inside belongs to the lid", "内側の高さのうち、ふたの分"}});
+    visit.option(options.corner_radius_mm,
+                 {.json = "corner_radius_mm",
+                  .flag = "--case-radius",
+                  .takes = "MM",
+                  .unit = "mm",
+                  .range = kCase,
+                  .step = 1,
+                  .label = {"the corner radius", "角の半径"},
+                  .help = {"Radius of the case's upright edges", "ケースの縦の角の半径"}});
+    visit.option(options.base_mm,
+                 {.json = "base_mm",
+                  .flag = "--case-base",
+                  .takes = "LxW",
+                  .unit = "mm",
+                  .range = kCase,
+                  .step = 1,
+                  .label = {"a side of the case's floor", "ケースの底の寸法"},
+                  .help = {"Inside at the floor, where the walls lean", "壁が傾いているときの、底での内寸"}});
     visit.option(options.top_mm, {.json = "top_mm",
                                   .flag = "--case-top",
                                   .takes = "LxW",
                                   .unit = "mm",
                                   .range = kCase,
                                   .step = 1,
-                                  .label = "a side of the case's roof",
-                                  .help = "Inside at the roof of the lid, where its walls lean"});
+                                  .label = {"a side of the case's roof", "ケースの上面の寸法"},
+                                  .help = {"Inside at the roof of the lid, where its walls lean",
+                                           "ふたの壁が傾いているときの、上面での内寸"}});
     visit.option(options.divisor, {.json = "divisor",
                                    .flag = "--case-divisor",
                                    .takes = "CM3",
                                    .unit = "cm3",
                                    .range = {1, 1e6},
                                    .step = 100,
-                                   .label = "the divisor of the volumetric weight",
-                                   .help = "cm3 for one kg of volumetric weight; none: a flat rate"});
+                                   .label = {"the divisor of the volumetric weight", "容積重量の除数"},
+                                   .help = {"cm3 for one kg of volumetric weight; none: a flat rate",
+                                            "容積重量 1 kg あたりの cm3。none なら一律料金"}});
     visit.option(options.division, {.json = "division",
-                                    .label = "the division",
-                                    .help = "How the foam may be divided to fill a case",
-                                    .usual = "the preset's"});
+                                    .label = {"the division", "フォームの分割の可否"},
+                                    .help = {"How the foam may be divided to fill a case",
+                                             "ケースを満たすためにフォームをどこで切り分けてよいか"},
+                                    .usual = {"the preset's", "選んだフォームの値"}});
 }
 
 /// What is out of range: sizes that are not above the play, a lid as high as the case, corners

@@ -77,7 +77,7 @@ class LineReader {
         const bool control = std::any_of(field->begin(), field->end(), [](char c) {
             return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
         });
-        if (field->size() > kLongestWord || control) refuse(column, "a short text", *field);
+        if (field->size() > kLongestWord || control) refuse(column, say("cases.short_text"), *field);
         return *field;
     }
 
@@ -91,21 +91,23 @@ class LineReader {
             result.ec == std::errc() && result.ptr == end && number_read >= least && number_read <= most;
         // As many digits as cases_csv() writes, so that a list is read back as it was.
         if (good) return std::floor(number_read * 1e6 + 0.5) / 1e6;
-        refuse(column, "a number from " + number(least) + " to " + number(most), *field);
+        refuse(column, say("cases.number", {{"least", number(least)}, {"most", number(most)}}), *field);
         return {};
     }
 
     [[nodiscard]] double required(std::string_view column, double least, double most) {
         const auto found = value(column, least, most);
-        if (!found && !problem_) problem_ = std::string(column) + " is missing";
+        if (!found && !problem_) problem_ = say("cases.missing", {{"column", column}});
         return found.value_or(0);
     }
 
-    void refuse(std::string_view column, const std::string& expected, std::string_view found) {
-        if (!problem_) problem_ = std::string(column) + " must be " + expected + ", not " + quoted(found);
+    void refuse(std::string_view column, Message expected, std::string_view found) {
+        if (!problem_)
+            problem_ = say("cases.column_must_be",
+                           {{"column", column}, {"expected", std::move(expected)}, {"found", quoted(found)}});
     }
 
-    [[nodiscard]] const std::optional<std::string>& problem() const { return problem_; }
+    [[nodiscard]] const std::optional<Message>& problem() const { return problem_; }
 
   private:
     [[nodiscard]] const std::string* find(std::string_view column) const {
@@ -116,20 +118,20 @@ class LineReader {
 
     const std::vector<std::string>& columns_;
     const std::vector<std::string>& fields_;
-    std::optional<std::string> problem_;
+    std::optional<Message> problem_;
 };
 
 KnownCase case_from(LineReader& line) {
     KnownCase known;
     known.name = line.word("name");
-    if (known.name.empty()) line.refuse("name", "a word", "");
+    if (known.name.empty()) line.refuse("name", say("json.word"), "");
     known.kind = line.word("kind");
     const double length = line.required("length_mm", 1, 20000), width = line.required("width_mm", 1, 20000);
     known.inside_mm = {line.required("height_mm", 1, 20000), std::min(length, width),
                        std::max(length, width)};
     known.lid_mm = line.value("lid_mm", 0, 20000);
     if (known.lid_mm && *known.lid_mm >= known.inside_mm.x)
-        line.refuse("lid_mm", "less than the height", number(*known.lid_mm));
+        line.refuse("lid_mm", say("cases.below_height"), number(*known.lid_mm));
     known.tare_kg = line.value("tare_kg", 0, 1e6);
     known.price = line.value("price", 0, 1e9);
     known.most_kg = line.value("most_kg", 0, 1e6);
@@ -140,17 +142,14 @@ KnownCase case_from(LineReader& line) {
 }
 
 /// What is wrong with the line that names the columns.
-std::optional<std::string> problem_of_columns(const std::vector<std::string>& columns) {
+std::optional<Message> problem_of_columns(const std::vector<std::string>& columns) {
     for (const std::string& column : columns)
         if (std::find(kColumns.begin(), kColumns.end(), column) == kColumns.end())
-            return "a column is called " + quoted(column) + "; known are " + [] {
-                std::string names;
-                for (const auto name : kColumns) names += (names.empty() ? "" : ", ") + std::string(name);
-                return names;
-            }();
+            return say("cases.unknown_column",
+                       {{"name", quoted(column)}, {"known", each_as_it_is(kColumns)}});
     for (const std::string_view needed : {kColumns[0], kColumns[2], kColumns[3], kColumns[4]})
         if (std::find(columns.begin(), columns.end(), needed) == columns.end())
-            return "the first line must name the columns, and " + std::string(needed) + " is missing";
+            return say("cases.no_column", {{"name", needed}});
     return {};
 }
 
@@ -175,9 +174,11 @@ CaseList parse_cases(std::string_view text) {
     if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
     std::vector<std::string> columns;
     std::size_t unnamed = 0;
-    const auto problem = [&](int line, const std::string& sentence) {
+    const auto problem = [&](int line, Message what) {
         if (list.problems.size() < kProblemsNamed)
-            list.problems.push_back("line " + std::to_string(line) + ": " + sentence);
+            list.problems.push_back(say(
+                "at_place",
+                {{"place", say("at_line", {{"line", std::to_string(line)}})}, {"problem", std::move(what)}}));
         else
             ++unnamed;
     };
@@ -187,7 +188,7 @@ CaseList parse_cases(std::string_view text) {
         if (begin == std::string_view::npos || line[begin] == '#') continue;
         auto fields = fields_of(line);
         if (!fields) {
-            problem(number_of_line, "a quotation mark is not closed, or something follows it");
+            problem(number_of_line, say("cases.quotes"));
             if (columns.empty()) return list;
             continue;
         }
@@ -200,8 +201,8 @@ CaseList parse_cases(std::string_view text) {
             continue;
         }
         if (fields->size() > columns.size()) {
-            problem(number_of_line, "there are " + std::to_string(fields->size()) + " fields but " +
-                                        std::to_string(columns.size()) + " columns");
+            problem(number_of_line, say("cases.fields", {{"fields", std::to_string(fields->size())},
+                                                         {"columns", std::to_string(columns.size())}}));
             continue;
         }
         LineReader reader(columns, *fields);
@@ -211,7 +212,7 @@ CaseList parse_cases(std::string_view text) {
         else
             list.cases.push_back(std::move(known));
     }
-    if (unnamed > 0) list.problems.push_back("and " + counted(unnamed, "more line", "more lines"));
+    if (unnamed > 0) list.problems.push_back(say("cases.more_lines", {{"lines", unnamed}}));
     return list;
 }
 
@@ -235,10 +236,7 @@ Result<KnownCase> find_case(const std::vector<KnownCase>& known, std::string_vie
     const auto found =
         std::find_if(known.rbegin(), known.rend(), [&](const KnownCase& c) { return c.name == name; });
     if (found != known.rend()) return *found;
-    return fail(ErrorKind::usage,
-                "no case is called " + quoted(name) +
-                    "; give its inside as LENGTHxWIDTHxHEIGHT in mm, such as 425x284x155, or "
-                    "a name that `snug cases` lists");
+    return fail(ErrorKind::usage, say("case.unknown", {{"name", quoted(name)}}));
 }
 
 void apply(const KnownCase& known, CaseOptions& options) {

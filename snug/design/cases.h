@@ -28,10 +28,10 @@ struct KnownCase {
     friend bool operator==(const KnownCase&, const KnownCase&) = default;
 };
 
-/// What a list of cases holds, and a sentence for each line that could not be used ("line 7: ...").
+/// What a list of cases holds, and what is wrong with each line that could not be used ("line 7: ...").
 struct CaseList {
     std::vector<KnownCase> cases;
-    std::vector<std::string> problems;
+    std::vector<Message> problems;
 };
 
 /// The cases that Snug brings.

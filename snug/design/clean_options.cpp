@@ -12,8 +12,7 @@ std::optional<OptionProblem> problem_of(const CleanOptions& options) {
     const auto& [x, y, z, distance] = *options.cut_plane;
     const double length = std::sqrt(x * x + y * y + z * z);
     if (!(length >= 1e-9 && length <= 1e9) || !(std::fabs(distance) <= 1e9))
-        return OptionProblem{"cut_plane",
-                             "a cutting plane needs a direction x,y,z that is not 0, and a distance in mm"};
+        return OptionProblem{"cut_plane", say("clean.no_direction")};
     return {};
 }
 

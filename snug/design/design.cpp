@@ -16,13 +16,10 @@ Problem problem_of_clearance(const CutOptions& cut, Vec3d block) {
     const double most =
         std::max({whole.lower.x, whole.lower.y, whole.lower.z, whole.upper.x, whole.upper.y, whole.upper.z});
     if (!(most <= kGreatestLength))
-        return OptionProblem{"cut.clearance_mm",
-                             "the clearance must be at most " + number(kGreatestLength) + " mm"};
+        return OptionProblem{"cut.clearance_mm", say("clearance.most", {{"most", number(kGreatestLength)}})};
     if (whole.least() >= least) return {};
-    return OptionProblem{"cut.clearance_mm",
-                         "the clearance must be " + number(least, 4) +
-                             " mm or more for these blocks (-0.4 of the smallest side), not " +
-                             number(whole.least(), 4)};
+    return OptionProblem{"cut.clearance_mm", say("clearance.least", {{"least", number(least, 4)},
+                                                                     {"found", number(whole.least(), 4)}})};
 }
 
 Problem problem_of_parting(const Design& design) {
@@ -30,8 +27,9 @@ Problem problem_of_parting(const Design& design) {
     const auto& blocks = design.space.blocks;
     const int most = blocks && !fitted_to_case ? blocks->x : kMostBlocks;
     if (!design.parting.level || *design.parting.level <= most) return {};
-    return OptionProblem{"parting.level", "the parting level must be auto or 0 to " + std::to_string(most) +
-                                              " blocks, not " + std::to_string(*design.parting.level)};
+    return OptionProblem{"parting.level",
+                         say("parting.range", {{"most", std::to_string(most)},
+                                               {"found", std::to_string(*design.parting.level)}})};
 }
 
 }  // namespace
@@ -59,8 +57,7 @@ Problem problem_of(const Design& design) {
     if (auto found = problem_of(design.object.clean)) return found->within("object.clean");
     if (auto found = problem_of_clearance(design.cut, design.space.block_mm)) return found;
     if (auto found = problem_of_parting(design)) return found;
-    if (design.output.formats.empty())
-        return OptionProblem{"output.formats", "name at least one format: stl, ply"};
+    if (design.output.formats.empty()) return OptionProblem{"output.formats", say("formats.none")};
     if (auto found = problem_of(design.case_options)) return found->within("case");
     if (auto found = problem_of(design.fit)) return found->within("fit");
     if (auto found = problem_of(design.search)) return found->within("search");
@@ -70,7 +67,7 @@ Problem problem_of(const Design& design) {
 
 Result<Design> checked(Design design) {
     design.cut.stud_mm = design.workshop.work == Workshop::bricks ? kStudHeight : 0;
-    if (const auto found = problem_of(design)) return fail(ErrorKind::usage, found->sentence);
+    if (const auto found = problem_of(design)) return fail(ErrorKind::usage, found->message);
     return design;
 }
 

@@ -50,8 +50,8 @@ void visit_options(Visit& visit, ObjectOptions& object) {
     visit.option(object.units, {.json = "units",
                                 .flag = "--units",
                                 .takes = "mm|cm|m|in",
-                                .label = "the unit",
-                                .help = "The unit of the file",
+                                .label = {"the unit", "単位"},
+                                .help = {"The unit of the file", "ファイルの単位"},
                                 .usual = "mm",
                                 .none = "auto",
                                 .scope = Scope::object});
@@ -59,22 +59,24 @@ void visit_options(Visit& visit, ObjectOptions& object) {
                                 .flag = "--scale",
                                 .takes = "S",
                                 .range = {1e-9, 1e9},
-                                .label = "the scale",
-                                .help = "Multiply every length by this",
+                                .label = {"the scale", "倍率"},
+                                .help = {"Multiply every length by this", "すべての長さに掛ける倍率"},
                                 .scope = Scope::object});
-    visit.option(object.longest_mm, {.json = "longest_mm",
-                                     .flag = "--longest",
-                                     .takes = "MM",
-                                     .unit = "mm",
-                                     .range = {1e-3, kGreatestLength},
-                                     .step = 1,
-                                     .label = "the longest side",
-                                     .help = "Scale the object's longest side to this",
-                                     .scope = Scope::object});
+    visit.option(object.longest_mm,
+                 {.json = "longest_mm",
+                  .flag = "--longest",
+                  .takes = "MM",
+                  .unit = "mm",
+                  .range = {1e-3, kGreatestLength},
+                  .step = 1,
+                  .label = {"the longest side", "最も長い辺"},
+                  .help = {"Scale the object's longest side to this", "対象物の最も長い辺をこの長さにします"},
+                  .scope = Scope::object});
     visit.option(object.cap, {.json = "cap",
                               .flag = "--cap",
-                              .label = "the cap",
-                              .help = "Close the holes of an open object before cutting",
+                              .label = {"the cap", "穴ふさぎ"},
+                              .help = {"Close the holes of an open object before cutting",
+                                       "切る前に、開いた対象物の穴をふさぎます"},
                               .scope = Scope::object});
     visit.option(object.point_radius_mm, {.json = "point_radius_mm",
                                           .flag = "--point-radius",
@@ -82,11 +84,13 @@ void visit_options(Visit& visit, ObjectOptions& object) {
                                           .unit = "mm",
                                           .range = {.least = 1e-6, .most = kGreatestLength, .or_zero = true},
                                           .step = 0.1,
-                                          .label = "the radius of a point",
-                                          .help = "Point clouds: each point counts as a ball of this radius",
-                                          .usual = "0: from the spacing",
+                                          .label = {"the radius of a point", "点の半径"},
+                                          .help = {"Point clouds: each point counts as a ball of this radius",
+                                                   "点群：各点をこの半径の球とみなします"},
+                                          .usual = {"0: from the spacing", "0：間隔から決めます"},
                                           .scope = Scope::object});
-    visit.group(object.clean, {.json = "clean", .title = "What is no part of the object"});
+    visit.group(object.clean,
+                {.json = "clean", .title = {"What is no part of the object", "対象物でないもの"}});
 }
 
 struct SpaceOptions {
@@ -99,36 +103,43 @@ struct SpaceOptions {
 
 template <class Visit>
 void visit_options(Visit& visit, SpaceOptions& space) {
-    visit.option(space.preset, {.json = "preset",
-                                .flag = "--preset",
-                                .takes = "NAME",
-                                .label = "the preset",
-                                .help = "A foam that `snug presets` lists: block size and clearance"});
+    visit.option(space.preset,
+                 {.json = "preset",
+                  .flag = "--preset",
+                  .takes = "NAME",
+                  .label = {"the preset", "フォームの種類"},
+                  .help = {"A foam that `snug presets` lists: block size and clearance",
+                           "`snug presets` にあるフォーム：ブロックの大きさとすきまが決まります"}});
     visit.option(space.blocks, {.json = "blocks",
                                 .flag = "--blocks",
                                 .takes = "30x18x18|auto",
                                 .range = {1, kMostBlocks},
                                 .step = 1,
-                                .label = "a count of blocks",
-                                .help = "Blocks along x, y, z, or auto: the object plus walls",
+                                .label = {"a count of blocks", "ブロック数"},
+                                .help = {"Blocks along x, y, z, or auto: the object plus walls",
+                                         "x、y、z 方向のブロック数。auto なら対象物と壁に合わせます"},
                                 .none = "auto"});
     visit.option(space.block_mm, {.json = "block_mm",
                                   .flag = "--block-size",
                                   .takes = "15x15x22",
                                   .unit = "mm",
                                   .range = {kLeastBlockSize, kGreatestBlockSize},
-                                  .label = "a side of a block",
-                                  .help = "Size of a block in mm"});
-    visit.option(space.wall_mm, {.json = "wall_mm",
-                                 .flag = "--wall",
-                                 .takes = "MM|X,Y,Z|SIX",
-                                 .unit = "mm",
-                                 .range = {0, kGreatestLength},
-                                 .step = 1,
-                                 .label = "the wall",
-                                 .help = "Least foam between object and case: all sides, or X,Y,Z, or "
-                                         "floor,roof,back,front,left,right",
-                                 .usual = "0; 50 with --blocks auto"});
+                                  .label = {"a side of a block", "ブロックの辺"},
+                                  .help = {"Size of a block in mm", "ブロックの大きさ（mm）"}});
+    visit.option(
+        space.wall_mm,
+        {.json = "wall_mm",
+         .flag = "--wall",
+         .takes = "MM|X,Y,Z|SIX",
+         .unit = "mm",
+         .range = {0, kGreatestLength},
+         .step = 1,
+         .label = {"the wall", "壁の厚さ"},
+         .help =
+             {"Least foam between object and case: all sides, or X,Y,Z, or "
+              "floor,roof,back,front,left,right",
+              "対象物とケースの間に残すフォームの最小の厚さ：全面、または X,Y,Z、または底,上,奥,手前,左,右"},
+         .usual = {"0; 50 with --blocks auto", "0、--blocks auto なら 50"}});
 }
 
 struct PlacementOptions {
@@ -142,23 +153,25 @@ void visit_options(Visit& visit, PlacementOptions& placement) {
     visit.option(placement.rotation_deg, {.json = "rotation_deg",
                                           .flag = "--rotate",
                                           .takes = "PSI,THETA,PHI",
-                                          .unit = "degrees",
+                                          .unit = {"degrees", "度"},
                                           .range = {-1e6, 1e6},
                                           .step = 1,
-                                          .label = "an angle",
-                                          .help = "Degrees about the fixed axes x, then y, then z",
+                                          .label = {"an angle", "角度"},
+                                          .help = {"Degrees about the fixed axes x, then y, then z",
+                                                   "固定した x、y、z 軸の順にまわす角度（度）"},
                                           .separator = ',',
                                           .scope = Scope::item});
-    visit.option(placement.offset_mm, {.json = "offset_mm",
-                                       .flag = "--move",
-                                       .takes = "X,Y,Z",
-                                       .unit = "mm",
-                                       .range = {-kGreatestLength, kGreatestLength},
-                                       .step = 1,
-                                       .label = "an offset",
-                                       .help = "Shift from the centre of the space, mm",
-                                       .separator = ',',
-                                       .scope = Scope::item});
+    visit.option(placement.offset_mm,
+                 {.json = "offset_mm",
+                  .flag = "--move",
+                  .takes = "X,Y,Z",
+                  .unit = "mm",
+                  .range = {-kGreatestLength, kGreatestLength},
+                  .step = 1,
+                  .label = {"an offset", "移動量"},
+                  .help = {"Shift from the centre of the space, mm", "空間の中心からの移動（mm）"},
+                  .separator = ',',
+                  .scope = Scope::item});
 }
 
 struct CutOptions {
@@ -189,10 +202,13 @@ void visit_options(Visit& visit, CutOptions& cut) {
          .unit = "mm",
          .range = {-kGreatestLength, kGreatestLength},
          .step = 0.1,
-         .label = "the clearance",
-         .help = "Grow the object by this on every side: one number, or X,Y,Z, or six: X,Y,Z for the "
-                 "lower foam, then for the upper; negative squeezes it, down to -0.4 of the smallest "
-                 "side of a block",
+         .label = {"the clearance", "すきま"},
+         .help = {"Grow the object by this on every side: one number, or X,Y,Z, or six: X,Y,Z for the "
+                  "lower foam, then for the upper; negative squeezes it, down to -0.4 of the smallest "
+                  "side of a block",
+                  "対象物をすべての方向にこれだけ大きくみなします：数値一つ、X,Y,Z "
+                  "の三つ、または下のフォームの X,Y,Z と上のフォームの X,Y,Z "
+                  "の六つ。負の値は締めつけます（ブロックの最も短い辺の -0.4 倍まで）"},
          .scope = Scope::item});
     visit.option(cut.liner_mm, {.json = "liner_mm",
                                 .flag = "--liner",
@@ -200,12 +216,14 @@ void visit_options(Visit& visit, CutOptions& cut) {
                                 .unit = "mm",
                                 .range = {0, kGreatestLength},
                                 .step = 0.1,
-                                .label = "the liner",
-                                .help = "Thickness of a cloth between object and foam, on top"});
+                                .label = {"the liner", "内張りの厚さ"},
+                                .help = {"Thickness of a cloth between object and foam, on top",
+                                         "対象物とフォームの間の布の厚さ（すきまに加わります）"}});
     visit.option(cut.cut_on_touch, {.json = "cut_on_touch",
                                     .flag = "--cut-on-touch",
-                                    .label = "the cut on touch",
-                                    .help = "Also cut blocks that the object merely touches"});
+                                    .label = {"the cut on touch", "触れるだけのブロックの切り取り"},
+                                    .help = {"Also cut blocks that the object merely touches",
+                                             "対象物が触れるだけのブロックも切ります"}});
 }
 
 struct PartingOptions {
@@ -218,12 +236,13 @@ void visit_options(Visit& visit, PartingOptions& parting) {
     visit.option(parting.level, {.json = "level",
                                  .flag = "--parting",
                                  .takes = "auto|LEVEL",
-                                 .unit = "blocks",
+                                 .unit = {"blocks", "ブロック"},
                                  .range = {0, kMostBlocks},
                                  .step = 1,
-                                 .label = "the parting level",
-                                 .help = "Blocks of the lower foam where the object does not touch",
-                                 .usual = "auto",
+                                 .label = {"the parting level", "分割の高さ"},
+                                 .help = {"Blocks of the lower foam where the object does not touch",
+                                          "対象物のない所での下のフォームのブロック数"},
+                                 .usual = {"auto", "自動"},
                                  .none = "auto"});
 }
 
@@ -237,13 +256,14 @@ struct OutputOptions {
 
 template <class Visit>
 void visit_options(Visit& visit, OutputOptions& output) {
-    visit.option(output.formats, {.json = "formats",
-                                  .flag = "--formats",
-                                  .takes = "stl,ply",
-                                  .label = "a format",
-                                  .help = "Formats of the foams: stl, ply",
-                                  .usual = "both",
-                                  .words = kFormats});
+    visit.option(output.formats,
+                 {.json = "formats",
+                  .flag = "--formats",
+                  .takes = "stl,ply",
+                  .label = {"a format", "ファイルの形式"},
+                  .help = {"Formats of the foams: stl, ply", "フォームのファイル形式：stl、ply"},
+                  .usual = {"both", "両方"},
+                  .words = kFormats});
 }
 
 struct Design {
@@ -262,16 +282,16 @@ struct Design {
 
 template <class Visit>
 void visit_options(Visit& visit, Design& design) {
-    visit.group(design.object, {.json = "object", .title = "The object"});
-    visit.group(design.space, {.json = "space", .title = "The design space"});
-    visit.group(design.placement, {.json = "placement", .title = "How the object lies"});
-    visit.group(design.cut, {.json = "cut", .title = "What is cut away"});
-    visit.group(design.fit, {.json = "fit", .title = "A foam to work and live with"});
-    visit.group(design.parting, {.json = "parting", .title = "Where the halves part"});
-    visit.group(design.output, {.json = "output", .title = "The files of the foams"});
-    visit.group(design.case_options, {.json = "case", .title = "The case"});
-    visit.group(design.search, {.json = "search", .title = "The search"});
-    visit.group(design.workshop, {.json = "workshop", .title = "The workshop"});
+    visit.group(design.object, {.json = "object", .title = {"The object", "対象物"}});
+    visit.group(design.space, {.json = "space", .title = {"The design space", "空間"}});
+    visit.group(design.placement, {.json = "placement", .title = {"How the object lies", "対象物の置き方"}});
+    visit.group(design.cut, {.json = "cut", .title = {"What is cut away", "切り取り方"}});
+    visit.group(design.fit, {.json = "fit", .title = {"A foam to work and live with", "使いやすいフォーム"}});
+    visit.group(design.parting, {.json = "parting", .title = {"Where the halves part", "分割"}});
+    visit.group(design.output, {.json = "output", .title = {"The files of the foams", "フォームのファイル"}});
+    visit.group(design.case_options, {.json = "case", .title = {"The case", "ケース"}});
+    visit.group(design.search, {.json = "search", .title = {"The search", "探索"}});
+    visit.group(design.workshop, {.json = "workshop", .title = {"The workshop", "製作"}});
 }
 
 /// The walls that the design asks for: the chosen ones, or 50 mm (the usual least for parcels) where the

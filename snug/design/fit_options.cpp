@@ -14,9 +14,7 @@ Result<void> take_sizes(std::string_view text, FitOptions& fit) {
     const std::vector<double> sizes = typed_numbers(text, 'x');
     if (sizes.size() != 2 && (sizes.size() != 3 || sizes[2] <= 0))
         return not_what_it_takes("--notches",
-                                 "width x depth in mm, and the room outwards if you like, such as 80x40 or "
-                                 "80x40x25",
-                                 text);
+                                 say("takes.notches", {{"example", "80x40"}, {"other", "80x40x25"}}), text);
     if (!fit.notches) fit.notches.emplace();
     fit.notches->width_mm = sizes[0];
     fit.notches->depth_mm = sizes[1];
@@ -32,7 +30,8 @@ std::optional<std::string> say_sizes(const FitOptions& fit) {
 Result<void> take_places(std::string_view text, NotchOptions& notches) {
     const std::vector<double> places = typed_numbers(text, ',');
     if (places.empty() || places.size() > 2)
-        return not_what_it_takes("--notch-at", "one or two numbers of mm such as 0 or -20,10", text);
+        return not_what_it_takes("--notch-at", say("takes.places", {{"example", "0"}, {"other", "-20,10"}}),
+                                 text);
     notches.first_mm = places.front();
     notches.second_mm = places.back();
     return {};
@@ -48,7 +47,8 @@ std::optional<std::string> say_places(const NotchOptions& notches) {
 SharedFlag<FitOptions> notch_size_flag() {
     return {.flag = "--notches",
             .takes = "80x40[x25]|none",
-            .help = "Two recesses beside the object for the fingers: width x depth, and room outwards (25)",
+            .help = {"Two recesses beside the object for the fingers: width x depth, and room outwards (25)",
+                     "対象物の脇の、指を入れる二つのくぼみ：幅 x 深さ、外への奥行き（25）"},
             .take = take_sizes,
             .say = say_sizes};
 }
@@ -56,10 +56,11 @@ SharedFlag<FitOptions> notch_size_flag() {
 SharedFlag<NotchOptions> notch_place_flag() {
     return {.flag = "--notch-at",
             .takes = "MM[,MM]",
-            .help = "Their middles along the object's sides, from the middle of the space",
+            .help = {"Their middles along the object's sides, from the middle of the space",
+                     "側面に沿った指かけの中心（空間の中心から）"},
             .take = take_places,
             .say = say_places,
-            .usual = "auto"};
+            .usual = {"auto", "自動"}};
 }
 
 std::optional<OptionProblem> problem_of(const FitOptions& options) {

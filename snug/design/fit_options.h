@@ -43,56 +43,61 @@ template <class Visit>
 void visit_options(Visit& visit, NotchOptions& notches) {
     constexpr Range kSize{.least = 0, .most = 10000, .above = true};
     constexpr Range kPlace{.least = -1e6, .most = 1e6};
-    visit.option(notches.width_mm, {.json = "width_mm",
-                                    .flag = "--notches",
-                                    .unit = "mm",
-                                    .range = kSize,
-                                    .step = 1,
-                                    .label = "the notches' width",
-                                    .help = "How wide a recess is along the object's side",
-                                    .scope = Scope::item});
-    visit.option(notches.depth_mm, {.json = "depth_mm",
-                                    .flag = "--notches",
-                                    .unit = "mm",
-                                    .range = kSize,
-                                    .step = 1,
-                                    .label = "the notches' depth",
-                                    .help = "How far it goes down below the parting level",
-                                    .scope = Scope::item});
-    visit.option(notches.room_mm, {.json = "room_mm",
-                                   .flag = "--notches",
-                                   .unit = "mm",
-                                   .range = kSize,
-                                   .step = 1,
-                                   .label = "the notches' room",
-                                   .help = "How far it reaches outwards from the object",
-                                   .scope = Scope::item});
-    visit.option(notches.axis, {.json = "axis",
-                                .flag = "--notch-axis",
-                                .takes = "y|z|auto",
-                                .label = "the notches' axis",
-                                .help = "The axis along which they lie opposite each other",
-                                .usual = "auto",
-                                .none = "auto",
-                                .scope = Scope::item});
+    visit.option(notches.width_mm,
+                 {.json = "width_mm",
+                  .flag = "--notches",
+                  .unit = "mm",
+                  .range = kSize,
+                  .step = 1,
+                  .label = {"the notches' width", "指かけの幅"},
+                  .help = {"How wide a recess is along the object's side", "対象物の側面に沿ったくぼみの幅"},
+                  .scope = Scope::item});
+    visit.option(notches.depth_mm,
+                 {.json = "depth_mm",
+                  .flag = "--notches",
+                  .unit = "mm",
+                  .range = kSize,
+                  .step = 1,
+                  .label = {"the notches' depth", "指かけの深さ"},
+                  .help = {"How far it goes down below the parting level", "分割の高さから下への深さ"},
+                  .scope = Scope::item});
+    visit.option(notches.room_mm,
+                 {.json = "room_mm",
+                  .flag = "--notches",
+                  .unit = "mm",
+                  .range = kSize,
+                  .step = 1,
+                  .label = {"the notches' room", "指かけの奥行き"},
+                  .help = {"How far it reaches outwards from the object", "対象物から外への奥行き"},
+                  .scope = Scope::item});
+    visit.option(notches.axis,
+                 {.json = "axis",
+                  .flag = "--notch-axis",
+                  .takes = "y|z|auto",
+                  .label = {"the notches' axis", "指かけの向き"},
+                  .help = {"The axis along which they lie opposite each other", "二つが向かい合う方向の軸"},
+                  .usual = {"auto", "自動"},
+                  .none = "auto",
+                  .scope = Scope::item});
     visit.option(notches.first_mm,
                  {.json = "first_mm",
                   .flag = "--notch-at",
                   .unit = "mm",
                   .range = kPlace,
                   .step = 1,
-                  .label = "the first notch's place",
-                  .help = "The middle of the recess at -y or -z, from the middle of the space",
-                  .usual = "auto",
+                  .label = {"the first notch's place", "一つ目の指かけの位置"},
+                  .help = {"The middle of the recess at -y or -z, from the middle of the space",
+                           "-y または -z 側のくぼみの中心（空間の中心から）"},
+                  .usual = {"auto", "自動"},
                   .scope = Scope::item});
     visit.option(notches.second_mm, {.json = "second_mm",
                                      .flag = "--notch-at",
                                      .unit = "mm",
                                      .range = kPlace,
                                      .step = 1,
-                                     .label = "the second notch's place",
-                                     .help = "The middle of the opposite one",
-                                     .usual = "auto",
+                                     .label = {"the second notch's place", "二つ目の指かけの位置"},
+                                     .help = {"The middle of the opposite one", "反対側のくぼみの中心"},
+                                     .usual = {"auto", "自動"},
                                      .scope = Scope::item});
     visit.flag(notches, notch_place_flag());
 }
@@ -105,19 +110,21 @@ void visit_options(Visit& visit, FitOptions& fit) {
                                     .unit = "mm",
                                     .range = {.least = 0, .most = 10000},
                                     .step = 1,
-                                    .label = "the least rib",
-                                    .help = "Cut away foam between cavities that is thinner than this",
-                                    .usual = "0: none"});
+                                    .label = {"the least rib", "最小の壁厚"},
+                                    .help = {"Cut away foam between cavities that is thinner than this",
+                                             "くぼみの間に残るフォームがこれより薄ければ切り取ります"},
+                                    .usual = {"0: none", "0：なし"}});
     visit.flag(fit, notch_size_flag());
-    visit.group(fit.notches, {.json = "notches", .title = "Notches", .flag = "--notches"});
-    visit.option(fit.creep_kpa, {.json = "creep_kpa",
-                                 .flag = "--creep",
-                                 .takes = "KPA",
-                                 .unit = "kPa",
-                                 .range = {.least = 0, .most = 1e6, .above = true},
-                                 .label = "the pressure that the foam bears for long",
-                                 .help = "Pressure that the foam bears for long",
-                                 .usual = "the preset's"});
+    visit.group(fit.notches, {.json = "notches", .title = {"Notches", "指かけ"}, .flag = "--notches"});
+    visit.option(fit.creep_kpa,
+                 {.json = "creep_kpa",
+                  .flag = "--creep",
+                  .takes = "KPA",
+                  .unit = "kPa",
+                  .range = {.least = 0, .most = 1e6, .above = true},
+                  .label = {"the pressure that the foam bears for long", "フォームが長く耐える圧力"},
+                  .help = {"Pressure that the foam bears for long", "フォームが長く耐える圧力"},
+                  .usual = {"the preset's", "選んだフォームの値"}});
 }
 
 /// What is out of range; none where all is well.

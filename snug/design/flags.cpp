@@ -18,10 +18,14 @@ const TypedFlag* find_typed(std::span<const TypedFlag> typed, std::string_view f
     return found == typed.end() ? nullptr : &*found;
 }
 
-std::string with_default(std::string_view help, std::string_view usual,
-                         const std::optional<std::string>& text) {
-    const std::string shown = usual.empty() ? text.value_or("") : std::string(usual);
-    return std::string(help) + (shown.empty() || shown == "none" ? "" : " (" + shown + ")");
+/// The help of an option with its default in brackets.
+std::string with_default(const Words& help, const Words& usual, const std::optional<std::string>& text,
+                         Language language) {
+    const std::string shown = usual.empty() ? text.value_or("") : snug::text(said(usual), language);
+    const std::string sentence = snug::text(said(help), language);
+    return shown.empty() || shown == "none"
+               ? sentence
+               : snug::text(say("help.default", {{"help", sentence}, {"usual", shown}}), language);
 }
 
 bool takes_many(const Option& option) {
@@ -42,9 +46,9 @@ Result<void> take_from(const OptionList& list, const TypedFlag& typed) {
     Design full;
     const OptionList all = all_options(full);
     const Option* const option = all.find_by_flag(typed.flag);
-    if (!option) return fail(ErrorKind::usage, typed.flag + " says nothing about a design");
+    if (!option) return fail(ErrorKind::usage, say("flag.no_option", {{"flag", typed.flag}}));
     const OptionGroup* const group = all.find_group(option->path.substr(0, option->path.rfind('.')));
-    return fail(ErrorKind::usage, typed.flag + " belongs to " + std::string(group->row.flag));
+    return fail(ErrorKind::usage, say("flag.belongs_to", {{"flag", typed.flag}, {"other", group->row.flag}}));
 }
 
 bool makes_a_group(const OptionList& list, std::string_view flag) {
@@ -90,14 +94,11 @@ Result<void> settle_case(std::span<const TypedFlag> typed, Design& design) {
     const TypedFlag* const blocks = find_typed(typed, "--blocks");
     const bool in_case = find_typed(typed, "--case") != nullptr;
     if (blocks && in_case && blocks->text != "auto")
-        return fail(ErrorKind::usage,
-                    "--case and --blocks exclude each other: the case decides how many blocks go in");
+        return fail(ErrorKind::usage, say("flag.case_or_blocks"));
     if (blocks && !in_case) design.case_options.inside_mm.reset();
     for (const std::string_view flag : {"--case-play", "--case-radius", "--case-base", "--case-top"})
         if (!design.case_options.inside_mm && find_typed(typed, flag))
-            return fail(
-                ErrorKind::usage,
-                "--case-play, --case-radius, --case-base and --case-top belong to --case LxWxH[:LID]");
+            return fail(ErrorKind::usage, say("flag.needs_case"));
     return {};
 }
 
@@ -105,7 +106,7 @@ Result<void> settle_case(std::span<const TypedFlag> typed, Design& design) {
 Result<void> take_set(std::string_view text, Design& design) {
     const std::size_t equals = text.find('=');
     if (equals == 0 || equals == std::string_view::npos)
-        return not_what_it_takes("--set", "an option's path and its value such as fit.least_rib_mm=5", text);
+        return not_what_it_takes("--set", say("takes.set", {{"example", "fit.least_rib_mm=5"}}), text);
     const std::string_view value = text.substr(equals + 1);
     nlohmann::json json = nlohmann::json::parse(value.begin(), value.end(), nullptr, false);
     if (json.is_discarded()) json = value;
@@ -120,7 +121,7 @@ Result<void> take_set(std::string_view text, Design& design) {
     return {};
 }
 
-std::vector<Flag> flags_of_the_table() {
+std::vector<Flag> flags_of_the_table(Language language) {
     Design design;
     const OptionList list = all_options(design);
     std::vector<Flag> flags;
@@ -128,7 +129,7 @@ std::vector<Flag> flags_of_the_table() {
     const auto add_shared = [&](std::size_t at) {
         for (; shared != list.flags.end() && shared->at == at; ++shared)
             flags.push_back({std::string(shared->flag), std::string(shared->takes),
-                             with_default(shared->help, shared->usual, {})});
+                             with_default(shared->help, shared->usual, {}, language)});
     };
     for (std::size_t i = 0; i < list.options.size(); ++i) {
         add_shared(i);
@@ -136,13 +137,12 @@ std::vector<Flag> flags_of_the_table() {
         const OptionRow& row = option.row;
         if (row.flag.empty() || list.find_flag(row.flag)) continue;
         flags.push_back({std::string(row.flag), std::string(row.takes),
-                         with_default(row.help, row.usual, text_of(option)), takes_many(option)});
+                         with_default(row.help, row.usual, text_of(option), language), takes_many(option)});
     }
     add_shared(list.options.size());
     flags.push_back({"--set", "PATH=VALUE",
-                     "Any option by its name in a project file, after all others: "
-                     "workshop.sheets.dxf=false",
-                     false, true});
+                     text(say("help.set", {{"example", "workshop.sheets.dxf=false"}}), language), false,
+                     true});
     return flags;
 }
 
@@ -152,9 +152,10 @@ bool was_typed(std::span<const TypedFlag> typed, std::string_view flag) {
     return find_typed(typed, flag) != nullptr;
 }
 
-const std::vector<Flag>& design_flags() {
-    static const std::vector<Flag> flags = flags_of_the_table();
-    return flags;
+const std::vector<Flag>& design_flags(Language language) {
+    static const std::vector<Flag> english = flags_of_the_table(Language::english),
+                                   japanese = flags_of_the_table(Language::japanese);
+    return language == Language::japanese ? japanese : english;
 }
 
 KnownNames built_in_names() {

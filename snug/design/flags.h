@@ -9,6 +9,7 @@
 #include "snug/design/cases.h"
 #include "snug/design/design.h"
 #include "snug/design/presets.h"
+#include "snug/words/words.h"
 
 // The flags of `snug make` that say something about the design, made from the table of options.
 
@@ -23,8 +24,8 @@ struct Flag {
     bool repeats = false;  ///< it may be typed more than once
 };
 
-/// All of them, in the table's order, --set last.
-[[nodiscard]] const std::vector<Flag>& design_flags();
+/// All of them, in the table's order, --set last; their help in a language.
+[[nodiscard]] const std::vector<Flag>& design_flags(Language language = Language::english);
 
 /// One flag as it was typed; several words are joined by commas.
 struct TypedFlag {

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "snug/base/text.h"
-
 namespace snug {
 namespace {
 
@@ -53,58 +51,70 @@ bool get(const Json& value, Vec3<T>& target) {
 
 }  // namespace
 
+Message must_be(std::string_view path, Message expected) {
+    return say("json.must_be", {{"path", path}, {"expected", std::move(expected)}});
+}
+
+Message not_an_object(std::string_view path) {
+    return say("json.not_an_object", {{"path", path.empty() ? say("json.the_file") : as_it_is(path)}});
+}
+
+Message unknown_field(std::string_view path) {
+    return say("json.unknown", {{"path", path}});
+}
+
 JsonReader::JsonReader(const Json& value, std::string path) : value_(value), path_(std::move(path)) {
-    if (!value_.is_object())
-        problem_ = (path_.empty() ? std::string("the file") : path_) + " must be a JSON object";
+    if (!value_.is_object()) problem_ = not_an_object(path_);
 }
 
 JsonReader JsonReader::object(const char* name) {
-    const std::string path = path_.empty() ? name : path_ + "." + name;
     const Json* field = find(name);
-    return {field ? *field : Json::object(), path};
+    return {field ? *field : Json::object(), path_of(name)};
 }
 
 JsonReader& JsonReader::read(const char* name, bool& target) {
-    if (const Json* field = find(name); field && !get(*field, target)) refuse(name, "true or false");
+    if (const Json* field = find(name); field && !get(*field, target))
+        refuse(name, say("json.true_or_false"));
     return *this;
 }
 JsonReader& JsonReader::read(const char* name, int& target) {
-    if (const Json* field = find(name); field && !get(*field, target)) refuse(name, "a whole number");
+    if (const Json* field = find(name); field && !get(*field, target)) refuse(name, say("takes.whole"));
     return *this;
 }
 JsonReader& JsonReader::read(const char* name, unsigned long long& target) {
-    if (const Json* field = find(name); field && !get(*field, target))
-        refuse(name, "a whole number of 0 or more");
+    if (const Json* field = find(name); field && !get(*field, target)) refuse(name, say("json.whole_from_0"));
     return *this;
 }
 JsonReader& JsonReader::read(const char* name, double& target) {
-    if (const Json* field = find(name); field && !get(*field, target)) refuse(name, "a number");
+    if (const Json* field = find(name); field && !get(*field, target)) refuse(name, say("takes.number"));
     return *this;
 }
 JsonReader& JsonReader::read(const char* name, std::string& target) {
-    if (const Json* field = find(name); field && !get(*field, target)) refuse(name, "a text");
+    if (const Json* field = find(name); field && !get(*field, target)) refuse(name, say("takes.text"));
     return *this;
 }
 JsonReader& JsonReader::read(const char* name, Vec3d& target) {
-    if (const Json* field = find(name); field && !get(*field, target))
-        refuse(name, "three numbers in brackets");
+    if (const Json* field = find(name); field && !get(*field, target)) refuse(name, say("json.three"));
     return *this;
 }
 
-void JsonReader::refuse(const char* name, std::string_view expected) {
-    if (!problem_) problem_ = (path_.empty() ? "" : path_ + ".") + name + " must be " + std::string(expected);
+void JsonReader::refuse(const char* name, Message expected) {
+    if (!problem_) problem_ = must_be(path_of(name), std::move(expected));
 }
 
 void JsonReader::require(const char* name) {
-    if (!has(name) && !problem_) problem_ = (path_.empty() ? "" : path_ + ".") + name + " is missing";
+    if (!has(name) && !problem_) problem_ = say("json.missing", {{"path", path_of(name)}});
 }
 
-std::optional<std::string> JsonReader::problem() const {
+std::string JsonReader::path_of(std::string_view name) const {
+    return (path_.empty() ? "" : path_ + ".") + std::string(name);
+}
+
+std::optional<Message> JsonReader::problem() const {
     if (problem_) return problem_;
     for (const auto& [name, value] : value_.items())
         if (std::find(known_.begin(), known_.end(), name) == known_.end())
-            return (path_.empty() ? "" : path_ + ".") + name +
-                   " is not an option that this version of Snug knows";
+            return unknown_field(path_of(name));
     return {};
 }
 
@@ -119,7 +129,7 @@ const Json* JsonReader::find(const char* name) {
 
 Result<Json> parse_json(std::string_view text, ErrorKind kind) {
     Json value = Json::parse(text.begin(), text.end(), nullptr, false);
-    if (value.is_discarded()) return fail(kind, "this is not valid JSON (cut off, or edited by hand?)");
+    if (value.is_discarded()) return fail(kind, say("json.invalid"));
     return value;
 }
 

@@ -12,6 +12,11 @@
 
 namespace snug {
 
+/// What is wrong with the field of this path; an empty path is the whole file.
+[[nodiscard]] Message must_be(std::string_view path, Message expected);
+[[nodiscard]] Message not_an_object(std::string_view path);
+[[nodiscard]] Message unknown_field(std::string_view path);
+
 /// Reads the fields of one JSON object, strictly: the first wrong or unknown field is kept as the problem,
 /// with its path, and everything after it is left alone.
 class JsonReader {
@@ -42,23 +47,24 @@ class JsonReader {
         return *this;
     }
 
-    /// Says that `name` must be what `expected` names ("a positive number").
-    void refuse(const char* name, std::string_view expected);
+    /// Says that `name` must be what `expected` names ("a number").
+    void refuse(const char* name, Message expected);
     void require(const char* name);
     [[nodiscard]] bool has(const char* name) const { return value_.is_object() && value_.contains(name); }
 
     /// The first problem, or that of a field that was never asked for.
-    [[nodiscard]] std::optional<std::string> problem() const;
+    [[nodiscard]] std::optional<Message> problem() const;
     /// Takes over the problem of a nested reader.
     void adopt(const JsonReader& nested);
 
   private:
     const nlohmann::json* find(const char* name);
+    [[nodiscard]] std::string path_of(std::string_view name) const;
 
     nlohmann::json value_;
     std::string path_;
     std::vector<std::string> known_;
-    std::optional<std::string> problem_;
+    std::optional<Message> problem_;
 };
 
 /// The value of a JSON text, or what is wrong with it and at which byte. Nesting is limited.

@@ -33,83 +33,90 @@ struct MillOptions {
 
 template <class Visit>
 void visit_options(Visit& visit, MillOptions& mill) {
-    visit.option(mill.cutter_mm, {.json = "cutter_mm",
-                                  .flag = "--cutter",
-                                  .takes = "MM",
-                                  .unit = "mm",
-                                  .range = {0.5, 100},
-                                  .step = 0.5,
-                                  .label = "the cutter's diameter",
-                                  .help = "Mill: the flat cutter's diameter"});
+    visit.option(mill.cutter_mm,
+                 {.json = "cutter_mm",
+                  .flag = "--cutter",
+                  .takes = "MM",
+                  .unit = "mm",
+                  .range = {0.5, 100},
+                  .step = 0.5,
+                  .label = {"the cutter's diameter", "刃の直径"},
+                  .help = {"Mill: the flat cutter's diameter", "切削：フラットエンドミルの直径"}});
     visit.option(mill.flute_mm, {.json = "flute_mm",
                                  .flag = "--flute",
                                  .takes = "MM",
                                  .unit = "mm",
                                  .range = {1, 1000},
                                  .step = 1,
-                                 .label = "the flute's length",
-                                 .help = "Mill: how deep the cutter can go"});
-    visit.option(mill.step_down_mm, {.json = "step_down_mm",
-                                     .flag = "--step-down",
-                                     .takes = "MM",
-                                     .unit = "mm",
-                                     .range = {0.05, 1000},
-                                     .step = 0.5,
-                                     .label = "the depth of a pass",
-                                     .help = "Mill: the most that a pass goes down",
-                                     .usual = "half the cutter"});
-    visit.option(mill.stepover, {.json = "stepover",
-                                 .flag = "--stepover",
-                                 .takes = "SHARE",
-                                 .range = {0.05, 0.9},
-                                 .step = 0.05,
-                                 .label = "the stepover (a share of the cutter's diameter)",
-                                 .help = "Mill: between paths, in diameters"});
+                                 .label = {"the flute's length", "刃長"},
+                                 .help = {"Mill: how deep the cutter can go", "切削：刃が届く深さ"}});
+    visit.option(mill.step_down_mm,
+                 {.json = "step_down_mm",
+                  .flag = "--step-down",
+                  .takes = "MM",
+                  .unit = "mm",
+                  .range = {0.05, 1000},
+                  .step = 0.5,
+                  .label = {"the depth of a pass", "切込み"},
+                  .help = {"Mill: the most that a pass goes down", "切削：一回に下がる最大の深さ"},
+                  .usual = {"half the cutter", "刃の半分"}});
+    visit.option(
+        mill.stepover,
+        {.json = "stepover",
+         .flag = "--stepover",
+         .takes = "SHARE",
+         .range = {0.05, 0.9},
+         .step = 0.05,
+         .label = {"the stepover (a share of the cutter's diameter)", "経路の間隔（刃の直径に対する割合）"},
+         .help = {"Mill: between paths, in diameters", "切削：経路の間隔（直径に対する割合）"}});
     visit.option(mill.feed_mm_min, {.json = "feed_mm_min",
                                     .flag = "--feed",
                                     .takes = "MM/MIN",
                                     .unit = "mm/min",
                                     .range = {1, 50000},
                                     .step = 50,
-                                    .label = "the feed",
-                                    .help = "Mill: feed"});
+                                    .label = {"the feed", "送り"},
+                                    .help = {"Mill: feed", "切削：送り"}});
     visit.option(mill.plunge_mm_min, {.json = "plunge_mm_min",
                                       .flag = "--plunge",
                                       .takes = "MM/MIN",
                                       .unit = "mm/min",
                                       .range = {1, 50000},
                                       .step = 50,
-                                      .label = "the plunge feed",
-                                      .help = "Mill: feed downwards"});
+                                      .label = {"the plunge feed", "下向きの送り"},
+                                      .help = {"Mill: feed downwards", "切削：下向きの送り"}});
     visit.option(mill.spindle_rpm, {.json = "spindle_rpm",
                                     .flag = "--spindle",
                                     .takes = "RPM",
                                     .unit = "rpm",
                                     .range = {1, 100000},
                                     .step = 500,
-                                    .label = "the spindle's speed",
-                                    .help = "Mill: the spindle's speed"});
-    visit.option(mill.safe_mm, {.json = "safe_mm",
-                                .flag = "--safe-height",
-                                .takes = "MM",
-                                .unit = "mm",
-                                .range = {0.5, 200},
-                                .step = 0.5,
-                                .label = "the safe height above the stock",
-                                .help = "Mill: of rapid moves above the stock"});
+                                    .label = {"the spindle's speed", "主軸の回転数"},
+                                    .help = {"Mill: the spindle's speed", "切削：主軸の回転数"}});
+    visit.option(mill.safe_mm,
+                 {.json = "safe_mm",
+                  .flag = "--safe-height",
+                  .takes = "MM",
+                  .unit = "mm",
+                  .range = {0.5, 200},
+                  .step = 0.5,
+                  .label = {"the safe height above the stock", "材料の上の安全高さ"},
+                  .help = {"Mill: of rapid moves above the stock", "切削：早送りで材料の上を通る高さ"}});
     visit.option(mill.pin_mm, {.json = "pin_mm",
                                .flag = "--pin",
                                .takes = "MM",
                                .unit = "mm",
                                .range = {.least = 1, .most = 50, .or_zero = true},
                                .step = 0.5,
-                               .label = "the registration pins' diameter",
-                               .help = "Mill: diameter of the registration pins; 0: none"});
-    visit.option(mill.origin, {.json = "origin",
-                               .flag = "--origin",
-                               .takes = "corner|centre",
-                               .label = "the origin",
-                               .help = "Mill: where X0 Y0 lies on the stock"});
+                               .label = {"the registration pins' diameter", "位置決めピンの直径"},
+                               .help = {"Mill: diameter of the registration pins; 0: none",
+                                        "切削：位置決めピンの直径。0 ならなし"}});
+    visit.option(mill.origin,
+                 {.json = "origin",
+                  .flag = "--origin",
+                  .takes = "corner|centre",
+                  .label = {"the origin", "原点"},
+                  .help = {"Mill: where X0 Y0 lies on the stock", "切削：X0 Y0 の材料上の位置"}});
 }
 
 /// What is out of range whatever the foam is; none where all is well.

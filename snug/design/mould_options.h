@@ -23,24 +23,26 @@ void visit_options(Visit& visit, MouldOptions& mould) {
                                  .unit = "mm",
                                  .range = {0.4, 100},
                                  .step = 0.5,
-                                 .label = "the mould's wall",
-                                 .help = "Mould: thickness of walls and floor"});
+                                 .label = {"the mould's wall", "型の壁"},
+                                 .help = {"Mould: thickness of walls and floor", "型：壁と底の厚さ"}});
     visit.option(mould.rim_mm, {.json = "rim_mm",
                                 .flag = "--mould-rim",
                                 .takes = "MM",
                                 .unit = "mm",
                                 .range = {0, 200},
                                 .step = 1,
-                                .label = "the mould's rim",
-                                .help = "Mould: height of the walls above what is poured"});
+                                .label = {"the mould's rim", "型の縁"},
+                                .help = {"Mould: height of the walls above what is poured",
+                                         "型：流し込む面より上に立つ壁の高さ"}});
     visit.option(mould.draft_deg, {.json = "draft_deg",
                                    .flag = "--draft",
                                    .takes = "DEGREES",
-                                   .unit = "degrees",
+                                   .unit = {"degrees", "度"},
                                    .range = {0, 15},
                                    .step = 0.5,
-                                   .label = "the mould's draft",
-                                   .help = "Mould: lean of upright faces, so that the foam lets go"});
+                                   .label = {"the mould's draft", "型の抜き勾配"},
+                                   .help = {"Mould: lean of upright faces, so that the foam lets go",
+                                            "型：フォームが抜けるように立ち面に付ける傾き"}});
 }
 
 /// What is out of range whatever the foam is; none where all is well.

@@ -5,7 +5,9 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "snug/base/message.h"
 #include "snug/base/names.h"
 #include "snug/base/result.h"
 
@@ -17,6 +19,29 @@
 // and docs/options.md are made from it (option_list.h and what uses it).
 
 namespace snug {
+
+/// A text in both languages, which stands in the option's row instead of in the catalogue. From one literal:
+/// the same in both. Literals only, since nothing is copied.
+struct Words {
+    constexpr Words() = default;
+    constexpr Words(const char* same) : english(same), japanese(same) {}
+    constexpr Words(const char* english_, const char* japanese_) : english(english_), japanese(japanese_) {}
+    [[nodiscard]] constexpr bool empty() const { return english.empty(); }
+
+    std::string_view english, japanese;
+};
+
+[[nodiscard]] inline Message said(const Words& words) {
+    return say("in_both", {{"english", words.english}, {"japanese", words.japanese}});
+}
+
+/// Each as it is, for a place that lists them.
+template <class Texts>
+[[nodiscard]] std::vector<Message> each_as_it_is(const Texts& texts) {
+    std::vector<Message> messages;
+    for (const auto& shown : texts) messages.push_back(as_it_is(std::string_view(shown)));
+    return messages;
+}
 
 /// Whose choice an option is.
 enum class Scope { design, object, item };
@@ -41,12 +66,12 @@ struct OptionRow {
     std::string_view json = {};   ///< its name in a project file, within its struct's object
     std::string_view flag = {};   ///< "--least-rib"; several options may share one; empty: --set alone
     std::string_view takes = {};  ///< what stands behind the flag in the help: "MM"; empty: nothing, it is on
-    std::string_view unit = {};   ///< "mm", "kg/m3"
+    Words unit = {};              ///< "mm", "kg/m3"
     Range range = {};
-    double step = 0;              ///< of the studio's field; 0: any
-    std::string_view label = {};  ///< "the least rib", as sentences have it
-    std::string_view help = {};   ///< a sentence without its full stop and without the default
-    std::string_view usual = {};  ///< what --help says in brackets; empty: the default
+    double step = 0;   ///< of the studio's field; 0: any
+    Words label = {};  ///< "the least rib", as sentences have it
+    Words help = {};   ///< a sentence without its full stop and without the default
+    Words usual = {};  ///< what --help says in brackets; empty: the default
     /// The word for no value on the command line ("none" where it is empty), and of numbers in project files
     /// (null where it is empty).
     std::string_view none = {};
@@ -58,27 +83,28 @@ struct OptionRow {
 /// A struct of options within another.
 struct GroupRow {
     std::string_view json = {};
-    std::string_view title = {};  ///< a heading: "Notches"
-    std::string_view flag = {};   ///< that makes an optional group exist
+    Words title = {};            ///< a heading: "Notches"
+    std::string_view flag = {};  ///< that makes an optional group exist
 };
 
 /// A flag that says several options at once. Their rows name it.
 template <class Options>
 struct SharedFlag {
-    std::string_view flag, takes, help;
+    std::string_view flag, takes;
+    Words help;
     /// Puts what was typed into the options. Errors are of kind `usage` and name the flag.
     Result<void> (*take)(std::string_view text, Options& options);
     /// What to type for these options; none where the flag cannot say them.
     std::optional<std::string> (*say)(const Options& options);
-    std::string_view usual = {};
+    Words usual = {};
 };
 
 /// What is wrong with a struct of options.
 struct OptionProblem {
-    std::string path;      ///< of the field: "fit.least_rib_mm"
-    std::string sentence;  ///< what is out of range and what would do
+    std::string path;  ///< of the field: "fit.least_rib_mm"
+    Message message;   ///< what is out of range and what would do
     [[nodiscard]] OptionProblem within(std::string_view group) const {
-        return {std::string(group) + (path.empty() ? "" : ".") + path, sentence};
+        return {std::string(group) + (path.empty() ? "" : ".") + path, message};
     }
 };
 

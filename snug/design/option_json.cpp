@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "snug/design/json_reader.h"
+
 namespace snug {
 namespace {
 
@@ -169,46 +171,44 @@ struct Reading {
 struct Expected {
     const OptionRow& row;
 
-    std::string operator()(std::monostate) const { return "null"; }
-    std::string operator()(const bool*) const { return "true or false"; }
-    std::string operator()(const int*) const { return "a whole number"; }
-    std::string operator()(const std::uint32_t*) const { return "0 to 2147483647"; }
-    std::string operator()(const double*) const { return "a number"; }
-    std::string operator()(const std::string*) const { return "a text"; }
-    std::string operator()(const Vec2d*) const { return "two numbers in brackets (length, width)"; }
-    std::string operator()(const CrossSection*) const { return "two numbers in brackets (width, length)"; }
-    std::string operator()(const Vec3d*) const { return "three numbers in brackets"; }
-    std::string operator()(const Vec3i*) const { return "three whole numbers in brackets"; }
-    std::string operator()(const Plane*) const { return "four numbers in brackets"; }
-    std::string operator()(const Walls*) const { return "a number, six numbers in brackets"; }
-    std::string operator()(const Clearance*) const {
-        return "a number, or six in brackets (x, y, z of the lower foam, then of the upper)";
+    Message operator()(std::monostate) const { return say("json.null"); }
+    Message operator()(const bool*) const { return say("json.true_or_false"); }
+    Message operator()(const int*) const { return say("takes.whole"); }
+    Message operator()(const std::uint32_t*) const { return say("json.seed"); }
+    Message operator()(const double*) const { return say("takes.number"); }
+    Message operator()(const std::string*) const { return say("takes.text"); }
+    Message operator()(const Vec2d*) const { return say("json.length_and_width"); }
+    Message operator()(const CrossSection*) const { return say("json.width_and_length"); }
+    Message operator()(const Vec3d*) const { return say("json.three"); }
+    Message operator()(const Vec3i*) const { return say("json.three_whole"); }
+    Message operator()(const Plane*) const { return say("json.four"); }
+    Message operator()(const Walls*) const { return say("json.walls"); }
+    Message operator()(const Clearance*) const { return say("json.clearance"); }
+    Message operator()(const Weights*) const {
+        return say("json.weights", {{"words", each_as_it_is(names_of<Objective>())}});
     }
-    std::string operator()(const Weights*) const {
-        return "an object with numbers for " + any_of(names_of<Objective>());
-    }
-    std::string operator()(const std::vector<int>*) const { return "a list of whole numbers"; }
-    std::string operator()(const std::vector<std::string>*) const { return "a list of texts"; }
-    std::string operator()(const std::vector<BrickStock>*) const { return "names with a whole number each"; }
-    std::string operator()(const Choice& choice) const {
-        std::vector<std::string_view> words(choice.words.begin(), choice.words.end());
-        if (choice.may_be_none) words.push_back("null");
-        return any_of(words);
+    Message operator()(const std::vector<int>*) const { return say("json.whole_list"); }
+    Message operator()(const std::vector<std::string>*) const { return say("json.text_list"); }
+    Message operator()(const std::vector<BrickStock>*) const { return say("json.pieces"); }
+    Message operator()(const Choice& choice) const {
+        std::vector<Message> words = each_as_it_is(choice.words);
+        if (choice.may_be_none) words.push_back(as_it_is("null"));
+        return say("takes.one_of", {{"words", words}});
     }
     template <class T>
-    std::string operator()(const std::optional<T>*) const {
-        return (*this)(static_cast<const T*>(nullptr)) + ", or " +
-               (row.none.empty() ? "null" : std::string(row.none));
+    Message operator()(const std::optional<T>*) const {
+        return say("takes.or", {{"what", (*this)(static_cast<const T*>(nullptr))},
+                                {"none", row.none.empty() ? "null" : row.none}});
     }
 };
 
-using Problem = std::optional<std::string>;
+using Problem = std::optional<Message>;
 
 Problem read(const Json& json, const std::string& path, const OptionList& list, const std::string& prefix);
 
 Problem read_group(const Json& json, const std::string& path, const OptionList& list,
                    const std::string& prefix) {
-    if (!json.is_object()) return (path.empty() ? "the file" : prefix + path) + " must be a JSON object";
+    if (!json.is_object()) return not_an_object(path.empty() ? path : prefix + path);
     for (const auto& [name, value] : json.items())
         if (auto problem = read(value, path.empty() ? name : path + "." + name, list, prefix)) return problem;
     return {};
@@ -217,10 +217,10 @@ Problem read_group(const Json& json, const std::string& path, const OptionList& 
 Problem read(const Json& json, const std::string& path, const OptionList& list, const std::string& prefix) {
     if (const Option* option = list.find(path)) {
         if (std::visit(Reading{json, option->row}, option->value)) return {};
-        return prefix + path + " must be " + std::visit(Expected{option->row}, option->value);
+        return must_be(prefix + path, std::visit(Expected{option->row}, option->value));
     }
     if (list.find_group(path)) return read_group(json, path, list, prefix);
-    return prefix + path + " is not an option that this version of Snug knows";
+    return unknown_field(prefix + path);
 }
 
 }  // namespace
@@ -241,7 +241,7 @@ Written json_of(const OptionList& list) {
     return json;
 }
 
-std::optional<std::string> read_options(const Json& json, Design& design, const std::string& prefix) {
+std::optional<Message> read_options(const Json& json, Design& design, const std::string& prefix) {
     const auto presence = [&](const std::string& path) -> std::optional<bool> {
         std::string pointer = "/" + path;
         std::replace(pointer.begin(), pointer.end(), '.', '/');

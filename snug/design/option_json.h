@@ -17,7 +17,7 @@ namespace snug {
 
 /// Puts what `json` names into the design; what is missing stays as it is. What is wrong or unknown comes
 /// back as a sentence that begins with its path below `prefix` ("design.").
-[[nodiscard]] std::optional<std::string> read_options(const nlohmann::json& json, Design& design,
-                                                      const std::string& prefix);
+[[nodiscard]] std::optional<Message> read_options(const nlohmann::json& json, Design& design,
+                                                  const std::string& prefix);
 
 }  // namespace snug

@@ -7,12 +7,21 @@
 namespace snug {
 namespace {
 
-using Problem = std::optional<std::string>;
+using Problem = std::optional<Message>;
 
-std::string bounds(const Range& range, const std::string& unit) {
-    const std::string most = number(range.most, 9), least = number(range.least, 9);
-    if (range.above) return "above " + least + " and at most " + most + unit;
-    return (range.or_zero ? "0, or from " : "from ") + least + " to " + most + unit;
+/// "12.5 mm"
+Message with_unit(double value, const OptionRow& row) {
+    const std::string shown = number(value, 9);
+    return row.unit.empty() ? as_it_is(shown)
+                            : say("option.with_unit", {{"value", shown}, {"unit", said(row.unit)}});
+}
+
+Message bounds(const OptionRow& row) {
+    const Range& range = row.range;
+    return say(range.above     ? "option.above"
+               : range.or_zero ? "option.zero_or"
+                               : "option.from",
+               {{"least", number(range.least, 9)}, {"most", with_unit(range.most, row)}});
 }
 
 /// Says that a number is out of the row's range.
@@ -23,16 +32,17 @@ struct Judging {
     Problem operator()(const bool*) const { return {}; }
     Problem operator()(const double* value) const {
         if (row.range.any() || row.range.has(*value)) return {};
-        const std::string unit = (row.unit.empty() ? "" : " ") + std::string(row.unit);
-        return std::string(row.label) + " is " + number(*value, 9) + unit + ", but must be " +
-               bounds(row.range, unit);
+        return say("option.out_of_range",
+                   {{"label", said(row.label)}, {"value", with_unit(*value, row)}, {"bounds", bounds(row)}});
     }
     Problem operator()(const int* value) const { return of(*value); }
     Problem operator()(const std::uint32_t* value) const { return of(*value); }
     Problem operator()(const std::string* value) const {
         if (row.words.empty() || std::find(row.words.begin(), row.words.end(), *value) != row.words.end())
             return {};
-        return std::string(row.label) + " must be " + any_of(row.words) + ", not " + quoted(*value);
+        return say(
+            "option.not_a_word",
+            {{"label", said(row.label)}, {"words", each_as_it_is(row.words)}, {"found", quoted(*value)}});
     }
     Problem operator()(const Vec2d* v) const { return all({v->x, v->y}); }
     Problem operator()(const CrossSection* v) const { return all({v->width, v->length}); }

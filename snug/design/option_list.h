@@ -50,7 +50,8 @@ struct OptionGroup {
 
 /// A flag of several options, bound to them.
 struct BoundFlag {
-    std::string_view flag, takes, help, usual;
+    std::string_view flag, takes;
+    Words help, usual;
     std::size_t at = 0;  ///< before which option of the list it was named
     std::function<Result<void>(std::string_view)> take;
     std::function<std::optional<std::string>()> say;

@@ -159,52 +159,54 @@ struct Taking {
 struct Takes {
     const OptionRow& row;
 
-    std::string operator()(std::monostate) const { return "nothing"; }
-    std::string operator()(const bool*) const { return "nothing"; }
-    std::string operator()(const int*) const { return "a whole number"; }
-    std::string operator()(const std::uint32_t*) const { return "a whole number from 0 upward"; }
-    std::string operator()(const double*) const {
-        return "a number" + (row.unit.empty() ? std::string() : " of " + std::string(row.unit));
+    Message operator()(std::monostate) const { return say("takes.nothing"); }
+    Message operator()(const bool*) const { return say("takes.nothing"); }
+    Message operator()(const int*) const { return say("takes.whole"); }
+    Message operator()(const std::uint32_t*) const { return say("takes.whole_from_0"); }
+    Message operator()(const double*) const {
+        return row.unit.empty() ? say("takes.number") : say("takes.number_of", {{"unit", said(row.unit)}});
     }
-    std::string operator()(const std::string*) const { return "a text"; }
-    std::string operator()(const Vec2d*) const { return "two lengths such as 1000x600"; }
-    std::string operator()(const CrossSection*) const { return "length and width in mm such as 410x270"; }
-    std::string operator()(const Vec3i*) const { return "three numbers such as 30x18x18"; }
-    std::string operator()(const Vec3d*) const {
-        return std::string("three numbers such as ") + (row.separator == 'x' ? "15x15x22" : "0,90,0");
+    Message operator()(const std::string*) const { return say("takes.text"); }
+    Message operator()(const Vec2d*) const { return say("takes.two_lengths", {{"example", "1000x600"}}); }
+    Message operator()(const CrossSection*) const {
+        return say("takes.length_and_width", {{"example", "410x270"}});
     }
-    std::string operator()(const Clearance*) const {
-        return "one number of mm, three (x,y,z) or six (x,y,z of the lower foam, then of the upper) such as "
-               "1 "
-               "or 0,2,2";
+    Message operator()(const Vec3i*) const { return say("takes.three_numbers", {{"example", "30x18x18"}}); }
+    Message operator()(const Vec3d*) const {
+        return say("takes.three_numbers", {{"example", row.separator == 'x' ? "15x15x22" : "0,90,0"}});
     }
-    std::string operator()(const Walls*) const {
-        return "one number of mm, three (x,y,z) or six (floor,roof,back,front,left,right) such as 50 or "
-               "40,50,50";
+    Message operator()(const Clearance*) const {
+        return say("takes.clearance", {{"example", "1"}, {"other", "0,2,2"}});
     }
-    std::string operator()(const Plane*) const { return "a direction and a distance such as 0,0,1,12"; }
-    std::string operator()(const std::vector<int>*) const {
-        return "numbers and ranges from 1 upward such as 2,5-9";
+    Message operator()(const Walls*) const {
+        return say("takes.walls", {{"example", "50"}, {"other", "40,50,50"}});
     }
-    std::string operator()(const std::vector<std::string>*) const {
-        return "words such as " + std::string(row.takes);
+    Message operator()(const Plane*) const { return say("takes.plane", {{"example", "0,0,1,12"}}); }
+    Message operator()(const std::vector<int>*) const { return say("takes.ranges", {{"example", "2,5-9"}}); }
+    Message operator()(const std::vector<std::string>*) const {
+        return say("takes.words", {{"example", row.takes}});
     }
-    std::string operator()(const std::vector<BrickStock>*) const {
-        return "sizes and pieces such as 2x4=100,1x1=40";
+    Message operator()(const std::vector<BrickStock>*) const {
+        return say("takes.pieces", {{"example", "2x4=100,1x1=40"}});
     }
-    std::string operator()(const Weights*) const {
-        return any_of(names_of<Objective>()) + ", each with a weight if you like, as in cut=1,bearing=0.5";
+    Message operator()(const Weights*) const {
+        return say("takes.weights",
+                   {{"words", each_as_it_is(names_of<Objective>())}, {"example", "cut=1,bearing=0.5"}});
     }
-    std::string operator()(const Choice& choice) const {
-        std::vector<std::string_view> words(choice.words.begin(), choice.words.end());
-        if (choice.may_be_none) words.push_back(row.none.empty() ? "none" : row.none);
-        return any_of(words);
+    Message operator()(const Choice& choice) const {
+        std::vector<Message> words = each_as_it_is(choice.words);
+        if (choice.may_be_none) words.push_back(as_it_is(none()));
+        return say("takes.one_of", {{"words", words}});
     }
     template <class T>
-    std::string operator()(const std::optional<T>* value) const {
-        return (*this)(value->has_value() ? &**value : static_cast<const T*>(nullptr)) + ", or " +
-               (row.none.empty() ? "none" : std::string(row.none));
+    Message operator()(const std::optional<T>* value) const {
+        return say("takes.or",
+                   {{"what", (*this)(value->has_value() ? &**value : static_cast<const T*>(nullptr))},
+                    {"none", none()}});
     }
+
+  private:
+    [[nodiscard]] std::string_view none() const { return row.none.empty() ? "none" : row.none; }
 };
 
 using Text = std::optional<std::string>;
@@ -327,10 +329,9 @@ std::optional<std::string> text_of(const Option& option) {
     return std::visit(Saying{option.row}, option.value);
 }
 
-tl::unexpected<Error> not_what_it_takes(std::string_view flag, std::string_view takes,
-                                        std::string_view text) {
+tl::unexpected<Error> not_what_it_takes(std::string_view flag, Message what, std::string_view text) {
     return fail(ErrorKind::usage,
-                std::string(flag) + " takes " + std::string(takes) + ", not " + quoted(text));
+                say("takes", {{"flag", flag}, {"what", std::move(what)}, {"found", quoted(text)}}));
 }
 
 }  // namespace snug

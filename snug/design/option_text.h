@@ -31,7 +31,7 @@ namespace snug {
 [[nodiscard]] std::optional<std::string> text_of(const Option& option);
 
 /// An Error that says what a flag takes: "--units takes mm, cm, m or in, not "miles"".
-[[nodiscard]] tl::unexpected<Error> not_what_it_takes(std::string_view flag, std::string_view takes,
+[[nodiscard]] tl::unexpected<Error> not_what_it_takes(std::string_view flag, Message what,
                                                       std::string_view text);
 
 }  // namespace snug

@@ -52,7 +52,7 @@ std::string quoted_words(std::span<const std::string_view> words) {
 /// "0.5 to 100 mm", "`studs`, `tiles`", "on or off"
 std::string values_of(const Option& option) {
     const OptionRow& row = option.row;
-    const std::string unit = row.unit.empty() ? "" : " " + std::string(row.unit);
+    const std::string unit = row.unit.empty() ? "" : " " + std::string(row.unit.english);
     if (const auto* choice = std::get_if<Choice>(&option.value)) return quoted_words(choice->words);
     if (!row.words.empty()) return quoted_words(row.words);
     if (kind_of(option) == "switch") return "on or off";
@@ -64,7 +64,7 @@ std::string values_of(const Option& option) {
 
 /// As it is typed; in brackets what follows from other choices.
 std::string default_of(const Option& option) {
-    const std::string usual(option.row.usual);
+    const std::string usual(option.row.usual.english);
     if (kind_of(option) == "switch") return text_of(option) ? "on" : "off";
     const bool none = json_of(option).is_null();
     const std::string text = text_of(option).value_or("");
@@ -75,8 +75,8 @@ std::string default_of(const Option& option) {
 std::string line_of(const Option& option) {
     const OptionRow& row = option.row;
     return "| " + code(option.path) + " | " + code(row.flag) + " | " + values_of(option) + " | " +
-           cell(default_of(option)) + " | " + std::string(name_of(row.scope)) + " | " + cell(row.help) +
-           " |\n";
+           cell(default_of(option)) + " | " + std::string(name_of(row.scope)) + " | " +
+           cell(row.help.english) + " |\n";
 }
 
 }  // namespace
@@ -90,7 +90,7 @@ std::string options_page() {
         for (const Option& option : list.options)
             if (option.path.substr(0, option.path.rfind('.')) == group.path) lines += line_of(option);
         const bool nested = group.path.find('.') != std::string::npos;
-        page += "\n" + std::string(nested ? "### " : "## ") + std::string(group.row.title) + "\n\n" +
+        page += "\n" + std::string(nested ? "### " : "## ") + std::string(group.row.title.english) + "\n\n" +
                 "| Option | Flag | Values | Default | Scope | What it does |\n|---|---|---|---|---|---|\n" +
                 lines;
     }

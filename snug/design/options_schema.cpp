@@ -47,8 +47,8 @@ struct MayBeNone {
 
 Json described(const Option& option) {
     const OptionRow& row = option.row;
-    Json json{{"kind", kind_of(option)}, {"label", row.label}, {"help", row.help}};
-    if (!row.unit.empty()) json["unit"] = row.unit;
+    Json json{{"kind", kind_of(option)}, {"label", row.label.english}, {"help", row.help.english}};
+    if (!row.unit.empty()) json["unit"] = row.unit.english;
     if (!row.range.any()) {
         json["least"] = row.range.least;
         json["most"] = row.range.most;

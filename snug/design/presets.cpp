@@ -4,6 +4,7 @@
 
 #include "snug/base/text.h"
 #include "snug/design/json_reader.h"
+#include "snug/words/catalogue.h"
 #include "snug/words/words.h"
 
 namespace snug {
@@ -31,16 +32,17 @@ Result<Preset> preset_from(const nlohmann::json& json, const std::string& path) 
     if (const auto known = value_named<Division>(division))
         preset.division = *known;
     else
-        reader.refuse("division", "none, across or all");
-    if (preset.name.empty()) reader.refuse("name", "a word");
-    if (preset.density_kg_m3 && *preset.density_kg_m3 <= 0) reader.refuse("density_kg_m3", "above 0");
-    if (preset.creep_kpa && *preset.creep_kpa <= 0) reader.refuse("creep_kpa", "above 0");
+        reader.refuse("division", say("preset.division"));
+    if (preset.name.empty()) reader.refuse("name", say("json.word"));
+    if (preset.density_kg_m3 && *preset.density_kg_m3 <= 0)
+        reader.refuse("density_kg_m3", say("json.above_0"));
+    if (preset.creep_kpa && *preset.creep_kpa <= 0) reader.refuse("creep_kpa", say("json.above_0"));
     if (const auto problem = reader.problem()) return fail(ErrorKind::usage, *problem);
 
     Design design;
     apply(preset, design);
     if (const auto possible = checked(design); !possible)
-        return fail(ErrorKind::usage, path + ": " + text(possible.error().message));
+        return fail(ErrorKind::usage, in_file(path, possible.error().message));
     return preset;
 }
 
@@ -49,7 +51,7 @@ Result<Preset> preset_from(const nlohmann::json& json, const std::string& path) 
 const std::vector<Preset>& built_in_presets() {
     static const std::vector<Preset> presets{
         {"paper",
-         "block sponge as in the paper, 15 x 15 x 22 mm",
+         text(say("preset/paper")),
          {15, 15, 22},
          0,
          {},
@@ -57,7 +59,7 @@ const std::vector<Preset>& built_in_presets() {
          false,
          "pull the blocks out of their slits"},
         {"slit-10",
-         "slit sponge, 10 mm grid in layers of 20 mm",
+         text(say("preset/slit-10")),
          {20, 10, 10},
          0,
          25,
@@ -65,7 +67,7 @@ const std::vector<Preset>& built_in_presets() {
          false,
          "pull the blocks out of their slits"},
         {"slit-12.7",
-         "slit sponge, half-inch grid in layers of 25.4 mm",
+         text(say("preset/slit-12.7")),
          {25.4, 12.7, 12.7},
          0,
          25,
@@ -73,16 +75,16 @@ const std::vector<Preset>& built_in_presets() {
          false,
          "pull the blocks out of their slits"},
         {"slit-15",
-         "slit sponge, 15 mm grid in layers of 15 mm",
+         text(say("preset/slit-15")),
          {15, 15, 15},
          0,
          25,
          {},
          false,
          "pull the blocks out of their slits"},
-        {"cube-25", "loose foam cubes of 25 mm", {25, 25, 25}, 0, 25, {}, false, "glue or stack the cubes"},
+        {"cube-25", text(say("preset/cube-25")), {25, 25, 25}, 0, 25, {}, false, "glue or stack the cubes"},
         {"sheet-5",
-         "polyethylene sheets of 5 mm, cut to contour in steps of 2.5 mm",
+         text(say("preset/sheet-5")),
          {5, 2.5, 2.5},
          1,
          33,
@@ -91,7 +93,7 @@ const std::vector<Preset>& built_in_presets() {
          "cut each sheet, then glue the stack",
          Division::across},
         {"sheet-10",
-         "polyethylene sheets of 10 mm, cut to contour in steps of 2.5 mm",
+         text(say("preset/sheet-10")),
          {10, 2.5, 2.5},
          1,
          33,
@@ -100,7 +102,7 @@ const std::vector<Preset>& built_in_presets() {
          "cut each sheet, then glue the stack",
          Division::across},
         {"lego-brick",
-         "toy bricks on an 8 mm pitch, 9.6 mm high",
+         text(say("preset/lego-brick")),
          {9.6, 8, 8},
          1,
          {},
@@ -108,7 +110,7 @@ const std::vector<Preset>& built_in_presets() {
          true,
          "build it layer by layer"},
         {"lego-plate",
-         "toy plates on an 8 mm pitch, 3.2 mm high",
+         text(say("preset/lego-plate")),
          {3.2, 8, 8},
          1,
          {},
@@ -116,7 +118,7 @@ const std::vector<Preset>& built_in_presets() {
          true,
          "build it layer by layer"},
         {"print",
-         "3D print in steps of 2 mm",
+         text(say("preset/print")),
          {2, 2, 2},
          1,
          {},
@@ -125,7 +127,7 @@ const std::vector<Preset>& built_in_presets() {
          "print each half cavity up",
          Division::all},
         {"mill",
-         "polyethylene block, milled in columns of 2 mm and steps of 5 mm",
+         text(say("preset/mill")),
          {5, 2, 2},
          1,
          33,
@@ -134,7 +136,7 @@ const std::vector<Preset>& built_in_presets() {
          "mill each half from its cavity's side",
          Division::all},
         {"cast",
-         "foam or silicone, poured into printed moulds in steps of 5 mm",
+         text(say("preset/cast")),
          {5, 5, 5},
          1,
          {},
@@ -146,10 +148,17 @@ const std::vector<Preset>& built_in_presets() {
     return presets;
 }
 
+std::string title_of(const Preset& preset, Language language) {
+    const std::string code = "preset/" + preset.name;
+    const Message title = say(code);
+    return wording(code) && text(title) == preset.title ? text(title, language) : preset.title;
+}
+
 Result<std::vector<Preset>> parse_presets(std::string_view text) {
     const auto json = parse_json(text, ErrorKind::usage);
     if (!json) return tl::unexpected(json.error());
-    if (!json->is_array()) return fail(ErrorKind::usage, "presets must be a JSON list: [{...}, {...}]");
+    if (!json->is_array())
+        return fail(ErrorKind::usage, say("preset.no_list", {{"example", "[{...}, {...}]"}}));
     std::vector<Preset> presets;
     for (std::size_t i = 0; i < json->size(); ++i) {
         auto preset = preset_from((*json)[i], "preset " + std::to_string(i + 1));
@@ -163,9 +172,9 @@ Result<Preset> find_preset(const std::vector<Preset>& known, std::string_view na
     const auto found =
         std::find_if(known.rbegin(), known.rend(), [&](const Preset& p) { return p.name == name; });
     if (found != known.rend()) return *found;
-    std::string names;
-    for (const Preset& preset : known) names += (names.empty() ? "" : ", ") + preset.name;
-    return fail(ErrorKind::usage, "unknown preset " + quoted(name) + "; known are: " + names);
+    std::vector<Message> names;
+    for (const Preset& preset : known) names.push_back(as_it_is(preset.name));
+    return fail(ErrorKind::usage, say("preset.unknown", {{"name", quoted(name)}, {"known", names}}));
 }
 
 void apply(const Preset& preset, Design& design) {

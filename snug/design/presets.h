@@ -8,6 +8,7 @@
 #include "snug/base/result.h"
 #include "snug/base/vec.h"
 #include "snug/design/design.h"
+#include "snug/words/words.h"
 
 namespace snug {
 
@@ -24,6 +25,9 @@ struct Preset {
     Division division = Division::none;   ///< whether it may be cut to other sizes
     friend bool operator==(const Preset&, const Preset&) = default;
 };
+
+/// What a preset is, in one line: one that Snug brings in the language, a user's own as it was written.
+[[nodiscard]] std::string title_of(const Preset& preset, Language language);
 
 /// The presets that Snug brings, the default ("paper") first.
 [[nodiscard]] const std::vector<Preset>& built_in_presets();

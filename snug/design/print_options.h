@@ -26,20 +26,23 @@ void visit_options(Visit& visit, PrintOptions& print) {
                                 .unit = "mm",
                                 .range = {10, 2000},
                                 .step = 10,
-                                .label = "the bed's width, depth or height",
-                                .help = "Print, mould: the printer's bed and height"});
+                                .label = {"the bed's width, depth or height", "造形範囲の横、奥または高さ"},
+                                .help = {"Print, mould: the printer's bed and height",
+                                         "3D プリント・型：プリンターの造形範囲と高さ"}});
     visit.option(print.dowels,
                  {.json = "dowels",
                   .flag = "--dowel",
-                  .label = "the print's dowels",
-                  .help = "Whether dowels hold the parts of a half that is larger than the bed"});
-    visit.option(print.dowel_diameter_mm, {.json = "dowel_diameter_mm",
-                                           .flag = "--dowel",
-                                           .unit = "mm",
-                                           .range = {1, 100},
-                                           .step = 0.5,
-                                           .label = "the dowel's diameter",
-                                           .help = "Diameter of the dowels of prints and moulds"});
+                  .label = {"the print's dowels", "3D プリントのダボ"},
+                  .help = {"Whether dowels hold the parts of a half that is larger than the bed",
+                           "造形範囲より大きい半分の部品をダボでつなぐかどうか"}});
+    visit.option(print.dowel_diameter_mm,
+                 {.json = "dowel_diameter_mm",
+                  .flag = "--dowel",
+                  .unit = "mm",
+                  .range = {1, 100},
+                  .step = 0.5,
+                  .label = {"the dowel's diameter", "ダボの直径"},
+                  .help = {"Diameter of the dowels of prints and moulds", "3D プリントと型のダボの直径"}});
     visit.option(print.dowel_length_mm,
                  {.json = "dowel_length_mm",
                   .flag = "--dowel-length",
@@ -47,16 +50,18 @@ void visit_options(Visit& visit, PrintOptions& print) {
                   .unit = "mm",
                   .range = {1, 1000},
                   .step = 1,
-                  .label = "the dowel's length",
-                  .help = "Print, mould: length of the dowels, at least their diameter"});
+                  .label = {"the dowel's length", "ダボの長さ"},
+                  .help = {"Print, mould: length of the dowels, at least their diameter",
+                           "3D プリント・型：ダボの長さ（直径以上）"}});
     visit.option(print.joint_clearance_mm, {.json = "joint_clearance_mm",
                                             .flag = "--dowel-clearance",
                                             .takes = "MM",
                                             .unit = "mm",
                                             .range = {0, 5},
                                             .step = 0.05,
-                                            .label = "the clearance around a dowel",
-                                            .help = "Print, mould: left around a dowel on every side"});
+                                            .label = {"the clearance around a dowel", "ダボのまわりのすきま"},
+                                            .help = {"Print, mould: left around a dowel on every side",
+                                                     "3D プリント・型：ダボのまわりに残すすきま"}});
 }
 
 /// What is out of range; none where all is well.

@@ -26,8 +26,9 @@ Result<Design> design_from(const nlohmann::json& json, const std::string& prefix
     auto result = checked(design);
     if (result) return result;
     const auto problem = problem_of(design);
-    const std::string path = problem && !prefix.empty() ? prefix + problem->path + ": " : "";
-    return fail(ErrorKind::input, path + text(result.error().message));
+    const Message& message = result.error().message;
+    return fail(ErrorKind::input,
+                problem && !prefix.empty() ? in_file(prefix + problem->path, message) : message);
 }
 
 bool is_sha256(const std::string& text) {
@@ -69,9 +70,8 @@ Result<Project> parse_project(std::string_view text) {
     reader.require("snug");
     reader.read("snug", version);
     if (version > kVersion)
-        return fail(ErrorKind::input, "the project is of version " + std::to_string(version) +
-                                          ", newer than this Snug understands (1): update Snug");
-    if (version < 1) reader.refuse("snug", "the version number 1");
+        return fail(ErrorKind::input, say("project.newer", {{"version", std::to_string(version)}}));
+    if (version < 1) reader.refuse("snug", say("json.version_1"));
 
     Project project;
     reader.require("object");
@@ -83,9 +83,9 @@ Result<Project> parse_project(std::string_view text) {
     object.require("name");
     const bool has_folder = project.object.name.find_first_of("/\\") != std::string::npos;
     if (project.object.name.empty() || has_folder || project.object.name == "..")
-        object.refuse("name", "a file name without folders");
+        object.refuse("name", say("json.plain_name"));
     if (!project.object.sha256.empty() && !is_sha256(project.object.sha256))
-        object.refuse("sha256", "64 hexadecimal digits");
+        object.refuse("sha256", say("json.sha256"));
     reader.adopt(object);
 
     (void)reader.object("design");

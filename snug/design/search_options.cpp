@@ -16,7 +16,8 @@ Vec3d direction(Upright upright) {
 SharedFlag<SearchOptions> billed_weight_flag() {
     return {.flag = "--billed-weight",
             .takes = "",
-            .help = "With --fit-case: the least billed weight, not volume",
+            .help = {"With --fit-case: the least billed weight, not volume",
+                     "--fit-case で、体積ではなく請求重量を最小にします"},
             .take =
                 [](std::string_view, SearchOptions& search) {
                     search.case_goal = CaseGoal::billed_weight;
@@ -32,7 +33,7 @@ SharedFlag<SearchOptions> billed_weight_flag() {
 std::optional<OptionProblem> problem_of(const SearchOptions& search) {
     if (auto found = out_of_range(search)) return found;
     if (*std::max_element(search.weight.begin(), search.weight.end()) <= 0)
-        return OptionProblem{"weights", "give at least one objective a weight above 0"};
+        return OptionProblem{"weights", say("search.no_weight")};
     return {};
 }
 

@@ -59,20 +59,25 @@ void visit_options(Visit& visit, SearchOptions& search) {
                                  .takes = "NAME[=WEIGHT],...",
                                  .range = {0, 1000},
                                  .step = 0.1,
-                                 .label = "the weight of an objective",
-                                 .help = "What --optimize weighs: cut, gap, depth, bearing, flat",
+                                 .label = {"the weight of an objective", "目的の重み"},
+                                 .help = {"What --optimize weighs: cut, gap, depth, bearing, flat",
+                                          "--optimize "
+                                          "が重視するもの：cut（切り取る量）、gap（表面のすきま）、depth（差"
+                                          "し込む深さ）、bearing（支える面）、flat（低い安定）"},
                                  .usual = "cut"});
-    visit.option(search.upright, {.json = "upright",
-                                  .flag = "--upright",
-                                  .takes = "x|y|z|-x|-y|-z",
-                                  .label = "the axis that stays upward",
-                                  .help = "Keep this axis of the object upward",
-                                  .scope = Scope::item});
+    visit.option(search.upright,
+                 {.json = "upright",
+                  .flag = "--upright",
+                  .takes = "x|y|z|-x|-y|-z",
+                  .label = {"the axis that stays upward", "上に保つ軸"},
+                  .help = {"Keep this axis of the object upward", "対象物のこの軸を上に保ちます"},
+                  .scope = Scope::item});
     visit.option(search.case_goal,
                  {.json = "case",
                   .flag = "--billed-weight",
-                  .label = "what the smallest case is measured by",
-                  .help = "What --fit-case makes small: the volume, or the weight that a carrier bills"});
+                  .label = {"what the smallest case is measured by", "最小のケースの基準"},
+                  .help = {"What --fit-case makes small: the volume, or the weight that a carrier bills",
+                           "--fit-case が小さくするもの：体積、または運送会社の請求重量"}});
     visit.flag(search, billed_weight_flag());
     visit.option(search.billed_divisor, {.json = "billed_divisor",
                                          .flag = "--billed-divisor",
@@ -80,15 +85,17 @@ void visit_options(Visit& visit, SearchOptions& search) {
                                          .unit = "cm3",
                                          .range = {100, 100000},
                                          .step = 100,
-                                         .label = "the divisor of the billed weight",
-                                         .help = "With --billed-weight: cm3 that are billed as a kilogram"});
+                                         .label = {"the divisor of the billed weight", "請求重量の除数"},
+                                         .help = {"With --billed-weight: cm3 that are billed as a kilogram",
+                                                  "--billed-weight のとき、1 kg として請求される cm3"}});
     visit.option(search.seed, {.json = "seed",
                                .flag = "--seed",
                                .takes = "N",
                                .range = {0, 2147483647},
                                .step = 1,
-                               .label = "the seed",
-                               .help = "Another search; the same seed finds the same"});
+                               .label = {"the seed", "乱数の種"},
+                               .help = {"Another search; the same seed finds the same",
+                                        "別の探索をします。同じ値なら同じ結果になります"}});
 }
 
 /// What is out of range; none where all is well.

@@ -32,33 +32,36 @@ void visit_options(Visit& visit, SheetOptions& sheets) {
                                        .unit = "mm",
                                        .range = {0.1, 1e5},
                                        .step = 0.5,
-                                       .label = "a sheet's thickness",
-                                       .help = "Sheets: their thickness",
-                                       .usual = "a block's depth"});
-    visit.option(sheets.stock_mm, {.json = "stock_mm",
-                                   .flag = "--stock",
-                                   .takes = "LxW",
-                                   .unit = "mm",
-                                   .range = {1, 1e5},
-                                   .step = 10,
-                                   .label = "a side of the stock",
-                                   .help = "Sheets: a sheet as it is sold"});
+                                       .label = {"a sheet's thickness", "シートの厚さ"},
+                                       .help = {"Sheets: their thickness", "シート：厚さ"},
+                                       .usual = {"a block's depth", "ブロックの深さ"}});
+    visit.option(sheets.stock_mm,
+                 {.json = "stock_mm",
+                  .flag = "--stock",
+                  .takes = "LxW",
+                  .unit = "mm",
+                  .range = {1, 1e5},
+                  .step = 10,
+                  .label = {"a side of the stock", "材料の辺"},
+                  .help = {"Sheets: a sheet as it is sold", "シート：販売されている大きさ"}});
     visit.option(sheets.margin_mm, {.json = "margin_mm",
                                     .flag = "--sheet-margin",
                                     .takes = "MM",
                                     .unit = "mm",
                                     .range = kLength,
                                     .step = 1,
-                                    .label = "the stock's margin",
-                                    .help = "Sheets: left uncut along the edges of the stock"});
+                                    .label = {"the stock's margin", "材料の余白"},
+                                    .help = {"Sheets: left uncut along the edges of the stock",
+                                             "シート：材料の縁に切らずに残す幅"}});
     visit.option(sheets.spacing_mm, {.json = "spacing_mm",
                                      .flag = "--sheet-spacing",
                                      .takes = "MM",
                                      .unit = "mm",
                                      .range = kLength,
                                      .step = 0.5,
-                                     .label = "the spacing between pieces",
-                                     .help = "Sheets: between two cuts of different pieces"});
+                                     .label = {"the spacing between pieces", "部品の間隔"},
+                                     .help = {"Sheets: between two cuts of different pieces",
+                                              "シート：別の部品の切り線どうしの間隔"}});
     visit.option(sheets.kerf_mm,
                  {.json = "kerf_mm",
                   .flag = "--kerf",
@@ -66,32 +69,44 @@ void visit_options(Visit& visit, SheetOptions& sheets) {
                   .unit = "mm",
                   .range = kLength,
                   .step = 0.05,
-                  .label = "the kerf (lasers take 0.1 to 0.3 mm; 0: the cutter makes up for it)",
-                  .help = "Sheets: width that a cut takes away"});
+                  .label = {"the kerf (lasers take 0.1 to 0.3 mm; 0: the cutter makes up for it)",
+                            "切り幅（レーザーは 0.1～0.3 mm、カッターが補正するなら 0）"},
+                  .help = {"Sheets: width that a cut takes away", "シート：切断で失われる幅"}});
     visit.option(sheets.dowel_mm, {.json = "dowel_mm",
                                    .flag = "--dowel",
                                    .unit = "mm",
                                    .range = {.least = 0.5, .most = 1000, .or_zero = true},
                                    .step = 0.5,
-                                   .label = "a dowel's diameter",
-                                   .help = "Diameter of the dowels that hold sheets in place"});
-    visit.option(sheets.dowels, {.json = "dowels",
-                                 .flag = "--dowels",
-                                 .takes = "N",
-                                 .range = {.least = 2, .most = 8, .or_zero = true},
-                                 .step = 1,
-                                 .label = "the number of dowels in a half's sheets",
-                                 .help = "Sheets: how many dowels a half has; 0: none"});
-    visit.option(sheets.dowel_edge_mm, {.json = "dowel_edge_mm",
-                                        .flag = "--dowel-edge",
-                                        .takes = "MM",
-                                        .unit = "mm",
-                                        .range = kLength,
-                                        .step = 0.5,
-                                        .label = "the foam between a dowel hole and an edge",
-                                        .help = "Sheets: least foam between a dowel hole and an edge"});
-    visit.option(sheets.svg, {.json = "svg", .label = "SVG", .help = "Whether sheets are written as SVG"});
-    visit.option(sheets.dxf, {.json = "dxf", .label = "DXF", .help = "Whether sheets are written as DXF"});
+                                   .label = {"a dowel's diameter", "ダボの直径"},
+                                   .help = {"Diameter of the dowels that hold sheets in place",
+                                            "シートの位置を決めるダボの直径"}});
+    visit.option(
+        sheets.dowels,
+        {.json = "dowels",
+         .flag = "--dowels",
+         .takes = "N",
+         .range = {.least = 2, .most = 8, .or_zero = true},
+         .step = 1,
+         .label = {"the number of dowels in a half's sheets", "片側のシートのダボの数"},
+         .help = {"Sheets: how many dowels a half has; 0: none", "シート：片側のダボの数。0 ならなし"}});
+    visit.option(sheets.dowel_edge_mm,
+                 {.json = "dowel_edge_mm",
+                  .flag = "--dowel-edge",
+                  .takes = "MM",
+                  .unit = "mm",
+                  .range = kLength,
+                  .step = 0.5,
+                  .label = {"the foam between a dowel hole and an edge", "ダボの穴と縁の間のフォーム"},
+                  .help = {"Sheets: least foam between a dowel hole and an edge",
+                           "シート：ダボの穴と縁の間に残すフォームの最小の幅"}});
+    visit.option(sheets.svg,
+                 {.json = "svg",
+                  .label = {"SVG", "SVG の書き出し"},
+                  .help = {"Whether sheets are written as SVG", "シートを SVG で書き出すかどうか"}});
+    visit.option(sheets.dxf,
+                 {.json = "dxf",
+                  .label = {"DXF", "DXF の書き出し"},
+                  .help = {"Whether sheets are written as DXF", "シートを DXF で書き出すかどうか"}});
 }
 
 /// What is out of range whatever the foam is; none where all is well.

@@ -25,9 +25,7 @@ Result<void> take_price(std::string_view text, WorkshopOptions& workshop) {
     const bool word = currency.find_first_of("0123456789.,;") == std::string_view::npos;
     const auto amount = typed_number(text.substr(0, end));
     if (!word || !amount)
-        return not_what_it_takes("--price",
-                                 "the price of a litre as a number, with the currency behind it if you like, "
-                                 "such as 12.50 or 12.50EUR",
+        return not_what_it_takes("--price", say("takes.price", {{"example", "12.50"}, {"other", "12.50EUR"}}),
                                  text);
     workshop.price_per_litre = *amount;
     workshop.currency = currency;
@@ -41,7 +39,7 @@ std::optional<std::string> say_price(const WorkshopOptions& workshop) {
 
 Result<void> take_dowel(std::string_view text, WorkshopOptions& workshop) {
     const auto diameter = typed_number(text);
-    if (!diameter) return not_what_it_takes("--dowel", "a number of mm", text);
+    if (!diameter) return not_what_it_takes("--dowel", say("takes.number_of", {{"unit", "mm"}}), text);
     workshop.print.dowels = *diameter > 0;
     if (*diameter == 0)
         workshop.sheets.dowels = 0;
@@ -62,7 +60,8 @@ std::optional<std::string> say_dowel(const WorkshopOptions& workshop) {
 SharedFlag<WorkshopOptions> price_flag() {
     return {.flag = "--price",
             .takes = "12.50EUR",
-            .help = "Price of a litre of the material, for the cost",
+            .help = {"Price of a litre of the material, for the cost",
+                     "材料 1 リットルの価格（費用の計算に使います）"},
             .take = take_price,
             .say = say_price};
 }
@@ -70,7 +69,8 @@ SharedFlag<WorkshopOptions> price_flag() {
 SharedFlag<WorkshopOptions> dowel_flag() {
     return {.flag = "--dowel",
             .takes = "MM",
-            .help = "Sheets, print, mould: diameter of the dowels; 0: none",
+            .help = {"Sheets, print, mould: diameter of the dowels; 0: none",
+                     "シート・3D プリント・型：ダボの直径。0 ならなし"},
             .take = take_dowel,
             .say = say_dowel,
             .usual = "6"};
@@ -89,8 +89,7 @@ Vec2d paper_mm(std::string_view paper) {
 std::optional<OptionProblem> problem_of(const WorkshopOptions& options) {
     if (auto found = out_of_range(options)) return found;
     if (options.currency.size() > kLongestCurrency)
-        return OptionProblem{
-            "currency", "the currency must be a short word such as EUR, not " + quoted(options.currency)};
+        return OptionProblem{"currency", say("price.currency", {{"found", quoted(options.currency)}})};
     if (auto found = problem_of(options.sheets)) return found->within("sheets");
     if (auto found = problem_of(options.print)) return found->within("print");
     if (auto found = problem_of(options.bricks)) return found->within("bricks");

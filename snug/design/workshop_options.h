@@ -51,54 +51,59 @@ struct WorkshopOptions {
 template <class Visit>
 void visit_options(Visit& visit, WorkshopOptions& workshop) {
     constexpr Range kAbove0{.least = 0, .most = 1e6, .above = true};
-    visit.option(workshop.work,
-                 {.json = "for",
-                  .flag = "--for",
-                  .takes = "sponge|sheets|print|bricks|mill|mould",
-                  .label = "the way of working",
-                  .help = "Also make what the workshop needs; takes the usual foam of that way of working "
-                          "unless --preset names one"});
+    visit.option(
+        workshop.work,
+        {.json = "for",
+         .flag = "--for",
+         .takes = "sponge|sheets|print|bricks|mill|mould",
+         .label = {"the way of working", "作り方"},
+         .help = {"Also make what the workshop needs; takes the usual foam of that way of working "
+                  "unless --preset names one",
+                  "製作に必要なものも作ります。--preset がなければ、その作り方の通常の材料を使います"}});
     visit.option(workshop.paper, {.json = "paper",
                                   .flag = "--paper",
                                   .takes = "a4|letter|a3",
-                                  .label = "the paper",
-                                  .help = "Paper of what is printed",
+                                  .label = {"the paper", "用紙"},
+                                  .help = {"Paper of what is printed", "印刷物の用紙"},
                                   .words = kPapers});
-    visit.option(workshop.price_per_litre, {.json = "price_per_litre",
-                                            .flag = "--price",
-                                            .range = {0, 1e6},
-                                            .step = 0.01,
-                                            .label = "the price of a litre",
-                                            .help = "Price of a litre of the material"});
-    visit.option(workshop.currency, {.json = "currency",
-                                     .flag = "--price",
-                                     .label = "the currency",
-                                     .help = "As it stands behind the price: EUR"});
+    visit.option(workshop.price_per_litre,
+                 {.json = "price_per_litre",
+                  .flag = "--price",
+                  .range = {0, 1e6},
+                  .step = 0.01,
+                  .label = {"the price of a litre", "リットル単価"},
+                  .help = {"Price of a litre of the material", "材料 1 リットルの価格"}});
+    visit.option(workshop.currency,
+                 {.json = "currency",
+                  .flag = "--price",
+                  .label = {"the currency", "通貨"},
+                  .help = {"As it stands behind the price: EUR", "価格の後に書く文字：EUR"}});
     visit.flag(workshop, price_flag());
-    visit.option(workshop.mass_kg, {.json = "mass_kg",
-                                    .flag = "--mass",
-                                    .takes = "KG",
-                                    .unit = "kg",
-                                    .range = kAbove0,
-                                    .step = 0.01,
-                                    .label = "the object's mass",
-                                    .help = "Mass of the object, for the packing sheet",
-                                    .scope = Scope::item});
+    visit.option(workshop.mass_kg,
+                 {.json = "mass_kg",
+                  .flag = "--mass",
+                  .takes = "KG",
+                  .unit = "kg",
+                  .range = kAbove0,
+                  .step = 0.01,
+                  .label = {"the object's mass", "対象物の質量"},
+                  .help = {"Mass of the object, for the packing sheet", "対象物の質量（梱包票に使います）"},
+                  .scope = Scope::item});
     visit.option(workshop.density_kg_m3, {.json = "density_kg_m3",
                                           .flag = "--density",
                                           .takes = "KG/M3",
                                           .unit = "kg/m3",
                                           .range = kAbove0,
                                           .step = 1,
-                                          .label = "the density of the foam",
-                                          .help = "Density of the material",
-                                          .usual = "the preset's"});
-    visit.group(workshop.sheets, {.json = "sheets", .title = "Sheets"});
-    visit.group(workshop.print, {.json = "print", .title = "Printing"});
+                                          .label = {"the density of the foam", "フォームの密度"},
+                                          .help = {"Density of the material", "材料の密度"},
+                                          .usual = {"the preset's", "選んだフォームの値"}});
+    visit.group(workshop.sheets, {.json = "sheets", .title = {"Sheets", "シート"}});
+    visit.group(workshop.print, {.json = "print", .title = {"Printing", "3D プリント"}});
     visit.flag(workshop, dowel_flag());
-    visit.group(workshop.bricks, {.json = "bricks", .title = "Bricks"});
-    visit.group(workshop.mill, {.json = "mill", .title = "Milling"});
-    visit.group(workshop.mould, {.json = "mould", .title = "Moulds"});
+    visit.group(workshop.bricks, {.json = "bricks", .title = {"Bricks", "ブロック玩具"}});
+    visit.group(workshop.mill, {.json = "mill", .title = {"Milling", "切削"}});
+    visit.group(workshop.mould, {.json = "mould", .title = {"Moulds", "型"}});
 }
 
 /// What is out of range; none where all is well.

@@ -8,7 +8,7 @@
 //   {name}            the value: text as it is, a count with groups (1,383,712), messages one behind the
 //   other {name|one|many}   one of two words, by a count {name,}           messages as a list: "a, b, c"
 //   {name;}           "a; b; c"
-//   {name&}           "a, b and c"
+//   {name&}           "a, b and c" {name/}           "a, b or c"
 // Both languages use the same values; what only chooses a word may be in one of them alone.
 
 namespace snug {
@@ -23,6 +23,7 @@ struct Wording {
 // The rows of each topic.
 std::span<const Wording> words_of_archives();
 std::span<const Wording> words_of_bricks();
+std::span<const Wording> words_of_design();
 std::span<const Wording> words_of_figures();
 std::span<const Wording> words_of_files();
 std::span<const Wording> words_of_fit();
@@ -31,8 +32,11 @@ std::span<const Wording> words_of_foreign();
 std::span<const Wording> words_of_general();
 std::span<const Wording> words_of_gltf();
 std::span<const Wording> words_of_gltf_packed();
+std::span<const Wording> words_of_help();
+std::span<const Wording> words_of_lists();
 std::span<const Wording> words_of_meshes();
 std::span<const Wording> words_of_objects();
+std::span<const Wording> words_of_options();
 std::span<const Wording> words_of_ply();
 std::span<const Wording> words_of_preview();
 std::span<const Wording> words_of_printing();

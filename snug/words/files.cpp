@@ -32,6 +32,18 @@ constexpr Wording kRows[] = {
     {"pdf.long_page",
      "a page of a PDF is 5080 mm long at most; choose a paper size that the drawing is tiled for",
      "PDF のページは最大 5080 mm です。図を分割できる用紙を選んでください。"},
+    {"pdf.no_japanese",
+     "the pages are in Japanese, and no font that has its letters was found: install one (on Debian `apt "
+     "install fonts-ipafont-gothic`), or name a TrueType font with --font",
+     "日本語のページに使うフォントが見つかりません。インストールする（Debian では `apt install "
+     "fonts-ipafont-gothic`）か、--font で TrueType フォントを指定してください。"},
+    {"pdf.no_true_type", "this is no TrueType font that can be put into a PDF",
+     "PDF に埋め込める TrueType フォントではありません。"},
+    {"letters_missing",
+     "no font was found that has {letters}: question marks stand for these letters in the PDFs. Install a "
+     "font that has them, or name a TrueType font with --font",
+     "{letters} を含むフォントが見つからず、PDF では疑問符になっています。その文字を含むフォントをインストー"
+     "ルするか、--font で TrueType フォントを指定してください。"},
     {"pdf.no_memory", "there is no memory for it", "メモリーが足りません。"},
     {"pdf.not_made", "cannot be made (libharu error {error})",
      "作成できません（libharu のエラー {error}）。"},

@@ -6,6 +6,7 @@ namespace snug {
 namespace {
 
 constexpr Wording kRows[] = {
+    {"in_both", "{english}", "{japanese}"},  // the one that has values of its own in each
     {"cancelled", "cancelled", "中止しました。"},
     {"drawing.small_paper", "the paper is too small for drawings at true size: take A4 or larger",
      "原寸の図には用紙が小さすぎます。A4 以上を選んでください。"},

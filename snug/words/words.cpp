@@ -10,11 +10,11 @@ namespace snug {
 namespace {
 
 struct Separators {
-    std::string_view comma, semicolon, last;
+    std::string_view comma, semicolon, last, any;
 };
 
 const Separators& separators(Language language) {
-    static constexpr Separators kEnglish{", ", "; ", " and "}, kJapanese{"、", "、", "と"};
+    static constexpr Separators kEnglish{", ", "; ", " and ", " or "}, kJapanese{"、", "、", "と", "、"};
     return language == Language::japanese ? kJapanese : kEnglish;
 }
 
@@ -39,13 +39,13 @@ std::string shown(const Value& value, std::string_view how, Language language) {
     }
     const Separators& with = separators(language);
     const std::string_view between = how.empty() ? "" : how == ";" ? with.semicolon : with.comma;
-    return joined(std::get<std::vector<Message>>(value.content), between, how == "&" ? with.last : between,
-                  language);
+    const std::string_view last = how == "&" ? with.last : how == "/" ? with.any : between;
+    return joined(std::get<std::vector<Message>>(value.content), between, last, language);
 }
 
 /// What goes into a place, without its braces.
 std::string filled(std::string_view place, const Message& message, Language language) {
-    const std::size_t end = std::min(place.find_first_of("|,;&"), place.size());
+    const std::size_t end = std::min(place.find_first_of("|,;&/"), place.size());
     for (const Value& value : message.values)
         if (value.name == place.substr(0, end)) return shown(value, place.substr(end), language);
     assert(false && "a value of the sentence is missing");

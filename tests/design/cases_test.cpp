@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "snug/search/rank_cases.h"
+#include "snug/words/words.h"
 
 #include "tests/support/random.h"
 
@@ -47,13 +48,15 @@ TEST(Cases, ABadLineIsNamedAndTheOthersAreUsed) {
     EXPECT_EQ(list.cases[1].lid_mm, 30);
     EXPECT_EQ(list.cases[2].name, "last");
     ASSERT_EQ(list.problems.size(), 6u);
-    EXPECT_EQ(list.problems[0], "line 5: width_mm must be a number from 1 to 20000, not \"two hundred\"");
-    EXPECT_EQ(list.problems[5], "line 11: height_mm is missing");
+    EXPECT_EQ(text(list.problems[0]),
+              "line 5: width_mm must be a number from 1 to 20000, not \"two hundred\"");
+    EXPECT_EQ(text(list.problems[5]), "line 11: height_mm is missing");
 }
 
 TEST(Cases, ColumnsThatAreMissingOrUnknownAreNamed) {
-    EXPECT_NE(parse_cases("name,length_mm,width_mm\n").problems.at(0).find("height_mm"), std::string::npos);
-    EXPECT_NE(parse_cases("name,length,width_mm,height_mm\n").problems.at(0).find("\"length\""),
+    EXPECT_NE(text(parse_cases("name,length_mm,width_mm\n").problems.at(0)).find("height_mm"),
+              std::string::npos);
+    EXPECT_NE(text(parse_cases("name,length,width_mm,height_mm\n").problems.at(0)).find("\"length\""),
               std::string::npos);
 }
 
@@ -68,7 +71,7 @@ TEST(Cases, RandomTextIsReadOrRefused) {
         for (int i = random.integer(0, 60); i > 0; --i) text += kPieces[random.integer(0, 16)];
         const CaseList list = parse_cases(text);
         const CaseList again = parse_cases(cases_csv(list.cases));
-        EXPECT_TRUE(again.problems.empty()) << again.problems.front();
+        EXPECT_TRUE(again.problems.empty()) << snug::text(again.problems.front());
         EXPECT_EQ(again.cases, list.cases);
     }
 }

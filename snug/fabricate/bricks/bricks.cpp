@@ -100,7 +100,7 @@ std::optional<Error> cannot_join(const BrickOptions& options) {
 Result<WorkshopPack> brick_pack(const FoamDesign& design, const WorkshopOptions& workshop,
                                 const LpSolver& solve, const Progress& progress) {
     const BrickOptions& options = workshop.bricks;
-    if (const auto problem = problem_of(options)) return fail(ErrorKind::usage, problem->sentence);
+    if (const auto problem = problem_of(options)) return fail(ErrorKind::usage, problem->message);
     if (auto error = cannot_join(options)) return tl::unexpected(std::move(*error));
     const auto built = built_halves(design, options);
     if (!built) return tl::unexpected(built.error());

@@ -81,7 +81,7 @@ bool cuts_outside(const MillField& outside) {
 
 Result<MillPlans> mill_plans(const FoamDesign& design, const std::optional<MilledObject>& object,
                              const MillOptions& options) {
-    if (auto problem = problem_of(options)) return fail(ErrorKind::usage, std::move(problem->sentence));
+    if (auto problem = problem_of(options)) return fail(ErrorKind::usage, std::move(problem->message));
     MillPlans result;
     std::vector<MillPlan>& plans = result.plans;
     for (const Half half : {Half::lower, Half::lid}) {

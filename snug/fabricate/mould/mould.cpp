@@ -129,8 +129,8 @@ void tell_figures(const std::vector<Mould>& moulds, std::size_t bores, std::size
 }  // namespace
 
 Result<WorkshopPack> mould_pack(const FoamDesign& design, const WorkshopOptions& options) {
-    if (const auto problem = problem_of(options.mould)) return fail(ErrorKind::usage, problem->sentence);
-    if (const auto problem = problem_of(options.print)) return fail(ErrorKind::usage, problem->sentence);
+    if (const auto problem = problem_of(options.mould)) return fail(ErrorKind::usage, problem->message);
+    if (const auto problem = problem_of(options.print)) return fail(ErrorKind::usage, problem->message);
     const auto moulds = all_moulds(design, options);
     if (!moulds) return tl::unexpected(moulds.error());
 

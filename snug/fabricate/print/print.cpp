@@ -112,7 +112,7 @@ void tell_findings(const PrintedHalf& lower, const PrintedHalf& lid, const Print
 }  // namespace
 
 Result<WorkshopPack> print_pack(const FoamDesign& design, const PrintOptions& options) {
-    if (const auto problem = problem_of(options)) return fail(ErrorKind::usage, problem->sentence);
+    if (const auto problem = problem_of(options)) return fail(ErrorKind::usage, problem->message);
     const Vec3d block = design.space.block_mm;
     const int levels = design.space.blocks.x;
     if (!holds_block(options.bed_mm, block))

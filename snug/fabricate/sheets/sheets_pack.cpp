@@ -35,7 +35,7 @@ struct Stacks {
 };
 
 Result<Stacks> stacks_of(const FoamDesign& design, const SheetOptions& options) {
-    if (auto problem = problem_of(options)) return fail(ErrorKind::usage, std::move(problem->sentence));
+    if (auto problem = problem_of(options)) return fail(ErrorKind::usage, std::move(problem->message));
     const double narrowest = std::min(design.space.block_mm.y, design.space.block_mm.z);
     if (options.kerf_mm >= narrowest)
         return fail(ErrorKind::usage, say("sheets.kerf", {{"kerf_mm", number(options.kerf_mm)},
