@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "snug/base/wide_text.h"
 #include "snug/design/command_line.h"
 #include "snug/design/option_json.h"
 #include "snug/design/option_list.h"
@@ -47,6 +48,43 @@ TEST(Options, EachIsDescribedOnce) {
         EXPECT_EQ(flag.name.substr(0, 2), "--");
         EXPECT_GT(flag.help.size(), 10u) << flag.name;
     }
+}
+
+bool is_japanese(std::string_view text) {
+    while (!text.empty()) {
+        const auto [character, bytes] = first_character(text);
+        if (is_wide(character)) return true;
+        text.remove_prefix(bytes);
+    }
+    return false;
+}
+
+/// Words that an option may have besides, such as "auto", are typed so in both languages.
+void expect_both(const Words& words, const std::string& of) {
+    EXPECT_TRUE(is_japanese(words.japanese)) << of << ": " << words.english;
+    EXPECT_FALSE(is_japanese(words.english)) << of;
+}
+
+TEST(Options, EachIsDescribedInJapanese) {
+    Design design;
+    const OptionList all = all_options(design);
+    for (const Option& option : all.options) {
+        expect_both(option.row.label, option.path);
+        expect_both(option.row.help, option.path);
+    }
+    for (const OptionGroup& group : all.groups) expect_both(group.row.title, group.path);
+    for (const BoundFlag& flag : all.flags) expect_both(flag.help, std::string(flag.flag));
+    for (const Flag& flag : design_flags(Language::japanese))
+        EXPECT_TRUE(is_japanese(flag.help)) << flag.name;
+}
+
+TEST(Options, WhatIsOutOfRangeIsSaidInBothLanguages) {
+    Design design;
+    design.fit.least_rib_mm = -3;
+    const Message message = checked(design).error().message;
+    EXPECT_EQ(text(message), "the least rib is -3 mm, but must be from 0 to 10000 mm");
+    EXPECT_EQ(text(message, Language::japanese),
+              "最小の壁厚が -3 mm になっています。使える範囲は 0 から 10000 mm までです。");
 }
 
 TEST(Options, TheCommandLineOfADesignGivesTheDesign) {
