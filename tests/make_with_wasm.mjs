@@ -10,7 +10,7 @@ const snug = await createSnug({wasmBinary: readFileSync(join(wasmFolder, 'snug.w
 
 const result = snug.make(readFileSync(objectPath), readFileSync(projectPath, 'utf8'), null);
 if (result.error) {
-  console.error(result.error);
+  console.error(result.error[0]);
   process.exit(1);
 }
 const {files = [], containers = []} = result.pack ?? {};

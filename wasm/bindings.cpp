@@ -1,8 +1,10 @@
+#include <set>
 #include <string>
 #include <utility>
 
 #include <emscripten/bind.h>
 
+#include "snug/design/brick_parts.h"
 #include "snug/design/command_line.h"
 #include "snug/design/options_schema.h"
 #include "snug/formats/mesh_files.h"
@@ -33,13 +35,34 @@ val presets() {
     return list;
 }
 
-/// {object, design}, the design as a JSON text.
+/// {sizes: ["1x1"], colors: [{name, css}]}: what bricks there are.
+val bricks() {
+    std::set<std::pair<int, int>> sizes;
+    for (const BrickPart& part : brick_parts()) sizes.insert({part.width, part.length});
+    val size_list = val::array(), colors = val::array();
+    for (const auto& [width, length] : sizes)
+        size_list.call<void>("push", std::to_string(width) + "x" + std::to_string(length));
+    for (const BrickColor& color : brick_colors()) {
+        val one = val::object();
+        one.set("name", std::string(color.name));
+        one.set("css", "rgb(" + std::to_string(color.red) + " " + std::to_string(color.green) + " " +
+                           std::to_string(color.blue) + ")");
+        colors.call<void>("push", one);
+    }
+    val result = val::object();
+    result.set("sizes", size_list);
+    result.set("colors", colors);
+    return result;
+}
+
+/// {object, design, dependent}, the last two as JSON texts (dependent_options()).
 val parse(const std::string& project_text) {
     const auto project = parse_project(project_text);
     if (!project) return to_val(project.error());
     val result = val::object();
     result.set("object", to_val(project->object));
     result.set("design", design_json(project->design));
+    result.set("dependent", dependent_options(project->design));
     return result;
 }
 
@@ -53,12 +76,12 @@ val project_text(const std::string& design_text, const std::string& name, double
     return result;
 }
 
-/// {text}: the `snug make` that gives the design from the file.
-val command_line_text(const std::string& file, const std::string& design_text) {
+/// {text}: the `snug make` that gives the design from the file, in a language ("en", "ja").
+val command_line_text(const std::string& file, const std::string& design_text, const std::string& language) {
     const auto design = parse_design(design_text);
     if (!design) return to_val(design.error());
     val result = val::object();
-    result.set("text", command_line(file, *design, built_in_names()));
+    result.set("text", command_line(file, *design, built_in_names(), language_of(language)));
     return result;
 }
 
@@ -82,7 +105,7 @@ val make(const val& object_bytes, const std::string& project_text, const val& to
     if (!mesh) return to_val(mesh.error());
     auto object = prepare(std::move(*mesh), project->design);
     if (!object) return to_val(object.error());
-    return make_files(*object, *project, {});
+    return make_files(*object, *project, Language::english, {});
 }
 
 }  // namespace
@@ -94,6 +117,7 @@ EMSCRIPTEN_BINDINGS(snug) {
     function("version", &bound::version);
     function("defaultDesign", &bound::default_design);
     function("presets", &bound::presets);
+    function("bricks", &bound::bricks);
     function("parseProject", &bound::parse);
     function("projectText", &bound::project_text);
     function("commandLine", &bound::command_line_text);

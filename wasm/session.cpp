@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "snug/base/stopwatch.h"
+#include "snug/design/options_schema.h"
 #include "snug/formats/read_object.h"
 #include "snug/make.h"
 #include "snug/mesh/measure.h"
@@ -42,8 +43,9 @@ Object unscaled(const Mesh& mesh) {
 
 }  // namespace
 
-val make_files(Object& object, Project project, const Progress& progress) {
+val make_files(Object& object, Project project, Language language, const Progress& progress) {
     Tools tools;
+    tools.language = language;
     tools.progress = [&progress](Stage stage) { return stage == Stage::gaps ? progress : Progress(); };
     auto made = make(object, project, tools);
     if (!made) return to_val(made.error());
@@ -124,7 +126,9 @@ val Session::pack(const std::string& design_text) {
     if (!packing) return to_val(packing.error());
     packing_ = std::move(*packing);
     packed_ = *design;
-    return to_val(*packing_, watch.lap());
+    val result = to_val(*packing_, watch.lap());
+    result.set("dependent", dependent_options(*design));
+    return result;
 }
 
 val Session::gaps(const val& progress) const {
@@ -243,11 +247,11 @@ val Session::workshop_figures(const std::string& project_text) {
     return pack ? figures_val(*pack) : to_val(pack.error());
 }
 
-val Session::output_files(const std::string& project_text, const val& progress) {
+val Session::output_files(const std::string& project_text, const std::string& language, const val& progress) {
     const auto project = parse_project(project_text);
     if (!project) return to_val(project.error());
     if (const auto error = prepare_for(project->design)) return to_val(*error);
-    return make_files(*object_, *project, progress_from(progress));
+    return make_files(*object_, *project, language_of(language), progress_from(progress));
 }
 
 }  // namespace snug::wasm

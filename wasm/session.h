@@ -16,7 +16,7 @@ namespace snug::wasm {
 
 /// {files: [{name, bytes}], report, pack}: what `snug make` writes for an object; no pack where the design
 /// asks for none, and PDF and zip are left to the caller.
-[[nodiscard]] val make_files(Object& object, Project project, const Progress& progress);
+[[nodiscard]] val make_files(Object& object, Project project, Language language, const Progress& progress);
 
 /// Keeps the object between calls, so that only designs and results pass between JavaScript and the library.
 /// Designs are JSON texts as they stand in a project. Failures are {error, kind} and change nothing.
@@ -53,8 +53,8 @@ class Session {
     val rank_cases(const std::string& design);
     /// What the design's way of working takes: {figures, findings}.
     val workshop_figures(const std::string& project);
-    /// Everything that `snug make` writes for the design and the object's file.
-    val output_files(const std::string& project, const val& progress);
+    /// Everything that `snug make` writes for the design and the object's file, in a language ("en", "ja").
+    val output_files(const std::string& project, const std::string& language, const val& progress);
 
   private:
     [[nodiscard]] std::optional<Error> prepare_for(const Design& design);

@@ -4,8 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "snug/words/words.h"
-
 namespace snug::wasm {
 namespace {
 
@@ -118,6 +116,17 @@ Progress progress_from(const val& function) {
     return [function](double fraction) { return function(fraction).as<bool>(); };
 }
 
+Language language_of(std::string_view name) {
+    return language_from_name(name).value_or(Language::english);
+}
+
+val to_val(const Message& message) {
+    val both = val::array();
+    for (const Language language : {Language::english, Language::japanese})
+        both.call<void>("push", text(message, language));
+    return both;
+}
+
 val to_val(Vec3d v) {
     return triple(v.x, v.y, v.z);
 }
@@ -128,7 +137,7 @@ val to_val(Vec3i v) {
 
 val to_val(const Error& error) {
     val result = val::object();
-    result.set("error", text(error.message));
+    result.set("error", to_val(error.message));
     result.set("kind", std::string(kind_name(error.kind)));
     return result;
 }
@@ -144,6 +153,11 @@ val to_val(const Preset& preset) {
     result.set("rigid", preset.rigid);
     result.set("worked", preset.worked);
     result.set("division", std::string(name_of(preset.division)));
+    val usual_for = val::array();
+    for (const std::string_view work : names_of<Workshop>())
+        if (!work.empty() && usual_preset(*value_named<Workshop>(work)) == preset.name)
+            usual_for.call<void>("push", std::string(work));
+    result.set("usual_for", usual_for);
     return result;
 }
 
@@ -176,7 +190,7 @@ val to_val(const Object& object, Vec3d file_size, const std::optional<Error>& re
     result.set("fileSize", to_val(file_size));
     result.set("size_mm", refused ? val::null() : to_val(measure.bounds.size()));
     result.set("statesUnit", object.mesh.read.in_mm);
-    result.set("sizeProblem", refused ? val(text(refused->message)) : val::null());
+    result.set("sizeProblem", refused ? to_val(refused->message) : val::null());
     result.set("cloud", object.is_cloud());
     result.set("watertight", measure.watertight);
     result.set("volume_mm3", refused ? val::null() : or_null(measure.volume));
@@ -202,7 +216,7 @@ val to_val(const std::vector<Finding>& findings) {
         val entry = val::object();
         entry.set("severity", std::string(severity_name(finding.severity)));
         entry.set("code", std::string(finding.code()));
-        entry.set("message", text(finding.message));
+        entry.set("message", to_val(finding.message));
         entry.set("where", finding.where ? to_val(*finding.where) : val::null());
         list.call<void>("push", entry);
     }

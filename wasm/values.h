@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include <emscripten/val.h>
@@ -19,6 +20,7 @@
 #include "snug/object/object.h"
 #include "snug/search/direction_map.h"
 #include "snug/search/placement_search.h"
+#include "snug/words/words.h"
 
 // The library's values as the page has them (studio/src/engine/api.ts), field for field. Arrays are copies:
 // they stay valid when the module's memory grows, and may be transferred.
@@ -39,9 +41,13 @@ template <class T>
 /// A JavaScript function of the fraction that is done, which returns whether to go on; null for none.
 [[nodiscard]] Progress progress_from(const val& function);
 
+/// Of a name such as "ja"; English where there is none of that name.
+[[nodiscard]] Language language_of(std::string_view name);
+/// [English, Japanese], so that the page may change its language.
+[[nodiscard]] val to_val(const Message& message);
 [[nodiscard]] val to_val(Vec3d v);
 [[nodiscard]] val to_val(Vec3i v);
-/// {error, kind}
+/// {error, kind}, the error in both languages.
 [[nodiscard]] val to_val(const Error& error);
 [[nodiscard]] val to_val(const Preset& preset);
 [[nodiscard]] val to_val(const ObjectFile& file);

@@ -1,7 +1,6 @@
 #include "wasm/workshop_values.h"
 
 #include "snug/drawing/drawing_json.h"
-#include "snug/words/words.h"
 
 namespace snug::wasm {
 namespace {
@@ -60,8 +59,8 @@ val figures_val(const WorkshopPack& pack) {
     val result = val::object();
     result.set("figures", list_of(pack.figures, [](const PackFigure& figure) {
                    val one = val::object();
-                   one.set("label", text(figure.label));
-                   one.set("value", text(figure.value));
+                   one.set("label", to_val(figure.label));
+                   one.set("value", to_val(figure.value));
                    return one;
                }));
     result.set("findings", to_val(pack.findings));

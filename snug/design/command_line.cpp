@@ -127,13 +127,15 @@ std::vector<TypedFlag> flags_for(const Design& design, const KnownNames& known) 
     return Telling(design, known).typed();
 }
 
-std::string command_line(std::string_view file, const Design& design, const KnownNames& known) {
+std::string command_line(std::string_view file, const Design& design, const KnownNames& known,
+                         Language language) {
     std::string line = "snug make " + file_in_shell(file);
     // With "=", since a value may begin with a minus sign.
     for (const TypedFlag& typed : flags_for(design, known)) {
         line += " " + typed.flag;
         if (!typed.text.empty()) line += "=" + in_shell(typed.text);
     }
+    if (language != Language::english) line += " --language=" + std::string(language_name(language));
     const std::size_t dot = file.rfind('.');
     return line + " -o " + file_in_shell(std::string(file.substr(0, dot)) + "-foam");
 }

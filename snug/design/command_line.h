@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "snug/design/flags.h"
+#include "snug/words/words.h"
 
 namespace snug {
 
@@ -12,7 +13,8 @@ namespace snug {
 /// the way of working bring, and nothing else. Where no flag says an option's value, --set does.
 [[nodiscard]] std::vector<TypedFlag> flags_for(const Design& design, const KnownNames& known);
 
-/// The same as a line for a shell: "snug make vase.stl --blocks=auto -o vase-foam".
-[[nodiscard]] std::string command_line(std::string_view file, const Design& design, const KnownNames& known);
+/// The same as a line for a shell: "snug make vase.stl --blocks=auto -o vase-foam". `language`: of its pages.
+[[nodiscard]] std::string command_line(std::string_view file, const Design& design, const KnownNames& known,
+                                       Language language = Language::english);
 
 }  // namespace snug

@@ -11,7 +11,7 @@ namespace {
 using Problem = std::optional<OptionProblem>;
 
 Problem problem_of_clearance(const CutOptions& cut, Vec3d block) {
-    const double least = kLeastClearanceShare * std::min({block.x, block.y, block.z});
+    const double least = least_clearance_mm(block);
     const Clearance whole = cut.whole_clearance_mm();
     const double most =
         std::max({whole.lower.x, whole.lower.y, whole.lower.z, whole.upper.x, whole.upper.y, whole.upper.z});
@@ -23,9 +23,7 @@ Problem problem_of_clearance(const CutOptions& cut, Vec3d block) {
 }
 
 Problem problem_of_parting(const Design& design) {
-    const bool fitted_to_case = design.case_options.inside_mm.has_value();
-    const auto& blocks = design.space.blocks;
-    const int most = blocks && !fitted_to_case ? blocks->x : kMostBlocks;
+    const int most = highest_parting(design);
     if (!design.parting.level || *design.parting.level <= most) return {};
     return OptionProblem{"parting.level",
                          say("parting.range", {{"most", std::to_string(most)},
@@ -50,6 +48,16 @@ double millimetres(Unit unit) {
 
 Walls wanted_wall_mm(const SpaceOptions& space) {
     return space.wall_mm.value_or(equal_walls(space.blocks ? 0 : 50));
+}
+
+double least_clearance_mm(Vec3d block_mm) {
+    return kLeastClearanceShare * std::min({block_mm.x, block_mm.y, block_mm.z});
+}
+
+int highest_parting(const Design& design) {
+    const bool fitted_to_case = design.case_options.inside_mm.has_value();
+    const auto& blocks = design.space.blocks;
+    return blocks && !fitted_to_case ? blocks->x : kMostBlocks;
 }
 
 Problem problem_of(const Design& design) {

@@ -134,6 +134,7 @@ void visit_options(Visit& visit, SpaceOptions& space) {
          .unit = "mm",
          .range = {0, kGreatestLength},
          .step = 1,
+         .often = 150,
          .label = {"the wall", "壁の厚さ"},
          .help =
              {"Least foam between object and case: all sides, or X,Y,Z, or "
@@ -202,6 +203,7 @@ void visit_options(Visit& visit, CutOptions& cut) {
          .unit = "mm",
          .range = {-kGreatestLength, kGreatestLength},
          .step = 0.1,
+         .often = 20,
          .label = {"the clearance", "すきま"},
          .help = {"Grow the object by this on every side: one number, or X,Y,Z, or six: X,Y,Z for the "
                   "lower foam, then for the upper; negative squeezes it, down to -0.4 of the smallest "
@@ -297,6 +299,11 @@ void visit_options(Visit& visit, Design& design) {
 /// The walls that the design asks for: the chosen ones, or 50 mm (the usual least for parcels) where the
 /// space is fitted to the object, or none.
 [[nodiscard]] Walls wanted_wall_mm(const SpaceOptions& space);
+
+/// The least clearance that blocks of this size take.
+[[nodiscard]] double least_clearance_mm(Vec3d block_mm);
+/// The highest level where the halves may part.
+[[nodiscard]] int highest_parting(const Design& design);
 
 /// The first thing that is out of range; none where all is well. Paths are those of a project's design.
 [[nodiscard]] std::optional<OptionProblem> problem_of(const Design& design);

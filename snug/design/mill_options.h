@@ -119,6 +119,9 @@ void visit_options(Visit& visit, MillOptions& mill) {
                   .help = {"Mill: where X0 Y0 lies on the stock", "切削：X0 Y0 の材料上の位置"}});
 }
 
+/// The most that one pass goes down.
+[[nodiscard]] double wanted_step_down_mm(const MillOptions& options);
+
 /// What is out of range whatever the foam is; none where all is well.
 [[nodiscard]] std::optional<OptionProblem> problem_of(const MillOptions& options);
 

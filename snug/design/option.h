@@ -69,6 +69,7 @@ struct OptionRow {
     Words unit = {};              ///< "mm", "kg/m3"
     Range range = {};
     double step = 0;   ///< of the studio's field; 0: any
+    double often = 0;  ///< what few go above, the end of the studio's slider; 0: the range's
     Words label = {};  ///< "the least rib", as sentences have it
     Words help = {};   ///< a sentence without its full stop and without the default
     Words usual = {};  ///< what --help says in brackets; empty: the default

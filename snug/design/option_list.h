@@ -46,6 +46,7 @@ struct OptionGroup {
     std::string path;
     GroupRow row;
     bool present = true;
+    bool optional = false;
 };
 
 /// A flag of several options, bound to them.
@@ -87,10 +88,13 @@ class OptionList {
         const bool wanted = (presence_ ? presence_(at) : std::nullopt).value_or(inner.has_value());
         if (wanted) {
             if (!inner) inner.emplace();
-            return group(*inner, row);
+            const std::size_t here = groups.size();
+            group(*inner, row);
+            groups[here].optional = true;
+            return;
         }
         inner.reset();
-        groups.push_back({at, row, false});
+        groups.push_back({at, row, false, true});
         options.push_back({at, {.json = row.json, .flag = row.flag}, std::monostate{}});
     }
 

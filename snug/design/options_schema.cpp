@@ -33,6 +33,33 @@ struct Kind {
     }
 };
 
+/// How many numbers there are; 0: any number of them, or no numbers.
+struct Count {
+    int operator()(const Vec2d*) const { return 2; }
+    int operator()(const Vec3d*) const { return 3; }
+    int operator()(const CrossSection*) const { return 2; }
+    int operator()(const Plane*) const { return 4; }
+    int operator()(const Clearance*) const { return 6; }
+    int operator()(const Walls*) const { return 6; }
+    int operator()(const std::optional<Vec3i>*) const { return 3; }
+    template <class T>
+    int operator()(const std::optional<T>*) const {
+        return (*this)(static_cast<const T*>(nullptr));
+    }
+    template <class T>
+    int operator()(const T*) const {
+        return 0;
+    }
+    int operator()(std::monostate) const { return 0; }
+    int operator()(const Choice&) const { return 0; }
+};
+
+/// Whether one number may stand for all of them.
+bool may_be_one(const Option& option) {
+    return std::holds_alternative<Clearance*>(option.value) ||
+           std::holds_alternative<std::optional<Walls>*>(option.value);
+}
+
 struct MayBeNone {
     bool operator()(const Choice& choice) const { return choice.may_be_none; }
     template <class T>
@@ -40,9 +67,10 @@ struct MayBeNone {
         return true;
     }
     template <class T>
-    bool operator()(const T&) const {
+    bool operator()(const T*) const {
         return false;
     }
+    bool operator()(std::monostate) const { return true; }
 };
 
 Json described(const Option& option) {
@@ -56,9 +84,16 @@ Json described(const Option& option) {
         if (row.range.or_zero) json["or_zero"] = true;
     }
     if (row.step > 0) json["step"] = row.step;
+    if (row.often > 0) json["often"] = row.often;
+    if (const int count = std::visit(Count{}, option.value); count > 0) json["count"] = count;
+    if (may_be_one(option)) json["or_one"] = true;
     if (const auto* choice = std::get_if<Choice>(&option.value)) json["words"] = choice->words;
     if (!row.words.empty()) json["words"] = row.words;
-    if (std::visit(MayBeNone{}, option.value)) json["optional"] = true;
+    if (std::visit(MayBeNone{}, option.value)) {
+        json["optional"] = true;
+        const bool word = std::holds_alternative<Choice>(option.value);
+        if (!word && !row.none.empty()) json["none"] = row.none;
+    }
     json["default"] = json_of(option);
     if (!row.flag.empty()) json["flag"] = row.flag;
     json["scope"] = name_of(row.scope);
@@ -73,9 +108,26 @@ std::string_view kind_of(const Option& option) {
 
 std::string options_schema() {
     Design design;
+    const OptionList list = all_options(design);
     Json json = Json::object();
-    for (const Option& option : all_options(design).options) json[option.path] = described(option);
+    for (const OptionGroup& group : list.groups)
+        if (group.optional)
+            json[group.path] = {{"kind", "group"}, {"label", group.row.title.english}, {"optional", true}};
+    for (const Option& option : list.options) json[option.path] = described(option);
+    SpaceOptions fitted;
+    fitted.blocks.reset();
+    json["space.wall_mm"]["fitted"] = wanted_wall_mm(fitted).front();
     return json.dump();
+}
+
+std::string dependent_options(const Design& design) {
+    const double depth = design.space.block_mm.x;
+    const WorkshopOptions& workshop = design.workshop;
+    return Json{{"cut.clearance_mm", {{"least", least_clearance_mm(design.space.block_mm)}}},
+                {"parting.level", {{"most", highest_parting(design)}}},
+                {"workshop.sheets.thickness_mm", {{"usual", wanted_thickness_mm(workshop.sheets, depth)}}},
+                {"workshop.mill.step_down_mm", {{"usual", wanted_step_down_mm(workshop.mill)}}}}
+        .dump();
 }
 
 }  // namespace snug

@@ -12,8 +12,15 @@ namespace snug {
 [[nodiscard]] std::string_view kind_of(const Option& option);
 
 /// The table as JSON, for the page's fields: {path: {kind, label, help, unit, least, most, above, or_zero,
-/// step, words, optional, default, flag, scope}}. What an option does not have is missing; `default` is as a
-/// project has it.
+/// step, often, count, or_one, words, optional, none, default, flag, scope}}. What an option does not have is
+/// missing; `count`: of its numbers, for which one number may stand where `or_one` says so; `default` is as a
+/// project has it, and `none` the word that a project has for no value;
+/// `fitted`: what no wall comes to where the space is fitted to the object, 0 elsewhere. Groups that may be
+/// missing are there, too, of kind "group".
 [[nodiscard]] std::string options_schema();
+
+/// What follows from other choices of a design, as JSON: {path: {usual, least, most}}. `usual`: what an
+/// option comes to that is left open; a bound is tighter than the table's.
+[[nodiscard]] std::string dependent_options(const Design& design);
 
 }  // namespace snug

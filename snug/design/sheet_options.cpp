@@ -5,6 +5,10 @@
 
 namespace snug {
 
+double wanted_thickness_mm(const SheetOptions& options, double block_depth_mm) {
+    return options.thickness_mm.value_or(block_depth_mm);
+}
+
 std::optional<OptionProblem> problem_of(const SheetOptions& options) {
     if (auto found = out_of_range(options)) return found;
     if (2 * options.margin_mm >= options.stock_mm.x || 2 * options.margin_mm >= options.stock_mm.y)

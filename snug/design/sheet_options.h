@@ -109,6 +109,9 @@ void visit_options(Visit& visit, SheetOptions& sheets) {
                   .help = {"Whether sheets are written as DXF", "シートを DXF で書き出すかどうか"}});
 }
 
+/// Of a sheet of a foam whose blocks are so deep along x.
+[[nodiscard]] double wanted_thickness_mm(const SheetOptions& options, double block_depth_mm);
+
 /// What is out of range whatever the foam is; none where all is well.
 [[nodiscard]] std::optional<OptionProblem> problem_of(const SheetOptions& options);
 

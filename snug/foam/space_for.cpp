@@ -14,11 +14,10 @@ namespace {
 
 /// A case that is divided exactly may have smaller blocks than those the clearance was checked for.
 std::optional<Error> too_squeezed(const DesignSpace& space, const CutOptions& cut) {
-    const Vec3d block = space.block_mm;
-    const double least = kLeastClearanceShare * std::min({block.x, block.y, block.z});
+    const double least = least_clearance_mm(space.block_mm);
     if (cut.whole_clearance_mm().least() >= least) return {};
     return Error{ErrorKind::usage,
-                 say("case.squeezed", {{"block", dimensions(block)},
+                 say("case.squeezed", {{"block", dimensions(space.block_mm)},
                                        {"least", number(least, 4)},
                                        {"clearance", number(cut.whole_clearance_mm().least(), 4)}})};
 }

@@ -7,6 +7,7 @@ import './panels/app.css';
 import {Studio} from './state/studio.svelte';
 import {Works} from './state/works.svelte';
 import {typing} from './ui/typing.svelte';
+import {files} from './words/files';
 import {language} from './words/language.svelte';
 
 const page = document.getElementById('app') as HTMLElement;
@@ -27,7 +28,7 @@ async function start() {
 
 async function bringBack(studio: Studio) {
   const works = openWorks(studio);
-  if (await openServed(studio, language.text.files)) {
+  if (await openServed(studio)) {
     const kept = await works;
     if (kept) await studio.keepIn(kept);
     return;
@@ -38,7 +39,7 @@ async function bringBack(studio: Studio) {
 
 /** Private windows may have no database; then nothing is kept, and all else works. */
 function openWorks(studio: Studio): Promise<Works | null> {
-  return Works.open({onBlocked: () => (studio.notice = language.text.works.blocked)}).catch(() => null);
+  return Works.open({onBlocked: () => (studio.notice = files.works.blocked)}).catch(() => null);
 }
 
 start().catch((reason: unknown) => {

@@ -20,10 +20,6 @@ Message name_of(const MillPlan& plan) {
     return say("mill.outer_side", {{"half", half_of(plan.half)}});
 }
 
-double step_down(const MillOptions& options) {
-    return options.step_down_mm.value_or(options.cutter_mm / 2);
-}
-
 /// A cutter that enters some pockets is enough: reliefs take what the others need.
 std::optional<Error> too_wide(const std::vector<MillPlan>& plans, const MillOptions& options) {
     double widest = 0;
@@ -87,14 +83,14 @@ Result<MillPlans> mill_plans(const FoamDesign& design, const std::optional<Mille
     for (const Half half : {Half::lower, Half::lid}) {
         MillPlan plan;
         plan.half = half;
-        plan.field = mill_field(design, half, step_down(options));
+        plan.field = mill_field(design, half, wanted_step_down_mm(options));
         plans.push_back(std::move(plan));
     }
     for (const Half half : {Half::lower, Half::lid}) {
         MillPlan plan;
         plan.half = half;
         plan.outside = true;
-        plan.field = mill_outside(design, half, step_down(options));
+        plan.field = mill_outside(design, half, wanted_step_down_mm(options));
         if (cuts_outside(plan.field)) plans.push_back(std::move(plan));
     }
     if (auto error = too_wide(plans, options)) return tl::unexpected(std::move(*error));

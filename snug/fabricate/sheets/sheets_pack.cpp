@@ -40,7 +40,7 @@ Result<Stacks> stacks_of(const FoamDesign& design, const SheetOptions& options) 
     if (options.kerf_mm >= narrowest)
         return fail(ErrorKind::usage, say("sheets.kerf", {{"kerf_mm", number(options.kerf_mm)},
                                                           {"block_mm", number(narrowest)}}));
-    const auto measure = sheet_measure(design, options.thickness_mm.value_or(design.space.block_mm.x));
+    const auto measure = sheet_measure(design, wanted_thickness_mm(options, design.space.block_mm.x));
     if (!measure) return tl::unexpected(measure.error());
     Stacks stacks{*measure, {}, {}};
     for (const Half half : {Half::lower, Half::lid}) {

@@ -40,3 +40,8 @@ export async function gapsMeasured(page: Page) {
 export async function set(page: Page, role: 'slider' | 'spinbutton', name: string, value: number) {
   await page.getByRole(role, {name, exact: true}).fill(String(value));
 }
+
+/** Waits until the command line on the page has all of these. */
+export async function commandSays(page: Page, ...options: string[]) {
+  for (const option of options) await expect(page.locator('code')).toContainText(option);
+}

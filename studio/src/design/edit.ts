@@ -38,31 +38,20 @@ export function withBlockSize(design: Design, axis: number, mm: number): Design 
   return {...design, space: {...design.space, block_mm: withAxis(design.space.block_mm, axis, mm)}};
 }
 
-/** The thinnest of the walls that were chosen, where the sides differ. */
-export function leastWall(wall_mm: number | number[] | null): number | null {
-  return wall_mm === null ? null : Math.min(...[wall_mm].flat());
-}
-
-export function withWall(design: Design, wall_mm: number | null): Design {
-  return {...design, space: {...design.space, wall_mm}};
-}
-
-/** The six walls, floor, roof, back, front, left, right. */
-export function walls({space}: Design): number[] {
+/** The six walls, floor, roof, back, front, left, right. `fitted`: what each is where none is chosen and the space follows
+ *  the object. */
+export function walls({space}: Design, fitted: number): number[] {
   if (Array.isArray(space.wall_mm)) return space.wall_mm;
-  return Array<number>(6).fill(space.wall_mm ?? (space.blocks === 'auto' ? 50 : 0));
+  return Array<number>(6).fill(space.wall_mm ?? (space.blocks === 'auto' ? fitted : 0));
 }
 
 export function withWalls(design: Design, wall_mm: number | number[]): Design {
   return {...design, space: {...design.space, wall_mm}};
 }
 
-/** As carriers reckon where nothing else is known: the library's own. */
-export const USUAL_DIVISOR = 5000;
-
 /** A case of other sizes is no longer the one that has the name. */
-export function withCase(design: Design, to: Partial<Design['case']>): Design {
-  const other = 'inside_mm' in to || 'lid_mm' in to ? {name: '', divisor: USUAL_DIVISOR} : {};
+export function withCase(design: Design, to: Partial<Design['case']>, {divisor}: Design['case']): Design {
+  const other = 'inside_mm' in to || 'lid_mm' in to ? {name: '', divisor} : {};
   return {...design, case: {...design.case, ...other, ...to}};
 }
 
@@ -71,7 +60,8 @@ export function withKnownCase(design: Design, known: KnownCase): Design {
   const {name, inside_mm, lid_mm, divisor, rotation_deg} = known;
   const sides = {base_mm: null, top_mm: null, corner_radius_mm: 0};
   return {
-    ...withCase(design, {name, inside_mm, lid_mm, divisor, ...sides}),
+    ...design,
+    case: {...design.case, name, inside_mm, lid_mm, divisor, ...sides},
     placement: {rotation_deg, offset_mm: [0, 0, 0]},
     parting: {level: 'auto'},
   };
@@ -87,7 +77,7 @@ export function objective({search}: Design): string {
   return Object.entries(search.weights).reduce((best, next) => (next[1] > best[1] ? next : best))[0];
 }
 
-export function withUpright(design: Design, upright: string | null): Design {
+export function withUpright(design: Design, upright: Design['search']['upright']): Design {
   return {...design, search: {...design.search, upright}};
 }
 
@@ -96,14 +86,9 @@ export function withWorkshop(design: Design, to: Partial<Design['workshop']>): D
 }
 
 /** The foam that a way of working takes where none is chosen for it. */
-export const USUAL_PRESET: Record<Work, string> = {
-  sponge: 'slit-15',
-  sheets: 'sheet-10',
-  print: 'print',
-  bricks: 'lego-brick',
-  mill: 'mill',
-  mould: 'cast',
-};
+export function usualPreset(presets: readonly Preset[], work: Work | null): Preset | null {
+  return presets.find(({usual_for}) => work !== null && usual_for.includes(work)) ?? null;
+}
 
 export function withRotation(design: Design, rotation_deg: Triple): Design {
   return {...design, placement: {...design.placement, rotation_deg}};
@@ -133,23 +118,8 @@ export function withClearanceOf(design: Design, side: number, mm: number): Desig
   );
 }
 
-export function withLiner(design: Design, liner_mm: number): Design {
-  return {...design, cut: {...design.cut, liner_mm}};
-}
-
-export function withLeastRib(design: Design, least_rib_mm: number): Design {
-  return {...design, fit: {...design.fit, least_rib_mm}};
-}
-
-/** As the library has them where nothing is said. */
-export const USUAL_NOTCHES: Notches = {width_mm: 80, depth_mm: 40, room_mm: 25, axis: null, first_mm: null, second_mm: null};
-
 export function withNotches(design: Design, notches: Notches | null): Design {
   return {...design, fit: {...design.fit, notches}};
-}
-
-export function withCutOnTouch(design: Design, cut_on_touch: boolean): Design {
-  return {...design, cut: {...design.cut, cut_on_touch}};
 }
 
 export function withParting(design: Design, level: number | 'auto'): Design {
@@ -165,14 +135,6 @@ export function withPart(design: Design, part: number, kept: boolean): Design {
   const others = design.object.clean.drop_parts.filter((number) => number !== part);
   const drop_parts = kept ? others : [...others, part].sort((a, b) => a - b);
   return {...design, object: {...design.object, clean: {...design.object.clean, drop_parts}}};
-}
-
-export function withDropBelow(design: Design, drop_below_mm: number): Design {
-  return {...design, object: {...design.object, clean: {...design.object.clean, drop_below_mm}}};
-}
-
-export function withPointRadius(design: Design, point_radius_mm: number): Design {
-  return {...design, object: {...design.object, point_radius_mm}};
 }
 
 export function withUnits(design: Design, units: Unit): Design {

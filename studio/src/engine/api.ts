@@ -1,7 +1,9 @@
 // What the page and the worker say to each other. The worker holds the library (WebAssembly) and the object;
 // the page holds the design, in whose units and coordinates all of this is.
 
-import type {Design, KnownCase, Preset, Triple} from '../design/design';
+import type {BrickRange, Design, KnownCase, Preset, Triple} from '../design/design';
+import type {Dependent, Schema} from '../design/options';
+import type {Pair} from '../words/words';
 
 /** A file that came with the object. */
 export interface BesideFile {
@@ -27,13 +29,13 @@ export interface CaseRanking {
 
 /** What a way of working takes. */
 export interface WorkshopFigures {
-  figures: {label: string; value: string}[];
+  figures: {label: Pair; value: Pair}[];
   findings: Finding[];
 }
 
 /** A sentence of the library for the person, and where it belongs. */
 export interface Failure {
-  error: string;
+  error: Pair;
   kind: 'usage' | 'input' | 'does_not_fit' | 'output' | 'cancelled' | 'memory';
 }
 
@@ -41,6 +43,12 @@ export interface ObjectFile {
   name: string;
   bytes: number;
   sha256: string;
+}
+
+export interface Project {
+  object: ObjectFile;
+  design: Design;
+  dependent: Dependent;
 }
 
 /** A separate part of the object as it was read, numbered from 1; `share` of the surface's area. */
@@ -65,7 +73,7 @@ export interface ObjectInfo {
   /** What the design makes of it; null while the size is implausible and no unit is chosen. */
   size_mm: Triple | null;
   /** Why size_mm is null: the library's sentence. */
-  sizeProblem: string | null;
+  sizeProblem: Pair | null;
   /** Points without triangles: `vertices` counts them, and whether they are closed, volume and parts are not known. */
   cloud: boolean;
   watertight: boolean;
@@ -89,7 +97,7 @@ export interface DisplayMesh {
 export interface Finding {
   severity: 'danger' | 'warning' | 'note';
   code: string;
-  message: string;
+  message: Pair;
   where: Triple | null;
 }
 
@@ -120,6 +128,8 @@ export interface Packing {
     wall_mm: number[]; // -x, +x, -y, +y, -z, +z
   } | null;
   findings: Finding[];
+  /** What follows from the design's choices for its other ones. */
+  dependent: Dependent;
   /** Time inside the library for this packing. */
   library_ms: number;
 }
@@ -198,6 +208,9 @@ export interface Engine {
   version(): Promise<string>;
   defaultDesign(): Promise<Design>;
   presets(): Promise<Preset[]>;
+  bricks(): Promise<BrickRange>;
+  /** The table of options. */
+  options(): Promise<Schema>;
   /** The objects that Snug generates itself, by name. */
   samples(): Promise<string[]>;
   /** One of them as a file for load(), the same bytes as `snug sample NAME -o NAME.ply`. */
@@ -220,11 +233,12 @@ export interface Engine {
   /** Cached until the object changes. */
   displayMesh(mostTriangles: number): Promise<DisplayMesh>;
   /** Validates a whole project text, or a design alone (then the object has no name). */
-  parseProject(text: string): Promise<{object: ObjectFile; design: Design} | Failure>;
+  parseProject(text: string): Promise<Project | Failure>;
   /** Rejects a design that parseProject() would refuse, with the library's sentence. */
   projectText(design: Design): Promise<string>;
-  /** The `snug make` that gives this design from the file; a Failure for a design that parseProject() would refuse. */
-  commandLine(file: string, design: Design): Promise<string | Failure>;
+  /** The `snug make` that gives this design from the file; a Failure for a design that parseProject() would refuse.
+   *  `language`: of what it makes, "en" or "ja". */
+  commandLine(file: string, design: Design, language?: string): Promise<string | Failure>;
   /** While one packing is being made only the newest waiting request survives; the others get a Failure of kind
    *  `cancelled`. */
   pack(design: Design): Promise<Packing | Failure>;
@@ -250,6 +264,6 @@ export interface Engine {
   /** What the design's way of working takes; its pack comes with outputFiles(). */
   workshopFigures(design: Design): Promise<WorkshopFigures | Failure>;
   /** Everything that `snug make` writes for this design, byte for byte (report.json's timing_ms, PDF and zip aside).
-   *  Cancelled by cancel(). */
-  outputFiles(design: Design, onProgress?: OnProgress): Promise<OutputFile[] | Failure>;
+   *  `language`: of pages, preview and report, "en" or "ja". Cancelled by cancel(). */
+  outputFiles(design: Design, language?: string, onProgress?: OnProgress): Promise<OutputFile[] | Failure>;
 }

@@ -1,5 +1,6 @@
 import type {Pack, SceneTools, Session, SnugModule} from 'snug-wasm/snug.mjs';
-import type {Design, Preset} from '../design/design';
+import type {BrickRange, Design, Preset} from '../design/design';
+import type {Dependent, Schema} from '../design/options';
 import type {
   BesideFile,
   CaseRanking,
@@ -14,6 +15,7 @@ import type {
   OnProgress,
   OutputFile,
   Packing,
+  Project,
   WorkshopFigures,
 } from './api';
 import {simplified} from './display_mesh';
@@ -66,6 +68,14 @@ export class EngineCore {
     return this.#snug.presets();
   }
 
+  async bricks(): Promise<BrickRange> {
+    return this.#snug.bricks();
+  }
+
+  async options(): Promise<Schema> {
+    return JSON.parse(this.#snug.optionsSchema()) as Schema;
+  }
+
   async samples(): Promise<string[]> {
     return this.#snug.samples();
   }
@@ -104,13 +114,13 @@ export class EngineCore {
     return simplified(mesh, mostTriangles).catch(brokenModule);
   }
 
-  async parseProject(text: string): Promise<{object: ObjectFile; design: Design} | Failure> {
+  async parseProject(text: string): Promise<Project | Failure> {
     const project = isDesignAlone(text) ? this.#snug.projectText(text, 'unnamed', 0, '') : {text};
     if (isFailure(project)) return project;
     const parsed = guarded(() => this.#snug.parseProject(project.text));
     if (isFailure(parsed)) return parsed;
     const object = project.text === text ? parsed.object : {name: '', bytes: 0, sha256: ''};
-    return {object, design: JSON.parse(parsed.design) as Design};
+    return {object, design: JSON.parse(parsed.design) as Design, dependent: JSON.parse(parsed.dependent) as Dependent};
   }
 
   async projectText(design: Design): Promise<{text: string} | Failure> {
@@ -118,12 +128,13 @@ export class EngineCore {
     return guarded(() => this.#snug.projectText(JSON.stringify(design), name, bytes, hash));
   }
 
-  async commandLine(file: string, design: Design): Promise<{text: string} | Failure> {
-    return guarded(() => this.#snug.commandLine(file, JSON.stringify(design)));
+  async commandLine(file: string, design: Design, language = 'en'): Promise<{text: string} | Failure> {
+    return guarded(() => this.#snug.commandLine(file, JSON.stringify(design), language));
   }
 
   async pack(design: Design): Promise<Packing | Failure> {
-    return guarded(() => this.#session.pack(JSON.stringify(design)));
+    const packing = guarded(() => this.#session.pack(JSON.stringify(design)));
+    return isFailure(packing) ? packing : {...packing, dependent: JSON.parse(packing.dependent) as Dependent};
   }
 
   /** Of the last packing. Blocks its thread until it is done. */
@@ -197,10 +208,10 @@ export class EngineCore {
     return isFailure(project) ? project : guarded(() => this.#session.workshopFigures(project.text));
   }
 
-  async outputFiles(design: Design, onProgress?: OnProgress): Promise<OutputFile[] | Failure> {
+  async outputFiles(design: Design, language = 'en', onProgress?: OnProgress): Promise<OutputFile[] | Failure> {
     const project = await this.projectText(design);
     if (isFailure(project)) return project;
-    const made = guarded(() => this.#session.outputFiles(project.text, throttled(onProgress)));
+    const made = guarded(() => this.#session.outputFiles(project.text, language, throttled(onProgress)));
     if (isFailure(made)) return made;
     const files = [...made.files, {name: 'report.json', bytes: new TextEncoder().encode(made.report)}];
     if (!made.pack) return files;

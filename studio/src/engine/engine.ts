@@ -1,6 +1,7 @@
 import {proxy} from 'comlink';
 import type {Design} from '../design/design';
 import {firstDesign} from '../design/edit';
+import {failures} from '../words/failures';
 import type {
   BesideFile,
   CaseRanking,
@@ -35,7 +36,7 @@ export async function createEngine(options: EngineOptions): Promise<Engine> {
   return engine;
 }
 
-const SUPERSEDED = failure('cancelled', 'a newer request took its place');
+const SUPERSEDED = failure('cancelled', failures.failures.superseded);
 
 interface Kept {
   name: string;
@@ -74,6 +75,8 @@ class PageEngine implements Engine {
   version = () => this.#quickly((core) => core.version()).then(orThrow);
   defaultDesign = () => this.#quickly((core) => core.defaultDesign()).then(orThrow);
   presets = () => this.#quickly((core) => core.presets()).then(orThrow);
+  bricks = () => this.#quickly((core) => core.bricks()).then(orThrow);
+  options = () => this.#quickly((core) => core.options()).then(orThrow);
   samples = () => this.#quickly((core) => core.samples()).then(orThrow);
   sampleFile = (name: string) => this.#quickly((core) => core.sampleFile(name));
   parseProject = (text: string) => this.#quickly((core) => core.parseProject(text));
@@ -82,9 +85,9 @@ class PageEngine implements Engine {
     return this.#quickly((core) => core.projectText(plain)).then((answer) => orThrow(answer).text);
   };
 
-  commandLine = async (file: string, design: Design): Promise<string | Failure> => {
+  commandLine = async (file: string, design: Design, language?: string): Promise<string | Failure> => {
     const plain = copied(design);
-    const answer = await this.#quickly((core) => core.commandLine(file, plain));
+    const answer = await this.#quickly((core) => core.commandLine(file, plain, language));
     return isFailure(answer) ? answer : answer.text;
   };
 
@@ -101,7 +104,7 @@ class PageEngine implements Engine {
     // Stopped while it waited for its turn.
     if (stops !== this.#stops) return CANCELLED;
     const answer = await this.#quickly((core) => core.load(name, content, options, beside)).catch((reason: unknown) =>
-      failure('input', `${name}: cannot be read (${reason instanceof Error ? reason.message : String(reason)})`),
+      failure('input', failures.failures.unreadable(name, reason instanceof Error ? reason.message : String(reason))),
     );
     if (isFailure(answer)) return answer.kind === 'memory' ? this.#tooLarge(name, options) : answer;
     this.#endSlow();
@@ -143,7 +146,7 @@ class PageEngine implements Engine {
   async gaps(onProgress?: OnProgress): Promise<Gap | Failure> {
     if (this.#slowWork.gaps > 0) this.#endSlow(SUPERSEDED);
     const design = this.#packed;
-    if (!design) return failure('usage', 'there are no foams yet that could be measured');
+    if (!design) return this.#quickly((core) => core.gaps());
     return this.#slowly('gaps', async (core) => {
       const packing = await core.pack(design);
       if (isFailure(packing)) return packing;
@@ -153,7 +156,7 @@ class PageEngine implements Engine {
 
   async distances(points: Float32Array<ArrayBuffer>): Promise<Float32Array<ArrayBuffer> | Failure> {
     const design = this.#packed;
-    if (!design) return failure('usage', 'there are no foams yet that could be measured');
+    if (!design) return this.#quickly((core) => core.distances(points));
     return this.#slowly('gaps', async (core) => {
       const packing = await core.pack(design);
       return isFailure(packing) ? packing : core.distances(points);
@@ -192,9 +195,9 @@ class PageEngine implements Engine {
     return this.#slowly('outputs', (core) => core.workshopFigures(plain));
   }
 
-  outputFiles(design: Design, onProgress?: OnProgress): Promise<OutputFile[] | Failure> {
+  outputFiles(design: Design, language?: string, onProgress?: OnProgress): Promise<OutputFile[] | Failure> {
     const plain = copied(design);
-    return this.#slowly('outputs', (core) => core.outputFiles(plain, onProgress && proxy(onProgress)));
+    return this.#slowly('outputs', (core) => core.outputFiles(plain, language, onProgress && proxy(onProgress)));
   }
 
   async cancel(): Promise<void> {
@@ -212,10 +215,7 @@ class PageEngine implements Engine {
 
   async #tooLarge(name: string, object: Design['object']): Promise<Failure> {
     const line = this.#defaults && (await this.commandLine(name, firstDesign(this.#defaults, object)));
-    return failure(
-      'memory',
-      `${name} needs more memory than the browser gives; the command line has no such limit: ${line === null || isFailure(line) ? 'snug make' : line}`,
-    );
+    return failure('memory', failures.failures.tooLarge(name, line === null || isFailure(line) ? 'snug make' : line));
   }
 
   #usesOptions(options: Design['object']) {
@@ -298,6 +298,6 @@ function copied<T>(value: T): T {
 }
 
 function orThrow<T>(answer: T | Failure): T {
-  if (isFailure(answer)) throw new Error(answer.error);
+  if (isFailure(answer)) throw new Error(answer.error[0]);
   return answer;
 }

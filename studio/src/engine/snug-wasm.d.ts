@@ -1,7 +1,7 @@
 // The WebAssembly module that wasm/ builds. Designs and projects pass as JSON texts.
 
 declare module 'snug-wasm/snug.mjs' {
-  import type {Preset} from '../design/design';
+  import type {BrickRange, Preset} from '../design/design';
   import type {
     CaseRanking,
     DirectionMap,
@@ -45,7 +45,8 @@ declare module 'snug-wasm/snug.mjs' {
     load(bytes: Uint8Array, name: string, design: string, tools: SceneTools | null): Omit<ObjectInfo, 'file' | 'beside'> | Failure;
     describe(design: string): Omit<ObjectInfo, 'file' | 'beside'> | Failure;
     mesh(): Omit<DisplayMesh, 'deviation'>;
-    pack(design: string): Packing | Failure;
+    /** `dependent`: a JSON text. */
+    pack(design: string): (Omit<Packing, 'dependent'> & {dependent: string}) | Failure;
     gaps(progress: Progress): Gap | Failure;
     distances(points: Float32Array): Float32Array<ArrayBuffer> | Failure;
     startSearch(design: string): (SearchStep & {ended: boolean}) | Failure;
@@ -56,7 +57,7 @@ declare module 'snug-wasm/snug.mjs' {
     mapStep(): (DirectionMap & {ended: boolean}) | Failure;
     rankCases(design: string): CaseRanking | Failure;
     workshopFigures(project: string): WorkshopFigures | Failure;
-    outputFiles(project: string, progress: Progress): Made | Failure;
+    outputFiles(project: string, language: string, progress: Progress): Made | Failure;
     delete(): void;
   }
 
@@ -64,12 +65,13 @@ declare module 'snug-wasm/snug.mjs' {
     version(): string;
     defaultDesign(): string;
     presets(): Preset[];
+    bricks(): BrickRange;
     samples(): string[];
     sampleFile(name: string): OutputFile | Failure;
-    parseProject(text: string): {object: ObjectFile; design: string} | Failure;
+    parseProject(text: string): {object: ObjectFile; design: string; dependent: string} | Failure;
     projectText(design: string, name: string, bytes: number, sha256: string): {text: string} | Failure;
     /** The `snug make` that gives this design from the file. */
-    commandLine(file: string, design: string): {text: string} | Failure;
+    commandLine(file: string, design: string, language: string): {text: string} | Failure;
     /** A JSON text: every option's path with its kind, range, unit, step, words and default, see
      *  snug/design/options_schema.h. */
     optionsSchema(): string;

@@ -1,4 +1,5 @@
 import {expose, transfer, wrap} from 'comlink';
+import {failures} from '../words/failures';
 import type {Failure} from './api';
 import type {EngineCore} from './core';
 import {brokenModule} from './failure';
@@ -16,7 +17,7 @@ export interface CoreHandle {
 export function coreIn(worker: Worker): CoreHandle {
   let stop: (answer: Failure) => void = () => {};
   const stopped = new Promise<Failure>((resolve) => (stop = resolve));
-  worker.addEventListener('error', (event) => stop(brokenModule(event.message || 'its worker failed')));
+  worker.addEventListener('error', (event) => stop(brokenModule(event.message || failures.failures.worker[0])));
   const end = (answer: Failure) => {
     worker.terminate();
     stop(answer);

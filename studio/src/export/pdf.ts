@@ -2,16 +2,22 @@ import {
   appendBezierCurve,
   beginText,
   closePath,
+  concatTransformationMatrix,
+  drawObject,
   endText,
   LineJoinStyle,
   lineTo,
   moveTo,
   PDFDocument,
+  type PDFImage,
+  type PDFPage,
   type PDFFont,
   type PDFName,
   PDFOperator,
   PDFOperatorNames,
+  popGraphicsState,
   PrintScaling,
+  pushGraphicsState,
   rgb,
   setDashPattern,
   setFillingColor,
@@ -24,6 +30,7 @@ import {
   StandardFonts,
   stroke,
 } from 'pdf-lib';
+import {drawText, type DrawText, type TextPicture} from './text_picture';
 
 // A display list of the library (snug/drawing/drawing_json.h) as PDF. Lengths in mm, y downward.
 
@@ -57,16 +64,24 @@ const POINTS = 72 / 25.4;
 /** How far the handles of a quarter circle reach, in radii. */
 const QUARTER = 0.5522847498;
 
-export async function writePdf(title: string, trueSize: boolean, pages: Page[]): Promise<Uint8Array<ArrayBuffer>> {
+/** `draw` makes pictures of what the fonts that every PDF reader has cannot say. */
+export async function writePdf(
+  title: string,
+  trueSize: boolean,
+  pages: Page[],
+  draw: DrawText = drawText,
+): Promise<Uint8Array<ArrayBuffer>> {
   const pdf = await PDFDocument.create({updateMetadata: false});
   pdf.setTitle(title);
   pdf.setCreator('Snug');
   if (trueSize) pdf.catalog.getOrCreateViewerPreferences().setPrintScaling(PrintScaling.None);
   const fonts = [await pdf.embedFont(StandardFonts.Helvetica), await pdf.embedFont(StandardFonts.HelveticaBold)] as const;
+  const pictures = new Pictures(pdf, draw);
   for (const {size, items} of pages) {
     const page = pdf.addPage([size[0] * POINTS, size[1] * POINTS]);
     const names = fonts.map((font) => page.node.newFontDictionary('F', font.ref));
-    const painter = new Painter(size[1], fonts, names as [PDFName, PDFName]);
+    const drawn = await pictures.on(page, items);
+    const painter = new Painter(size[1], fonts, names as [PDFName, PDFName], drawn);
     const operators = [setLineJoin(LineJoinStyle.Round)];
     for (const item of items)
       operators.push(...('text' in item ? painter.text(item) : 'circle' in item ? painter.circle(item) : painter.path(item)));
@@ -77,11 +92,49 @@ export async function writePdf(title: string, trueSize: boolean, pages: Page[]):
   return (await pdf.save({useObjectStreams: false})) as Uint8Array<ArrayBuffer>;
 }
 
+interface Drawn extends TextPicture {
+  name: PDFName;
+}
+
+/** The pictures of words in a document, each once. */
+class Pictures {
+  readonly #made = new Map<string, Promise<(TextPicture & {image: PDFImage}) | null>>();
+
+  constructor(
+    private readonly pdf: PDFDocument,
+    private readonly draw: DrawText,
+  ) {}
+
+  /** Those that a page's texts need, by their texts. */
+  async on(page: PDFPage, items: Page['items']): Promise<Map<TextItem, Drawn>> {
+    const drawn = new Map<TextItem, Drawn>();
+    for (const item of items) {
+      if (!('text' in item) || isLatin(item.text)) continue;
+      const picture = await this.#of(item);
+      if (picture) drawn.set(item, {...picture, name: page.node.newXObject('T', picture.image.ref)});
+    }
+    return drawn;
+  }
+
+  #of({text, height, bold, color}: TextItem) {
+    const key = JSON.stringify([text, height, bold, color]);
+    const made = this.#made.get(key) ?? this.#make({text, height, bold, color});
+    this.#made.set(key, made);
+    return made;
+  }
+
+  async #make(lettering: Parameters<DrawText>[0]) {
+    const picture = await this.draw(lettering);
+    return picture && {...picture, image: await this.pdf.embedPng(picture.png)};
+  }
+}
+
 class Painter {
   constructor(
     private readonly height: number,
     private readonly fonts: readonly [PDFFont, PDFFont],
     private readonly names: readonly [PDFName, PDFName],
+    private readonly drawn: ReadonlyMap<TextItem, Drawn>,
   ) {}
 
   path({path, closed, fill: filling, pen}: PathItem): PDFOperator[] {
@@ -112,20 +165,35 @@ class Painter {
     ];
   }
 
-  text({text, at, height, anchor, turn, bold, color}: TextItem): PDFOperator[] {
+  text(item: TextItem): PDFOperator[] {
+    const {text, at, height, anchor, turn, bold, color} = item;
+    const picture = this.drawn.get(item);
     const font = this.fonts[bold ? 1 : 0];
     const name = this.names[bold ? 1 : 0];
     const words = latin(text);
     const size = height * POINTS;
-    const back = {start: 0, middle: 0.5, end: 1}[anchor] * font.widthOfTextAtSize(words, size);
+    const advance = picture ? picture.advance * POINTS : font.widthOfTextAtSize(words, size);
+    const back = {start: 0, middle: 0.5, end: 1}[anchor] * advance;
     const quarter = ((Math.round(turn / 90) % 4) + 4) % 4; // clockwise
     const cosine = [1, 0, -1, 0][quarter]!;
     const sine = [0, -1, 0, 1][quarter]!;
+    const x = this.#x(at[0]) - back * cosine;
+    const y = this.#y(at[1]) - back * sine;
+    if (picture) {
+      const [width, tall, left, below] = [picture.width, picture.height, picture.left, picture.below].map((mm) => mm * POINTS) as [number, number, number, number];
+      return [
+        pushGraphicsState(),
+        concatTransformationMatrix(cosine, sine, -sine, cosine, x, y),
+        concatTransformationMatrix(width, 0, 0, tall, -left, -below),
+        drawObject(picture.name),
+        popGraphicsState(),
+      ];
+    }
     return [
       ...this.#inks(color, null),
       beginText(),
       setFontAndSize(name, size),
-      setTextMatrix(cosine, sine, -sine, cosine, this.#x(at[0]) - back * cosine, this.#y(at[1]) - back * sine),
+      setTextMatrix(cosine, sine, -sine, cosine, x, y),
       showText(font.encodeText(words)),
       endText(),
     ];
@@ -167,8 +235,19 @@ function colour(hexadecimal: string) {
   return rgb(part(1), part(3), part(5));
 }
 
+const WINDOWS =
+  '\u20ac\u201a\u0192\u201e\u2026\u2020\u2021\u02c6\u2030\u0160\u2039\u0152\u017d\u2018\u2019\u201c\u201d\u2022\u2013\u2014\u02dc\u2122\u0161\u203a\u0153\u017e\u0178';
+
+function isKnown(letter: string): boolean {
+  return /[\x20-\x7e\xa0-\xff]/.test(letter) || WINDOWS.includes(letter);
+}
+
+/** Nothing of it needs another font; what steers a printer is no text. */
+function isLatin(text: string): boolean {
+  return Array.from(text.normalize('NFC')).every((letter) => isKnown(letter) || /\p{Cc}/u.test(letter));
+}
+
 /** What the fonts that every PDF reader has cannot say becomes a question mark. */
 function latin(text: string): string {
-  const WINDOWS = '\u20ac\u201a\u0192\u201e\u2026\u2020\u2021\u02c6\u2030\u0160\u2039\u0152\u017d\u2018\u2019\u201c\u201d\u2022\u2013\u2014\u02dc\u2122\u0161\u203a\u0153\u017e\u0178';
-  return Array.from(text.normalize('NFC'), (c) => (/[\x20-\x7e\xa0-\xff]/.test(c) || WINDOWS.includes(c) ? c : '?')).join('');
+  return Array.from(text.normalize('NFC'), (letter) => (isKnown(letter) ? letter : '?')).join('');
 }

@@ -2,6 +2,7 @@ import type {OutputFile} from '../engine/api';
 import {isFailure} from '../engine/failure';
 import {isScene} from '../import/bundle';
 import type {Studio} from '../state/studio.svelte';
+import {language} from '../words/language.svelte';
 import {zippedInPieces} from './zip';
 
 export type Kind = 'zip' | 'stl' | 'ply';
@@ -12,7 +13,7 @@ export async function exportFiles(studio: Studio, kind: Kind): Promise<void> {
   // The foams alone need no pack.
   const alone = {...design, workshop: {...design.workshop, for: null}};
   const wanted = kind === 'zip' ? design : {...alone, output: {formats: [kind]}};
-  const files = await studio.long('make', (onProgress) => studio.engine.outputFiles(wanted, onProgress));
+  const files = await studio.long('make', (onProgress) => studio.engine.outputFiles(wanted, language.code, onProgress));
   if (isFailure(files)) {
     if (files.kind !== 'cancelled') studio.refuse('make', files.error);
     return;

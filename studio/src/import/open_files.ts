@@ -1,42 +1,31 @@
-import type {Design} from '../design/design';
 import {firstDesign} from '../design/edit';
-import type {BesideFile, ObjectFile} from '../engine/api';
+import type {BesideFile, ObjectFile, Project} from '../engine/api';
 import {isFailure} from '../engine/failure';
 import {sha256} from '../engine/sha256';
 import type {Studio} from '../state/studio.svelte';
+import {files as words} from '../words/files';
+import {about, joined, type Pair} from '../words/words';
 import {bundled} from './bundle';
+
+const texts = words.files;
 
 /** More than a page can hold as a file, as a mesh and as foams at once: WebAssembly ends at 4 GB. */
 const MOST_BYTES = 1_000_000_000;
-
-export interface OpenTexts {
-  tooBig: (name: string, line: string) => string;
-  openObjectOf: (name: string) => string;
-  otherContent: (name: string) => string;
-  waitsNoMore: (name: string) => string;
-  noProject: (names: string[]) => string;
-  leftOut: (names: string[]) => string;
-}
-
-interface Project {
-  object: ObjectFile;
-  design: Design;
-}
 
 /** A project that waits for its object. */
 let waiting: Project | null = null;
 
 /** Whatever a person drops or chooses: an object, a project, or both. A sentence says what went wrong; then everything
  *  stays as it was. */
-export async function openFiles(studio: Studio, files: readonly File[], texts: OpenTexts): Promise<void> {
+export async function openFiles(studio: Studio, files: readonly File[]): Promise<void> {
   const notes = files.filter(({name}) => /\.json$/i.test(name));
   const {object, beside, leftOut} = bundled(files.filter((file) => !notes.includes(file)));
   const {project, unread, refused} = await readProject(studio, notes);
   // What is no project at all may lie beside an object; a project that cannot be read is asked for.
   if (refused && (!object || refused.meant)) return studio.refuse('object', refused.sentence);
-  if (!object) return project ? useProject(studio, project, texts) : undefined;
+  if (!object) return project ? useProject(studio, project) : undefined;
   const before = studio.object;
-  await openObject(studio, object, beside.map((file) => ({name: file.name, content: file})), texts, project);
+  await openObject(studio, object, beside.map((file) => ({name: file.name, content: file})), project);
   if (studio.object === before) return;
   if (leftOut.length > 0) alsoSay(studio, texts.leftOut(leftOut.map(({name}) => name)));
   if (unread.length > 0) alsoSay(studio, texts.noProject(unread.map(({name}) => name)));
@@ -44,19 +33,19 @@ export async function openFiles(studio: Studio, files: readonly File[], texts: O
 
 /** The first of the files that is a project; else why one is not, first of all one that means to be. */
 async function readProject(studio: Studio, files: readonly File[]) {
-  let refused: {sentence: string; meant: boolean} | null = null;
+  let refused: {sentence: Pair; meant: boolean} | null = null;
   for (const file of files) {
     const text = await file.text();
     const read = await studio.engine.parseProject(text);
     if (!isFailure(read)) return {project: read, unread: files.filter((other) => other !== file), refused: null};
     const meant = /"(snug|design)"/.test(text);
-    if (!refused || (meant && !refused.meant)) refused = {sentence: `${file.name}: ${read.error}`, meant};
+    if (!refused || (meant && !refused.meant)) refused = {sentence: about(file.name, read.error), meant};
   }
   return {project: null, unread: files, refused};
 }
 
 /** A project without its object is for the one that is open, or waits. */
-function useProject(studio: Studio, project: Project, texts: OpenTexts): void {
+function useProject(studio: Studio, project: Project): void {
   const here = studio.object?.file;
   if (here && here.sha256 !== '' && here.sha256 === project.object.sha256) return studio.change(() => project.design, 'project');
   waiting = project;
@@ -67,7 +56,6 @@ async function openObject(
   studio: Studio,
   file: File,
   beside: readonly BesideFile[],
-  texts: OpenTexts,
   with_it: Project | null,
 ): Promise<void> {
   if (file.size > MOST_BYTES) {
@@ -94,11 +82,11 @@ async function isOf(file: File, object: ObjectFile): Promise<boolean> {
   return (await sha256(new Uint8Array(await file.arrayBuffer()))) === object.sha256;
 }
 
-function alsoSay(studio: Studio, sentence: string): void {
-  studio.notice = [studio.notice, sentence].filter(Boolean).join(' ');
+function alsoSay(studio: Studio, sentence: Pair): void {
+  studio.notice = studio.notice ? joined([studio.notice, sentence], ' ') : sentence;
 }
 
-export async function openSample(studio: Studio, name: string, texts: OpenTexts): Promise<void> {
+export async function openSample(studio: Studio, name: string): Promise<void> {
   const failed = await studio.openObject(name, async () => {
     const file = await studio.engine.sampleFile(name);
     return isFailure(file) ? file : {name: file.name, content: new Blob([file.bytes]), converted: true};

@@ -1,6 +1,5 @@
 import {isFailure} from '../engine/failure';
 import type {Studio} from '../state/studio.svelte';
-import type {OpenTexts} from './open_files';
 import {openFiles} from './open_files';
 
 /** What `snug studio OBJECT` says of the object that it serves. */
@@ -22,7 +21,7 @@ export interface ServedObject {
 }
 
 /** Opens the object of the local server that served the page, if it was asked to. False where there is none. */
-export async function openServed(studio: Studio, texts: OpenTexts): Promise<boolean> {
+export async function openServed(studio: Studio): Promise<boolean> {
   if (!new URLSearchParams(location.search).has('object')) return false;
   const answer = await fetch('object/info').catch(() => null);
   if (!answer?.ok) return false;
@@ -38,7 +37,7 @@ export async function openServed(studio: Studio, texts: OpenTexts): Promise<bool
     return served;
   });
   if (isFailure(files)) return true;
-  await openFiles(studio, files, texts);
+  await openFiles(studio, files);
   if (info.thinned) {
     studio.thinned = {name: info.original, deviation: info.deviation ?? 0};
     studio.notice = null;

@@ -3,7 +3,7 @@ import {completed} from '../design/edit';
 import {present, type History} from '../design/history';
 import type {DisplayMesh, Failure} from '../engine/api';
 import {thumbnail, type Picture} from '../picture/thumbnail';
-import {language} from '../words/language.svelte';
+import {files} from '../words/files';
 import type {Moment, StoredObject} from './autosave';
 import {stepped} from './last_change';
 import type {Studio} from './studio.svelte';
@@ -63,7 +63,7 @@ export class Keeping {
     if (!works) return;
     await this.saveNow();
     this.#on = false;
-    if (!(await works.take(id))) this.#studio.notice = language.text.works.elsewhere;
+    if (!(await works.take(id))) this.#studio.notice = files.works.elsewhere;
     else if (!(await this.#resume(id))) await works.renew();
     await works.look();
     this.#on = true;
@@ -81,7 +81,7 @@ export class Keeping {
     const history = stepped({moments, at: saved.work.history.at, step: ''}, last);
     const checked = await this.#parts.checked(present(history).design);
     if (checked) {
-      this.#studio.refuse('object', language.text.works.broken(checked.error));
+      this.#studio.refuse('object', files.works.broken(checked.error));
       return false;
     }
     if (!(await this.#parts.becomes(history))) return false;
@@ -131,6 +131,6 @@ export class Keeping {
   }
 
   #refuse(reason: unknown) {
-    this.#studio.notice = language.text.works.cannotKeep(reason instanceof Error ? reason.message : String(reason));
+    this.#studio.notice = files.works.cannotKeep(reason instanceof Error ? reason.message : String(reason));
   }
 }

@@ -1,11 +1,12 @@
 import type {BesideFile, DisplayMesh} from '../engine/api';
+import type {Pair} from '../words/words';
 
 // What the page shows beside the design and its object.
 
 /** A sentence for the person, and what it is about. */
 export interface Problem {
   control: string;
-  text: string;
+  text: Pair;
 }
 
 export type Work = 'start' | 'read' | 'gaps' | 'search' | 'map' | 'make';

@@ -16,6 +16,7 @@ interface Found<T> {
 export interface Place {
   readonly engine: Engine;
   readonly design: Design;
+  readonly fittedWall: number;
   /** Which object is on the screen. */
   readonly shown: string | null;
   change(edit: (design: Design) => Design, control: string): void;
@@ -69,7 +70,7 @@ export class Placements {
     const packing = await this.#place.engine.pack(design);
     const cut = isFailure(packing) ? null : (packing.fit?.cut_blocks ?? null);
     const asGood = cut !== null && (exactly ? cut === cut_blocks : cut <= cut_blocks);
-    const wanted = walls(design);
+    const wanted = walls(design, this.#place.fittedWall);
     return asGood ? design : withWalls(withSpace(design, blocks), wanted.every((mm) => mm === wanted[0]) ? wanted[0]! : wanted);
   }
 
@@ -82,7 +83,7 @@ export class Placements {
   #inputs(design: Design, withWishes: boolean): string {
     const {object, space, cut, fit, search} = design;
     const wishes = withWishes ? [search.weights, search.upright] : [];
-    return JSON.stringify([this.#place.shown, object, space.block_mm, walls(design), cut, design.case, fit.notches, wishes]);
+    return JSON.stringify([this.#place.shown, object, space.block_mm, walls(design, this.#place.fittedWall), cut, design.case, fit.notches, wishes]);
   }
 }
 

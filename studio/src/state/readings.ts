@@ -55,8 +55,3 @@ export class Readings {
     return answer;
   }
 }
-
-/** The library speaks of a file's content; a person may have several. */
-export function named(name: string, sentence: string): string {
-  return sentence.includes(name) ? sentence : `${name}: ${sentence}`;
-}

@@ -1,9 +1,11 @@
-import type {Design, Preset} from '../design/design';
+import type {BrickRange, Design, Preset} from '../design/design';
 import {firstDesign, forNewObject} from '../design/edit';
+import {bounds, comesTo, type Dependent, type OptionPath, type Schema} from '../design/options';
 import {canRedo, canUndo, Gestures, moved, present, record, startHistory, type History} from '../design/history';
 import type {BesideFile, Engine, Failure, Finding, Gap, ObjectInfo, Packing} from '../engine/api';
 import {CANCELLED, isFailure} from '../engine/failure';
-import {language} from '../words/language.svelte';
+import {files} from '../words/files';
+import {about, type Pair} from '../words/words';
 import type {Moment, StoredObject} from './autosave';
 import {newId} from './claims';
 import {gravestFirst} from './findings';
@@ -11,7 +13,7 @@ import {Keeping} from './keeping.svelte';
 import {LongWork} from './long_work';
 import type {Busy, Content, DisplayMeshes, FileFacts, Problem, Reading, Timing, Work} from './on_the_page';
 import {Placements} from './placements.svelte';
-import {named, Readings} from './readings';
+import {Readings} from './readings';
 import {Rest} from './rest.svelte';
 import {ShownObject} from './shown_object.svelte';
 import type {Works} from './works.svelte';
@@ -27,11 +29,15 @@ export class Studio {
   readonly engine: Engine;
   readonly defaults: Design;
   readonly presets: Preset[];
+  readonly bricks: BrickRange;
+  readonly options: Schema;
   readonly samples: string[];
   readonly version: string;
 
   /** What the controls show. */
   design: Design = $state.raw({} as Design);
+  /** What follows from it for its own options. */
+  #dependent: Dependent = $state.raw({});
   readonly #object: ShownObject;
   readonly #onDesign: () => void;
   /** The last good one. */
@@ -42,7 +48,7 @@ export class Studio {
   /** What searches found. */
   readonly placements = new Placements(this);
   /** Something to know that is nobody's fault; stays until it is read. */
-  notice: string | null = $state.raw(null);
+  notice: Pair | null = $state.raw(null);
   busy: Busy | null = $state.raw(null);
   /** The object is only a copy for looking: its foams are made elsewhere. */
   thinned: {name: string; deviation: number} | null = $state.raw(null);
@@ -81,7 +87,7 @@ export class Studio {
 
   private constructor(
     engine: Engine,
-    facts: {defaults: Design; presets: Preset[]; samples: string[]; version: string},
+    facts: Pick<Studio, 'defaults' | 'presets' | 'bricks' | 'options' | 'samples' | 'version'>,
     onDesign: () => void,
   ) {
     this.engine = engine;
@@ -89,6 +95,8 @@ export class Studio {
     this.#object = new ShownObject(engine);
     this.defaults = facts.defaults;
     this.presets = facts.presets;
+    this.bricks = facts.bricks;
+    this.options = facts.options;
     this.samples = facts.samples;
     this.version = facts.version;
     this.design = firstDesign(facts.defaults);
@@ -97,13 +105,17 @@ export class Studio {
 
   /** `onDesign` hears of every change of the design while it is made. */
   static async start(engine: Engine, onDesign = () => {}): Promise<Studio> {
-    const [defaults, presets, samples, version] = await Promise.all([
+    const [defaults, presets, bricks, options, samples, version] = await Promise.all([
       engine.defaultDesign(),
       engine.presets(),
+      engine.bricks(),
+      engine.options(),
       engine.samples(),
       engine.version(),
     ]);
-    return new Studio(engine, {defaults, presets, samples, version}, onDesign);
+    const studio = new Studio(engine, {defaults, presets, bricks, options, samples, version}, onDesign);
+    await studio.#checked(studio.design);
+    return studio;
   }
 
   /** Which object is on the screen. */
@@ -126,6 +138,21 @@ export class Studio {
   /** The gaps of these foams will be known. */
   get gapComes(): boolean {
     return this.#resting.comes || this.busy?.work === 'gaps';
+  }
+
+  /** Of a side where none is chosen and the space is fitted to the object. */
+  get fittedWall(): number {
+    return this.options['space.wall_mm'].fitted ?? 0;
+  }
+
+  /** What an option comes to in the design, chosen or not; null where it is simply not there. */
+  comesTo(path: OptionPath): unknown {
+    return comesTo(this.design, path, this.#dependent);
+  }
+
+  /** Least and most of a number in the design. */
+  bounds(path: OptionPath): {min?: number; max?: number} {
+    return bounds(this.options[path], this.#dependent[path]);
   }
 
   /** What the command line is to make: of a thinned object its original, of a file that states its unit in no other. */
@@ -168,7 +195,7 @@ export class Studio {
     });
     if (!isFailure(answer)) return null;
     await this.#backTo(before);
-    return this.#refuse('object', {...answer, error: named(name, answer.error)});
+    return this.#refuse('object', {...answer, error: about(name, answer.error)});
   }
 
   async #open(given: Content, design: Design, reading: Reading): Promise<Failure | null> {
@@ -229,7 +256,7 @@ export class Studio {
   clear = () => this.#keeping.clear();
   saveNow = () => this.#keeping.saveNow();
 
-  refuse(control: string, text: string) {
+  refuse(control: string, text: Pair) {
     this.problem = {control, text};
   }
 
@@ -272,7 +299,7 @@ export class Studio {
       const stored = object === null ? null : this.#objects.get(object);
       if (!stored) {
         this.#showNothing(design);
-        if (object !== null) this.refuse('object', language.text.works.objectGone);
+        if (object !== null) this.refuse('object', files.works.objectGone);
         return true;
       }
       const failed = await this.reading({name: stored.name, bytes: stored.content.size}, async (reading) => {
@@ -282,7 +309,7 @@ export class Studio {
         if (!reading.cancelled) await this.#pack(design);
         return reading.cancelled ? CANCELLED : null;
       });
-      if (failed) this.#refuse('object', {...failed, error: named(stored.name, failed.error)});
+      if (failed) this.#refuse('object', {...failed, error: about(stored.name, failed.error)});
       if (!failed) this.#rest();
       return !failed;
     }
@@ -348,6 +375,7 @@ export class Studio {
     const packing = await this.engine.pack(design);
     if (isFailure(packing)) return packing;
     this.packing = packing;
+    this.#dependent = packing.dependent;
     this.gap = null;
     this.timing = {input, answer_ms: performance.now() - input, library_ms: packing.library_ms};
     return null;
@@ -355,7 +383,9 @@ export class Studio {
 
   async #checked(design: Design): Promise<Failure | null> {
     const answer = await this.engine.parseProject(JSON.stringify(design));
-    return isFailure(answer) ? answer : null;
+    if (isFailure(answer)) return answer;
+    this.#dependent = answer.dependent;
+    return null;
   }
 
   #refuse(control: string, failure: Failure): Failure {

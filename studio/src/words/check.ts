@@ -67,6 +67,7 @@ export const check = words({
       searched_stand_in: ['Searched with a copy', '写しで探した'],
       left_out: ['Not all was read', '読めない部分を除いた'],
       left_out_objects: ['Other objects were left out', 'ほかの対象物を除いた'],
+      letters_missing: ['Letters are missing', '文字が足りない'],
       no_end: ['The file may be cut short', 'ファイルが途中で終わっている'],
       unit_stated: ['The file states its unit', '単位はファイルに示されている'],
       overhang: ['Parts that lean out', '張り出す部分がある'],

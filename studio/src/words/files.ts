@@ -1,4 +1,4 @@
-import {words} from './words';
+import {words, type Pair} from './words';
 
 // Files that are opened, and works that the browser keeps.
 
@@ -41,9 +41,9 @@ export const files = words({
       'This work is open in another tab now: go on with it there.',
       'この作業は別のタブで開かれています。そちらで続けてください。',
     ],
-    broken: (why: string) => [
-      `What was saved cannot be brought back by this version of Snug, and stays where it is: ${why}`,
-      `保存された作業は、この版のSnugでは元に戻せません。データはそのまま残します：${why}`,
+    broken: ([en, ja]: Pair) => [
+      `What was saved cannot be brought back by this version of Snug, and stays where it is: ${en}`,
+      `保存された作業は、この版のSnugでは元に戻せません。データはそのまま残します：${ja}`,
     ],
     objectGone: [
       'The object of this step is no longer in this browser’s memory: open its file again.',

@@ -44,11 +44,6 @@ export const foam = words({
       'Play around the object before blocks are cut. Negative squeezes it.',
       'ブロックを切る前に対象物のまわりに取る余裕。負の値は締めつけます。',
     ],
-    touch: ['Also cut blocks that are only touched', '触れるだけのブロックも切る'],
-    touchTip: [
-      'Stricter: a block whose face the object merely touches is cut away, too.',
-      'より厳しく：面が触れるだけのブロックも切り取ります。',
-    ],
     parting: ['Parting level', '分割の高さ'],
     partingTip: [
       'Where lower foam and lid meet beside the object, in blocks from below.',
@@ -67,17 +62,6 @@ export const foam = words({
       'The foam fills the inside of a case; the halves part where its lid does.',
       'フォームはケースの内側を満たし、ふたの線で分かれます。',
     ],
-    inside: [['Length inside', '内寸 長さ'], ['Width inside', '内寸 幅'], ['Height inside', '内寸 高さ']],
-    insideTip: [
-      'Measure your case: sizes differ between makers by some mm',
-      '実際に測ってください。製品によって数 mm 違います。',
-    ],
-    lid: ['Lid', 'ふた'],
-    lidTip: ['What of the inside height belongs to the lid. 0: not known.', '内寸の高さのうちふたの分。0 なら不明。'],
-    play: ['Play', '遊び'],
-    playTip: ['Air between foam and case on each side', 'フォームとケースの間のすきま（各面）'],
-    radius: ['Corner radius', '角の半径'],
-    radiusTip: ['Of the case’s four upright edges', 'ケースの縦の角の丸み'],
     look: ['Which cases hold it?', '入るケースを探す'],
     nothing: (least: string) => [
       `None of the known cases holds it. One would from ${least} inside.`,
@@ -100,32 +84,12 @@ export const foam = words({
       upper: ['Clearance of the lid', 'ふたのすきま'],
     },
     halfTip: (axis: string) => [`Play around the object along ${axis}`, `${axis}方向のすきま`],
-    liner: ['Liner', '内張り'],
-    linerTip: [
-      'Thickness of a cloth or film between object and foam, on top of the clearance',
-      '対象物とフォームの間の布やフィルムの厚さ（すきまに加わります）',
-    ],
-    rib: ['Least rib', '最小の壁厚'],
-    ribTip: [
-      'Foam between two cavities that is thinner than this is cut away. 0: nothing is.',
-      'くぼみの間に残るフォームがこれより薄いときは切り取ります。0 なら切りません。',
-    ],
     notches: ['Finger notches', '指かけ'],
     notchesTip: [
       'Two recesses in the lower foam, opposite each other, for the fingers that lift the object',
       '対象物を持ち上げる指のための、下のフォームの向かい合う2つのくぼみ',
     ],
-    notchSizes: {width_mm: ['Width', '幅'], depth_mm: ['Depth', '深さ'], room_mm: ['Room', '奥行き']},
-    notchTips: {
-      width_mm: ['Along the side of the object', '対象物の側面に沿った長さ'],
-      depth_mm: ['Down from the parting level', '分割の高さから下へ'],
-      room_mm: ['From the object outwards, for the fingers', '対象物から外へ、指の入る広さ'],
-    },
-    notchAxis: ['Across', '向き'],
-    notchAxisTip: ['The axis along which the two lie opposite each other', '2つが向かい合う方向'],
-    notchAxes: {auto: ['as it suits', '自動'], y: ['back and front', '奥と手前'], z: ['left and right', '左と右']},
     notchMoved: ['Choose their places', '位置を決める'],
-    notchPlaces: {first_mm: ['Back or left', '奥・左'], second_mm: ['Front or right', '手前・右']},
     notchPlaceTip: [
       'The middle of the notch along the object’s side, from the middle of the space',
       '側面に沿った指かけの中心（空間の中心から）',

@@ -1,4 +1,5 @@
 import {en, ja, type Texts} from './texts';
+import type {Pair} from './words';
 
 const KEY = 'snug-language';
 export const LANGUAGES: readonly Texts[] = [en, ja];
@@ -6,6 +7,16 @@ export const LANGUAGES: readonly Texts[] = [en, ja];
 class Language {
   code = $state(localStorage.getItem(KEY) ?? (navigator.language.startsWith('ja') ? 'ja' : 'en'));
   text: Texts = $derived(LANGUAGES.find(({code}) => code === this.code) ?? en);
+
+  /** A sentence that is there in both, such as the library's. */
+  of(pair: Pair): string {
+    return pair[this.code === 'ja' ? 1 : 0];
+  }
+
+  /** For dates: the browser's own way of this language, such as en-GB. */
+  get locale(): string {
+    return navigator.languages?.find((locale) => locale.startsWith(this.code)) ?? this.code;
+  }
 
   choose(code: string) {
     this.code = code;

@@ -8,11 +8,6 @@ export const object = words({
     size: ['Size', '大きさ'],
     triangles: ['Triangles', '三角形'],
     points: ['Points', '点の数'],
-    dropBelow: ['Leave out parts below', 'これより小さい部分を除く'],
-    dropBelowTip: [
-      'Separate parts that are shorter than this are left out: specks that the scanner saw beside the object.',
-      'これより短い離れた部分（スキャンに写り込んだごみなど）を除きます。',
-    ],
     partsTip: [
       'Untick what does not belong to the object; it is left out and cuts no foam.',
       '物の一部でないもののチェックを外すと、除かれてフォームを削りません。',
@@ -20,11 +15,6 @@ export const object = words({
     part: (number: number, size: string, share: string) => [
       `Part ${number}: ${size}, ${share} of the surface`,
       `部分${number}：${size}、表面の${share}`,
-    ],
-    pointRadius: ['Radius of a point', '点の半径'],
-    pointRadiusTip: [
-      'Each point of the cloud counts as a ball of this radius; 0 takes it from the spacing of the points.',
-      '点群の各点をこの半径の球とみなします。0なら点の間隔から決めます。',
     ],
     closed: ['Surface', '表面'],
     watertight: ['closed', '閉じている'],
@@ -47,11 +37,6 @@ export const object = words({
     unitAuto: ['not said (mm)', '指定なし（mm）'],
     unitByLength: ['by a known length', '既知の長さによる'],
     unitStated: ['stated by the file', 'ファイルに記載あり'],
-    cap: ['Close the holes before cutting', '切る前に穴をふさぐ'],
-    capTip: [
-      'For scans that are open at the base: the missing surface is spanned, so that no foam grows inside.',
-      '底が開いたスキャン用：欠けた面を補い、内側にフォームが残らないようにします。',
-    ],
     length: ['Set a length', '長さを指定する'],
     lengthTip: [
       'You know how long something is? Say it, and the whole object is scaled to match.',

@@ -1,4 +1,6 @@
 import {check} from './check';
+import {failures} from './failures';
+import {fields} from './fields';
 import {files} from './files';
 import {foam} from './foam';
 import {make} from './make';
@@ -10,7 +12,7 @@ import {spoken, words} from './words';
 import {workshop} from './workshop';
 
 /** Every text of the studio. Sentences of the library come from the library. */
-export const ALL = words({...page, ...object, ...foam, ...workshop, ...placement, ...check, ...make, ...views, ...files});
+export const ALL = words({...page, ...object, ...foam, ...workshop, ...placement, ...check, ...make, ...views, ...files, ...failures, ...fields});
 
 export const en = spoken(ALL, 0);
 export const ja = spoken(ALL, 1);

@@ -1,13 +1,24 @@
 /** What a person reads, in English and in Japanese. */
 export type Pair = readonly [en: string, ja: string];
-type Tree = Pair | readonly Pair[] | ((...values: never[]) => Pair) | {readonly [name: string]: Tree};
+type Tree = Pair | readonly Pair[] | ((...values: never[]) => Pair) | {readonly [name: string]: Tree | undefined};
 
 /** The same in one language. */
 export type Spoken<T> =
-  T extends Pair ? string
+  T extends undefined ? undefined
+  : T extends Pair ? string
   : T extends readonly Pair[] ? readonly string[]
   : T extends (...values: infer V) => Pair ? (...values: V) => string
   : {readonly [Name in keyof T]: Spoken<T[Name]>};
+
+/** Several sentences behind each other. */
+export function joined(pairs: readonly Pair[], between: string): Pair {
+  return [pairs.map(([en]) => en).join(between), pairs.map(([, ja]) => ja).join(between)];
+}
+
+/** With the name of what it is about, where it does not say it. */
+export function about(name: string, [en, ja]: Pair): Pair {
+  return [en.includes(name) ? en : `${name}: ${en}`, ja.includes(name) ? ja : `${name}：${ja}`];
+}
 
 /** Names that are fixed: asking for another one is an error of types. */
 export function words<const T extends Tree>(all: T): T {
@@ -19,9 +30,17 @@ export function byName(all: Record<string, Pair>): Record<string, Pair> {
   return all;
 }
 
-/** Japanese for labels of the library, which are English already. */
-export function byLabel(all: Record<string, string>): Record<string, Pair> {
-  return Object.fromEntries(Object.entries(all).map(([label, ja]) => [label, [label, ja]]));
+/** What a field is called and what it means. */
+type FieldWords = {
+  readonly name: Pair;
+  readonly tip: Pair;
+  readonly parts?: readonly Pair[];
+  readonly words?: {readonly [word: string]: Pair};
+};
+
+/** Words for fields, which have paths of the library. */
+export function byPath(all: {readonly [path: string]: FieldWords}): {readonly [path: string]: FieldWords} {
+  return all;
 }
 
 /** `language`: its place in a pair. */

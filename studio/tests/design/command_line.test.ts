@@ -6,6 +6,7 @@ import {fileURLToPath} from 'node:url';
 import {afterAll, beforeAll, describe, expect, test} from 'vitest';
 import type {Design, Preset, Triple, Work} from '../../src/design/design';
 import * as edit from '../../src/design/edit';
+import {withValue} from '../../src/design/options';
 import type {OutputFile} from '../../src/engine/api';
 import type {EngineCore} from '../../src/engine/core';
 import {placeless} from '../support/report';
@@ -49,8 +50,8 @@ const WORKS: readonly Work[] = ['sponge', 'sheets', 'print', 'bricks', 'mill', '
 const preset = (name: string) => presets.find((each) => each.name === name)!;
 const fitted = (design: Design): Design => ({...design, space: {...design.space, blocks: 'auto'}});
 const working = (work: Work) => (design: Design) =>
-  edit.withWorkshop(edit.withPreset(design, preset(edit.USUAL_PRESET[work])), {for: work});
-const cased = (design: Design) => edit.withCase(design, {inside_mm: [260, 320, 420] as Triple, lid_mm: 60, play_mm: 2});
+  edit.withWorkshop(edit.withPreset(design, edit.usualPreset(presets, work)!), {for: work});
+const cased = (design: Design) => edit.withCase(design, {inside_mm: [260, 320, 420] as Triple, lid_mm: 60, play_mm: 2}, defaults.case);
 
 const small = (design: Design) =>
   edit.withWorkshop(design, {print: {...design.workshop.print, bed_mm: [180, 180, 180], dowel_diameter_mm: 8}});
@@ -68,6 +69,7 @@ const MILL = {
   pin_mm: 0,
   origin: 'centre',
 } as const;
+const NOTCHES = {width_mm: 80, depth_mm: 40, room_mm: 25, axis: null, first_mm: null, second_mm: null};
 const BRICKS = {
   unit: 'plate',
   family: ['1x1', '1x2', '2x4'],
@@ -84,8 +86,8 @@ const CHANGES: [string, (design: Design) => Design][] = [
   ['another foam', (design) => edit.withPreset(design, preset('slit-12.7'))],
   ['walls of their own', (design) => edit.withWalls(fitted(design), [60, 30, 20, 25, 40, 45])],
   ['a turn and a shift', (design) => edit.withOffset(edit.withRotation(design, [-12.5, 30, 90]), [-3, 0, 4.25])],
-  ['a clearance for each half', (design) => edit.withClearanceOf(edit.withLiner(design, 0.5), 3, 2.5)],
-  ['notches', (design) => edit.withNotches(fitted(design), {...edit.USUAL_NOTCHES, axis: 'z', first_mm: -5, second_mm: 5})],
+  ['a clearance for each half', (design) => edit.withClearanceOf(withValue(design, 'cut.liner_mm', 0.5), 3, 2.5)],
+  ['notches', (design) => edit.withNotches(fitted(design), {...NOTCHES, axis: 'z', first_mm: -5, second_mm: 5})],
   ['a case', cased],
   ['a case around a fitted space', (design) => cased(fitted(design))],
   ['a case whose foam is cut to size', (design) => cased(edit.withPreset(design, preset('sheet-10')))],
@@ -101,7 +103,7 @@ const CHANGES: [string, (design: Design) => Design][] = [
     },
   ],
   ['a price in a currency that a shell would take for more', (design) => edit.withWorkshop(working('sponge')(design), {price_per_litre: 1, currency: "a'$(b) &"})],
-  ['notches without places, printed on a small bed', (design) => edit.withNotches(small(working('print')(design)), edit.USUAL_NOTCHES)],
+  ['notches without places, printed on a small bed', (design) => edit.withNotches(small(working('print')(design)), NOTCHES)],
   ['bricks', working('bricks')],
   ['bricks of one colour', (design) => edit.withWorkshop(working('bricks')(design), {bricks: {...design.workshop.bricks, lower_color: 'orange'}})],
   [
@@ -136,16 +138,16 @@ describe.skipIf(!existsSync(SNUG))('the command that is shown makes what the pag
     const {fitting} = good(await core.rankCases(design));
     await same(edit.withKnownCase(design, fitting[0]!));
     const last = edit.withKnownCase(design, fitting.at(-1)!);
-    await same(edit.withCase(last, {play_mm: 5}));
-    await same(edit.withCase(last, {lid_mm: 40}));
-    expect(edit.withCase(last, {inside_mm: [300, 400, 500]}).case).toEqual({...defaults.case, inside_mm: [300, 400, 500], lid_mm: last.case.lid_mm});
+    await same(edit.withCase(last, {play_mm: 5}, defaults.case));
+    await same(edit.withCase(last, {lid_mm: 40}, defaults.case));
+    expect(edit.withCase(last, {inside_mm: [300, 400, 500]}, defaults.case).case).toEqual({...defaults.case, inside_mm: [300, 400, 500], lid_mm: last.case.lid_mm});
   });
 
   test.each(WORKS)('the usual foam for %s is the same', (work) => {
     const out = join(folder, work);
     execFileSync(SNUG, ['make', join(folder, file.name), '--for', work, '-o', out, '--quiet']);
     const project = JSON.parse(readFileSync(join(out, 'project.snug.json'), 'utf8')) as {design: Design};
-    expect(edit.USUAL_PRESET[work]).toBe(project.design.space.preset);
+    expect(edit.usualPreset(presets, work)?.name).toBe(project.design.space.preset);
     expect(working(work)(defaults)).toEqual(project.design);
   });
 

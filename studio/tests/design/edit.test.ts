@@ -16,9 +16,10 @@ import {
   withUpright,
   withWalls,
   withWorkshop,
-  USUAL_NOTCHES,
 } from '../../src/design/edit';
 import {startCore} from '../support/snug';
+
+const NOTCHES = {width_mm: 80, depth_mm: 40, room_mm: 25, axis: null, first_mm: null, second_mm: null};
 
 describe('edits', async () => {
   const design = await (await startCore()).defaultDesign();
@@ -34,8 +35,8 @@ describe('edits', async () => {
   it('a clearance and a wall may differ from side to side', () => {
     const loose = withClearanceOf({...design, cut: {...design.cut, clearance_mm: 1}}, 4, 3);
     expect(loose.cut.clearance_mm).toEqual([1, 1, 1, 1, 3, 1]);
-    expect(walls(withWalls(design, 20))).toEqual([20, 20, 20, 20, 20, 20]);
-    expect(walls(withWalls(design, [1, 2, 3, 4, 5, 6]))).toEqual([1, 2, 3, 4, 5, 6]);
+    expect(walls(withWalls(design, 20), 50)).toEqual([20, 20, 20, 20, 20, 20]);
+    expect(walls(withWalls(design, [1, 2, 3, 4, 5, 6]), 50)).toEqual([1, 2, 3, 4, 5, 6]);
   });
 
   it('a known length scales the object to it, whatever its unit was', () => {
@@ -51,10 +52,10 @@ describe('edits', async () => {
     const presets = await (await startCore()).presets();
     const preset = presets.find(({name}) => name === 'slit-10')!;
     let used = withWorkshop(withPreset(design, preset), {for: 'sponge', mass_kg: 3, price_per_litre: 4, currency: 'EUR'});
-    used = withUpright(withNotches(withWalls(withClearanceOf(used, 0, -2), 5), USUAL_NOTCHES), 'z');
-    used = withCase(used, {name: 'box', inside_mm: [100, 200, 300], lid_mm: 20, play_mm: 5});
+    used = withUpright(withNotches(withWalls(withClearanceOf(used, 0, -2), 5), NOTCHES), 'z');
+    used = withCase(used, {name: 'box', inside_mm: [100, 200, 300], lid_mm: 20, play_mm: 5}, design.case);
     const next = forNewObject(used, design, presets);
-    expect(walls(next)).toEqual([50, 50, 50, 50, 50, 50]);
+    expect(walls(next, 50)).toEqual([50, 50, 50, 50, 50, 50]);
     expect(next.cut.clearance_mm).toBe(preset.clearance_mm);
     expect(next.fit.notches).toBeNull();
     expect(next.case.inside_mm).toBeNull();

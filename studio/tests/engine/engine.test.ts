@@ -54,7 +54,7 @@ describe('an object', () => {
   test('of implausible size is kept until its unit is chosen', async () => {
     const info = await load(box([0.12, 0.08, 0.06]));
     expect(info.size_mm).toBeNull();
-    expect(info.sizeProblem).toContain('Which unit');
+    expect(info.sizeProblem?.[0]).toContain('Which unit');
     expect(info.fileSize[0]).toBeCloseTo(0.12);
     expect(refused(await core.pack(design)).kind).toBe('input');
     design.object.units = 'm';

@@ -25,7 +25,7 @@ afterEach(() => vi.restoreAllMocks());
 
 const load = async (content: Blob, name = 'object.stl') => good(await engine.load(name, content, design.object));
 const breakNext = (core: EngineCore, method: 'pack' | 'load' | 'displayMesh' | 'gaps' | 'outputFiles') =>
-  vi.spyOn(core, method).mockResolvedValueOnce(failure('memory', 'no memory left'));
+  vi.spyOn(core, method).mockResolvedValueOnce(failure('memory', ['no memory left', 'メモリー不足']));
 
 test('of many requests the first and the newest are answered, the others are told', async () => {
   const ran: number[] = [];
@@ -128,7 +128,7 @@ test('out of memory starts a new core with the object in it', async () => {
   const [broken, waiting] = await Promise.all([engine.pack(design), engine.pack(design)]);
   expect(refused(broken).kind).toBe('memory');
   expect(good(waiting).fit).toEqual(before.fit);
-  expect(restarts.map(({error}) => error)).toEqual(['no memory left']);
+  expect(restarts.map(({error}) => error[0])).toEqual(['no memory left']);
   expect(cores.started.map(({ended}) => ended)).toEqual([true, false]);
   expect(await engine.projectText(design)).toContain('mine.stl');
 });

@@ -8,6 +8,8 @@ import {good, startCore} from '../support/snug';
 
 // Pages are read back by Poppler: drawn at ten dots a mm, or as words with their places.
 
+/** One dot. */
+const BLACK_PNG = 'iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR4nGNgYGAAAAAEAAH2FzhVAAAAAElFTkSuQmCC';
 const DOTS = 10;
 const POINTS = 72 / 25.4;
 let folder: string;
@@ -158,6 +160,24 @@ describe.skipIf(!poppler())('a PDF', () => {
     expect(rows.at(-1)! - rows[0]!).toBeCloseTo(100, 0);
     expect(columns.at(-1)! - columns[0]!).toBeCloseTo(100, 0);
   }, 60_000);
+
+  test('has a picture of what its fonts lack where the words would be, turned with them', async () => {
+    // A black box of 12 x 6 mm: the words begin 1 mm from its left and stand 2 mm above its lower edge.
+    const png = new Uint8Array(Buffer.from(BLACK_PNG, 'base64'));
+    const draw = async () => ({png, width: 12, height: 6, left: 1, below: 2, advance: 10});
+    const darkWith = async (more: object) => {
+      const path = join(folder, 'picture.pdf');
+      writeFileSync(path, await writePdf('title', true, [page(text('下', more), text('plain', {at: [2, 38]}))], draw));
+      return darkness(path);
+    };
+    const start = await darkWith({});
+    expect([start(29.2, 20), start(40.8, 16.2), start(40.8, 21.8)]).toEqual([255, 255, 255]);
+    expect([start(28.8, 20), start(41.2, 20), start(35, 15.8), start(35, 22.2)]).toEqual([0, 0, 0, 0]);
+    const end = await darkWith({anchor: 'end'});
+    expect([end(19.2, 20), end(30.8, 20), end(31.2, 20)]).toEqual([255, 255, 0]);
+    const down = await darkWith({turn: 90});
+    expect([down(30, 29.2 - 10 + 0.2), down(28.2, 30), down(33.8, 30), down(34.2, 30)]).toEqual([255, 255, 255, 0]);
+  });
 
   test('says every Western letter, and a question mark for what its fonts lack', async () => {
     const latin = Array.from({length: 0x5f}, (_, i) => String.fromCharCode(0xa1 + i)).filter((c) => c !== '\u00ad').join('');

@@ -1,7 +1,8 @@
 import {describe, expect, it} from 'vitest';
 import {sha256} from '../../src/engine/sha256';
 import type {Studio} from '../../src/state/studio.svelte';
-import {en} from '../../src/words/texts';
+import {ALL} from '../../src/words/texts';
+import type {Pair} from '../../src/words/words';
 import {box} from '../support/shapes';
 import {startStudio} from '../support/studio';
 
@@ -12,10 +13,10 @@ describe('a file that is too big for a page', () => {
     const {defaults, engine} = await startStudio();
     const refused: string[] = [];
     const {openFiles} = await import('../../src/import/open_files');
-    const studio = {defaults, engine, refuse: (_: string, text: string) => refused.push(text)} as unknown as Studio;
+    const studio = {defaults, engine, refuse: (_: string, [english]: Pair) => refused.push(english)} as unknown as Studio;
     const file = new File(['x'], 'big scan.stl');
     Object.defineProperty(file, 'size', {value: 4e9});
-    await openFiles(studio, [file], en.files);
+    await openFiles(studio, [file]);
     expect(refused).toEqual([
       "big scan.stl is too big for the browser. The command line makes its foams: snug make 'big scan.stl' --blocks=auto -o 'big scan-foam'",
     ]);
@@ -29,10 +30,10 @@ describe('a project that waits for its object', () => {
     const object = {name: 'box.stl', bytes: 684, sha256: await sha256(await bytesOf(box([120, 80, 60])))};
     const design = {...studio.defaults, cut: {...studio.defaults.cut, clearance_mm: 3}};
     const text = JSON.stringify({...JSON.parse(await studio.engine.projectText(design)), object});
-    await openFiles(studio, [new File([text], 'work.snug.json')], en.files);
-    expect(studio.notice).toBe(en.files.openObjectOf('box.stl'));
-    const open = (content: Blob, name: string) => openFiles(studio, [new File([content], name)], en.files);
-    return {studio, open, sample: () => openSample(studio, 'torus', en.files)};
+    await openFiles(studio, [new File([text], 'work.snug.json')]);
+    expect(studio.notice).toEqual(ALL.files.openObjectOf('box.stl'));
+    const open = (content: Blob, name: string) => openFiles(studio, [new File([content], name)]);
+    return {studio, open, sample: () => openSample(studio, 'torus')};
   };
 
   it('is used for it, by its name or by its content', async () => {
@@ -40,7 +41,7 @@ describe('a project that waits for its object', () => {
       const {studio, open} = await waits();
       await open(content, name);
       expect(studio.design.cut.clearance_mm).toBe(3);
-      expect(studio.notice).toBe(name === 'box.stl' ? en.files.otherContent('box.stl') : null);
+      expect(studio.notice).toEqual(name === 'box.stl' ? ALL.files.otherContent('box.stl') : null);
     }
   });
 
@@ -48,7 +49,7 @@ describe('a project that waits for its object', () => {
     for (const how of ['object', 'sample']) {
       const {studio, open, sample} = await waits();
       await (how === 'object' ? open(box([30, 20, 10]), 'other.stl') : sample());
-      expect(studio.notice).toBe(en.files.waitsNoMore('box.stl'));
+      expect(studio.notice).toEqual(ALL.files.waitsNoMore('box.stl'));
       expect(studio.design.cut.clearance_mm).not.toBe(3);
       await open(box([120, 80, 60]), 'box.stl');
       expect(studio.design.cut.clearance_mm).not.toBe(3);
@@ -60,7 +61,7 @@ describe('a .json beside an object', () => {
   const opened = async (...notes: File[]) => {
     const studio = await startStudio();
     const {openFiles} = await import('../../src/import/open_files');
-    await openFiles(studio, [...notes, new File([box([120, 80, 60])], 'box.stl')], en.files);
+    await openFiles(studio, [...notes, new File([box([120, 80, 60])], 'box.stl')]);
     return studio;
   };
 
@@ -68,7 +69,7 @@ describe('a .json beside an object', () => {
     const studio = await opened(new File(['{"camera": 5}'], 'info.json'), new File(['no JSON'], 'a.json'));
     expect(studio.object?.file.name).toBe('box.stl');
     expect(studio.problem).toBeNull();
-    expect(studio.notice).toBe(en.files.noProject(['info.json', 'a.json']));
+    expect(studio.notice).toEqual(ALL.files.noProject(['info.json', 'a.json']));
   });
 
   it('is used where it is the project, whatever else lies there', async () => {
@@ -76,12 +77,12 @@ describe('a .json beside an object', () => {
     const text = await engine.projectText({...defaults, cut: {...defaults.cut, clearance_mm: 3}});
     const studio = await opened(new File(['{"camera": 5}'], 'info.json'), new File([text], 'work.snug.json'));
     expect(studio.design.cut.clearance_mm).toBe(3);
-    expect(studio.notice).toBe(en.files.noProject(['info.json']));
+    expect(studio.notice).toEqual(ALL.files.noProject(['info.json']));
   });
 
   it('that is a project of another version is refused', async () => {
     const studio = await opened(new File(['{"snug": 99, "design": {}}'], 'work.snug.json'));
     expect(studio.object).toBeNull();
-    expect(studio.problem?.text).toContain('work.snug.json');
+    expect(studio.problem?.text[0]).toContain('work.snug.json');
   });
 });

@@ -1,5 +1,5 @@
 import {beforeEach, expect, test, vi} from 'vitest';
-import {withPart, withUnits, withWall} from '../../src/design/edit';
+import {withPart, withUnits, withWalls} from '../../src/design/edit';
 import {worst} from '../../src/state/findings';
 import type {Studio} from '../../src/state/studio.svelte';
 import {box} from '../support/shapes';
@@ -18,14 +18,14 @@ test('a unit that makes too many blocks leaves the object as large as it was', a
   const before = {size: studio.object?.size_mm, volume: studio.object?.volume_mm3, packing: studio.packing};
   studio.change((design) => withUnits(design, 'm'), 'units');
   await refusal();
-  expect(studio.problem?.text).toContain('more than');
+  expect(studio.problem?.text[0]).toContain('more than');
   expect(studio.design.object.units).toBeNull();
   await vi.waitFor(() => expect(studio.object?.size_mm).toEqual(before.size));
   expect(studio.object?.volume_mm3).toBe(before.volume);
   expect(studio.packing).toBe(before.packing);
   await vi.waitFor(() => expect(Math.max(...(studio.meshes?.still.positions ?? []))).toBe(120));
   // What follows is of the object as it is said to be.
-  studio.change((design) => withWall(design, 30), 'wall');
+  studio.change((design) => withWalls(design, 30), 'wall');
   await vi.waitFor(() => expect(studio.packing).not.toBe(before.packing));
   expect(studio.object?.size_mm).toEqual(before.size);
   expect(studio.problem).toBeNull();
@@ -56,7 +56,7 @@ test('a part that is the last one stays, and no unit is asked for', async () => 
 
 test('what a way of working warns of counts among all that is known, the gravest first', () => {
   const thin = studio.findings.length;
-  const warning = {severity: 'warning', code: 'sheets-lost', message: '', where: null} as const;
+  const warning = {severity: 'warning', code: 'sheets-lost', message: ['', ''], where: null} as const;
   studio.workshopFindings = [warning, {...warning, severity: 'danger'}];
   expect(studio.findings.length).toBe(thin + 2);
   expect(studio.findings[0]?.severity).toBe('danger');

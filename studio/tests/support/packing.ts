@@ -4,6 +4,7 @@ import type {Packing} from '../../src/engine/api';
 /** A packing with these kept blocks, and nothing else that a test would look at. */
 export function packingOf(blocks: Triple, block_mm: Triple, lower: number[], upper: number[]): Packing {
   return {
+    dependent: {},
     blocks,
     block_mm,
     lower: Uint16Array.from(lower),

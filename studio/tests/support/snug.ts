@@ -15,11 +15,13 @@ export async function startCore(): Promise<EngineCore> {
 
 /** The answer, which must be none of the library's refusals. */
 export function good<T>(answer: T | Failure): T {
-  if (isFailure(answer)) throw new Error(`${answer.kind}: ${answer.error}`);
+  if (isFailure(answer)) throw new Error(`${answer.kind}: ${answer.error[0]}`);
   return answer;
 }
 
-export function refused(answer: unknown): Failure {
+/** Why there is no answer, in English. */
+export function refused(answer: unknown): {kind: Failure['kind']; error: string; japanese: string} {
   if (!isFailure(answer)) throw new Error(`no failure: ${JSON.stringify(answer).slice(0, 200)}`);
-  return answer;
+  const [error, japanese] = answer.error;
+  return {kind: answer.kind, error, japanese};
 }

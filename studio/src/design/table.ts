@@ -1,0 +1,290 @@
+// Made from the table of options beside the library’s structs: `SNUG_WRITE=1 npx vitest run tests/design/table.test.ts`
+// writes it.
+
+/** Everything that a person chooses: the `design` of a project file. */
+export interface Design {
+  object: {
+    /** The unit of the file. */
+    units: 'mm' | 'cm' | 'm' | 'in' | null;
+    /** Multiply every length by this. */
+    scale: number;
+    /** Scale the object's longest side to this (mm). */
+    longest_mm: number | null;
+    /** Close the holes of an open object before cutting. */
+    cap: boolean;
+    /** Point clouds: each point counts as a ball of this radius (mm). */
+    point_radius_mm: number;
+    clean: {
+      /** Leave out separate parts, by their numbers in `snug inspect`. */
+      drop_parts: number[];
+      /** Leave out separate parts that are shorter than this (mm). */
+      drop_below_mm: number;
+      /** Cut off what lies behind a plane, such as a table: the direction to keep, and how far the plane lies along it (0,0,1,12 keeps what is above z = 12 mm). */
+      cut_plane: [number, number, number, number] | null;
+    };
+  };
+  space: {
+    /** A foam that `snug presets` lists: block size and clearance. */
+    preset: string;
+    /** Blocks along x, y, z, or auto: the object plus walls. */
+    blocks: [number, number, number] | 'auto';
+    /** Size of a block in mm (mm). */
+    block_mm: [number, number, number];
+    /** Least foam between object and case: all sides, or X,Y,Z, or floor,roof,back,front,left,right (mm). */
+    wall_mm: number | number[] | null;
+  };
+  placement: {
+    /** Degrees about the fixed axes x, then y, then z (degrees). */
+    rotation_deg: [number, number, number];
+    /** Shift from the centre of the space, mm (mm). */
+    offset_mm: [number, number, number];
+  };
+  cut: {
+    /** Grow the object by this on every side: one number, or X,Y,Z, or six: X,Y,Z for the lower foam, then for the upper; negative squeezes it, down to -0.4 of the smallest side of a block (mm). */
+    clearance_mm: number | number[];
+    /** Thickness of a cloth between object and foam, on top (mm). */
+    liner_mm: number;
+    /** Also cut blocks that the object merely touches. */
+    cut_on_touch: boolean;
+  };
+  fit: {
+    /** Cut away foam between cavities that is thinner than this (mm). */
+    least_rib_mm: number;
+    notches: {
+      /** How wide a recess is along the object's side (mm). */
+      width_mm: number;
+      /** How far it goes down below the parting level (mm). */
+      depth_mm: number;
+      /** How far it reaches outwards from the object (mm). */
+      room_mm: number;
+      /** The axis along which they lie opposite each other. */
+      axis: 'y' | 'z' | null;
+      /** The middle of the recess at -y or -z, from the middle of the space (mm). */
+      first_mm: number | null;
+      /** The middle of the opposite one (mm). */
+      second_mm: number | null;
+    } | null;
+    /** Pressure that the foam bears for long (kPa). */
+    creep_kpa: number | null;
+  };
+  parting: {
+    /** Blocks of the lower foam where the object does not touch (blocks). */
+    level: number | 'auto';
+  };
+  output: {
+    /** Formats of the foams: stl, ply. */
+    formats: ('stl' | 'ply')[];
+  };
+  case: {
+    /** Name of the case in `snug cases`, for people. */
+    name: string;
+    /** Height, width and length inside the case (mm). */
+    inside_mm: [number, number, number] | null;
+    /** Air between foam and case on each side (mm). */
+    play_mm: number;
+    /** What of the height inside belongs to the lid (mm). */
+    lid_mm: number | null;
+    /** Radius of the case's upright edges (mm). */
+    corner_radius_mm: number;
+    /** Inside at the floor, where the walls lean (mm). */
+    base_mm: [number, number] | null;
+    /** Inside at the roof of the lid, where its walls lean (mm). */
+    top_mm: [number, number] | null;
+    /** cm3 for one kg of volumetric weight; none: a flat rate (cm3). */
+    divisor: number | null;
+    /** How the foam may be divided to fill a case. */
+    division: 'none' | 'across' | 'all';
+  };
+  search: {
+    /** What --optimize weighs: cut, gap, depth, bearing, flat. */
+    weights: Record<string, number>;
+    /** Keep this axis of the object upward. */
+    upright: 'x' | 'y' | 'z' | '-x' | '-y' | '-z' | null;
+    /** What --fit-case makes small: the volume, or the weight that a carrier bills. */
+    case: 'volume' | 'billed-weight';
+    /** With --billed-weight: cm3 that are billed as a kilogram (cm3). */
+    billed_divisor: number;
+    /** Another search; the same seed finds the same. */
+    seed: number;
+  };
+  workshop: {
+    /** Also make what the workshop needs; takes the usual foam of that way of working unless --preset names one. */
+    for: 'sponge' | 'sheets' | 'print' | 'bricks' | 'mill' | 'mould' | null;
+    /** Paper of what is printed. */
+    paper: 'a4' | 'letter' | 'a3';
+    /** Price of a litre of the material. */
+    price_per_litre: number | null;
+    /** As it stands behind the price: EUR. */
+    currency: string;
+    /** Mass of the object, for the packing sheet (kg). */
+    mass_kg: number | null;
+    /** Density of the material (kg/m3). */
+    density_kg_m3: number | null;
+    sheets: {
+      /** Sheets: their thickness (mm). */
+      thickness_mm: number | null;
+      /** Sheets: a sheet as it is sold (mm). */
+      stock_mm: [number, number];
+      /** Sheets: left uncut along the edges of the stock (mm). */
+      margin_mm: number;
+      /** Sheets: between two cuts of different pieces (mm). */
+      spacing_mm: number;
+      /** Sheets: width that a cut takes away (mm). */
+      kerf_mm: number;
+      /** Diameter of the dowels that hold sheets in place (mm). */
+      dowel_mm: number;
+      /** Sheets: how many dowels a half has; 0: none. */
+      dowels: number;
+      /** Sheets: least foam between a dowel hole and an edge (mm). */
+      dowel_edge_mm: number;
+      /** Whether sheets are written as SVG. */
+      svg: boolean;
+      /** Whether sheets are written as DXF. */
+      dxf: boolean;
+    };
+    print: {
+      /** Print, mould: the printer's bed and height (mm). */
+      bed_mm: [number, number, number];
+      /** Whether dowels hold the parts of a half that is larger than the bed. */
+      dowels: boolean;
+      /** Diameter of the dowels of prints and moulds (mm). */
+      dowel_diameter_mm: number;
+      /** Print, mould: length of the dowels, at least their diameter (mm). */
+      dowel_length_mm: number;
+      /** Print, mould: left around a dowel on every side (mm). */
+      joint_clearance_mm: number;
+    };
+    bricks: {
+      /** Bricks: layers of bricks or of plates. */
+      unit: 'auto' | 'brick' | 'plate';
+      /** Bricks: the sizes to build with. */
+      family: string[];
+      /** Colour of the lower half's bricks. */
+      lower_color: string;
+      /** Colour of the lid's bricks. */
+      lid_color: string;
+      /** Bricks: pieces that there are (pieces). */
+      stock: Record<string, number>;
+      /** Bricks: what the halves meet with. */
+      rim: 'studs' | 'tiles';
+      /** Bricks: newtons that a contact point of a stud holds (newtons). */
+      capacity_n: number;
+    };
+    mill: {
+      /** Mill: the flat cutter's diameter (mm). */
+      cutter_mm: number;
+      /** Mill: how deep the cutter can go (mm). */
+      flute_mm: number;
+      /** Mill: the most that a pass goes down (mm). */
+      step_down_mm: number | null;
+      /** Mill: between paths, in diameters. */
+      stepover: number;
+      /** Mill: feed (mm/min). */
+      feed_mm_min: number;
+      /** Mill: feed downwards (mm/min). */
+      plunge_mm_min: number;
+      /** Mill: the spindle's speed (rpm). */
+      spindle_rpm: number;
+      /** Mill: of rapid moves above the stock (mm). */
+      safe_mm: number;
+      /** Mill: diameter of the registration pins; 0: none (mm). */
+      pin_mm: number;
+      /** Mill: where X0 Y0 lies on the stock. */
+      origin: 'corner' | 'centre';
+    };
+    mould: {
+      /** Mould: thickness of walls and floor (mm). */
+      wall_mm: number;
+      /** Mould: height of the walls above what is poured (mm). */
+      rim_mm: number;
+      /** Mould: lean of upright faces, so that the foam lets go (degrees). */
+      draft_deg: number;
+    };
+  };
+}
+
+/** Every option by its path in a design. */
+export type OptionPath =
+  | 'fit.notches'
+  | 'object.units'
+  | 'object.scale'
+  | 'object.longest_mm'
+  | 'object.cap'
+  | 'object.point_radius_mm'
+  | 'object.clean.drop_parts'
+  | 'object.clean.drop_below_mm'
+  | 'object.clean.cut_plane'
+  | 'space.preset'
+  | 'space.blocks'
+  | 'space.block_mm'
+  | 'space.wall_mm'
+  | 'placement.rotation_deg'
+  | 'placement.offset_mm'
+  | 'cut.clearance_mm'
+  | 'cut.liner_mm'
+  | 'cut.cut_on_touch'
+  | 'fit.least_rib_mm'
+  | 'fit.notches.width_mm'
+  | 'fit.notches.depth_mm'
+  | 'fit.notches.room_mm'
+  | 'fit.notches.axis'
+  | 'fit.notches.first_mm'
+  | 'fit.notches.second_mm'
+  | 'fit.creep_kpa'
+  | 'parting.level'
+  | 'output.formats'
+  | 'case.name'
+  | 'case.inside_mm'
+  | 'case.play_mm'
+  | 'case.lid_mm'
+  | 'case.corner_radius_mm'
+  | 'case.base_mm'
+  | 'case.top_mm'
+  | 'case.divisor'
+  | 'case.division'
+  | 'search.weights'
+  | 'search.upright'
+  | 'search.case'
+  | 'search.billed_divisor'
+  | 'search.seed'
+  | 'workshop.for'
+  | 'workshop.paper'
+  | 'workshop.price_per_litre'
+  | 'workshop.currency'
+  | 'workshop.mass_kg'
+  | 'workshop.density_kg_m3'
+  | 'workshop.sheets.thickness_mm'
+  | 'workshop.sheets.stock_mm'
+  | 'workshop.sheets.margin_mm'
+  | 'workshop.sheets.spacing_mm'
+  | 'workshop.sheets.kerf_mm'
+  | 'workshop.sheets.dowel_mm'
+  | 'workshop.sheets.dowels'
+  | 'workshop.sheets.dowel_edge_mm'
+  | 'workshop.sheets.svg'
+  | 'workshop.sheets.dxf'
+  | 'workshop.print.bed_mm'
+  | 'workshop.print.dowels'
+  | 'workshop.print.dowel_diameter_mm'
+  | 'workshop.print.dowel_length_mm'
+  | 'workshop.print.joint_clearance_mm'
+  | 'workshop.bricks.unit'
+  | 'workshop.bricks.family'
+  | 'workshop.bricks.lower_color'
+  | 'workshop.bricks.lid_color'
+  | 'workshop.bricks.stock'
+  | 'workshop.bricks.rim'
+  | 'workshop.bricks.capacity_n'
+  | 'workshop.mill.cutter_mm'
+  | 'workshop.mill.flute_mm'
+  | 'workshop.mill.step_down_mm'
+  | 'workshop.mill.stepover'
+  | 'workshop.mill.feed_mm_min'
+  | 'workshop.mill.plunge_mm_min'
+  | 'workshop.mill.spindle_rpm'
+  | 'workshop.mill.safe_mm'
+  | 'workshop.mill.pin_mm'
+  | 'workshop.mill.origin'
+  | 'workshop.mould.wall_mm'
+  | 'workshop.mould.rim_mm'
+  | 'workshop.mould.draft_deg';
