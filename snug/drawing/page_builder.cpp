@@ -30,9 +30,10 @@ std::string shortened(const std::string& words, double width_mm, const TextLook&
     return lines_of(words, width_mm - look.height_mm, look.height_mm, look.bold).front() + "…";
 }
 
-PageBuilder::PageBuilder(std::string title, Vec2d size_mm) {
+PageBuilder::PageBuilder(std::string title, Vec2d size_mm, Language language) {
     drawing_.title = std::move(title);
     drawing_.size_mm = size_mm;
+    drawing_.language = language;
     layer("notes", kInk);
 }
 
@@ -84,14 +85,19 @@ void PageBuilder::append(const std::vector<DrawingLayer>& layers, std::vector<Dr
     }
 }
 
-PageFlow::PageFlow(Vec2d page_mm, std::string title, std::string subtitle, Color accent)
-    : page_mm_(page_mm), title_(std::move(title)), subtitle_(std::move(subtitle)), accent_(accent) {
+PageFlow::PageFlow(Vec2d page_mm, const Message& title, const Message& subtitle, Color accent,
+                   Language language)
+    : page_mm_(page_mm),
+      language_(language),
+      title_(words(title)),
+      subtitle_(words(subtitle)),
+      accent_(accent) {
     begin_page();
 }
 
 void PageFlow::begin_page() {
     if (page_) done_.push_back(page_->finish());
-    page_.emplace(title_, page_mm_);
+    page_.emplace(title_, page_mm_, language_);
     y_ = kPageMargin;
     y_ = page_->paragraph({kPageMargin, y_}, width(), title_, {kTitleText, accent_, true}) - 1.5;
     y_ = page_->paragraph({kPageMargin, y_}, width(), subtitle_, {kBodyText, kSoftInk});
@@ -104,32 +110,38 @@ bool PageFlow::need(double mm) {
     return true;
 }
 
-void PageFlow::heading(std::string_view words) {
+void PageFlow::heading(const Message& message) {
     need(kHeadingText * 3 + kBodyText * 2);
-    y_ = page_->paragraph({kPageMargin, y_ + 2.4}, width(), words, {kHeadingText, kInk, true}) + 0.6;
+    y_ = page_->paragraph({kPageMargin, y_ + 2.4}, width(), words(message), {kHeadingText, kInk, true}) + 0.6;
 }
 
-void PageFlow::paragraph(std::string_view words, const TextLook& look) {
-    for (std::string& line : broken(words, width(), look)) {
+void PageFlow::paragraph(const Message& message, const TextLook& look) {
+    for (std::string& line : broken(words(message), width(), look)) {
         need(look.height_mm * kLineSpacing);
         page_->text({kPageMargin, y_ + look.height_mm}, std::move(line), look);
         y_ += look.height_mm * kLineSpacing;
     }
 }
 
-void PageFlow::item(std::string_view mark, std::string_view words, const TextLook& mark_look, double indent) {
-    const std::vector<std::string> lines = broken(words, width() - indent, {});
+void PageFlow::item(const Message& mark, const Message& message, const TextLook& mark_look, double indent) {
+    const std::vector<std::string> lines = broken(words(message), width() - indent, {});
     need(kBodyText * kLineSpacing * static_cast<double>(std::min<std::size_t>(lines.size(), 3)));
     for (std::size_t i = 0; i < lines.size(); ++i) {
         if (need(kBodyText * kLineSpacing) || i == 0)
-            page_->text({kPageMargin, y_ + kBodyText}, std::string(mark), mark_look);
+            page_->text({kPageMargin, y_ + kBodyText}, mark, mark_look);
         page_->text({kPageMargin + indent, y_ + kBodyText}, lines[i]);
         y_ += kBodyText * kLineSpacing;
     }
     y_ += 1;
 }
 
-void PageFlow::row(const std::vector<std::string>& cells, const std::vector<double>& shares,
+void PageFlow::steps(const std::vector<Message>& messages, double indent, Color numbers) {
+    int step = 0;
+    for (const Message& message : messages)
+        item(as_it_is(std::to_string(++step)), message, {kBodyText, numbers, true}, indent);
+}
+
+void PageFlow::row(const std::vector<Message>& cells, const std::vector<double>& shares,
                    const TextLook& look) {
     need(look.height_mm * kLineSpacing);
     for (std::size_t i = 0; i < cells.size(); ++i)

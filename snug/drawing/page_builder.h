@@ -8,6 +8,7 @@
 #include "snug/base/half.h"
 #include "snug/base/result.h"
 #include "snug/drawing/drawing.h"
+#include "snug/words/words.h"
 
 // How every page for the workshop looks, and short words to draw it with. Lengths in mm of the page.
 
@@ -24,7 +25,8 @@ constexpr double kPageMargin = 15;
 constexpr Color kInk{28, 36, 46}, kSoftInk{96, 106, 120}, kHairline{196, 202, 210}, kPaper{255, 255, 255};
 constexpr Color kAlarm{186, 40, 40};
 
-[[nodiscard]] std::string_view half_title(Half half);  ///< LOWER or LID
+/// What is written on a half: LOWER or LID.
+[[nodiscard]] std::string_view half_title(Half half);
 [[nodiscard]] Color half_color(Half half);
 /// Dark enough for letters on white.
 [[nodiscard]] Color half_ink(Half half);
@@ -41,12 +43,20 @@ struct TextLook {
 
 class PageBuilder {
   public:
-    PageBuilder(std::string title, Vec2d size_mm);
+    PageBuilder(std::string title, Vec2d size_mm, Language language = Language::english);
+
+    /// A message in the page's language.
+    [[nodiscard]] std::string words(const Message& message) const {
+        return snug::text(message, drawing_.language);
+    }
 
     /// Later items belong to this layer; one of that name is made where there is none.
     void layer(const std::string& name, Color color);
 
     void text(Vec2d baseline, std::string words, const TextLook& look = {}, double turn_deg = 0);
+    void text(Vec2d baseline, const Message& message, const TextLook& look = {}, double turn_deg = 0) {
+        text(baseline, words(message), look, turn_deg);
+    }
     /// Lines no wider than `width`, the first with its top at `at`; gives where the next may begin.
     double paragraph(Vec2d at, double width, std::string_view words, const TextLook& look = {});
     void rectangle(Vec2d corner, Vec2d size, std::optional<Color> fill, std::optional<Pen> pen = {});
@@ -64,18 +74,21 @@ class PageBuilder {
     int layer_ = 0;
 };
 
-/// Writes from top to bottom and begins a new page where one is full.
+/// Writes from top to bottom and begins a new page where one is full. Names, numbers and the like are
+/// messages as_it_is().
 class PageFlow {
   public:
     /// Every page begins with `title` in the title's size and `subtitle` below.
-    PageFlow(Vec2d page_mm, std::string title, std::string subtitle, Color accent);
+    PageFlow(Vec2d page_mm, const Message& title, const Message& subtitle, Color accent, Language language);
 
-    void heading(std::string_view words);
-    void paragraph(std::string_view words, const TextLook& look = {});
+    void heading(const Message& message);
+    void paragraph(const Message& message, const TextLook& look = {});
     /// A paragraph behind a number, a word or a dash, which stands again where a page breaks the paragraph.
-    void item(std::string_view mark, std::string_view words, const TextLook& mark_look, double indent);
+    void item(const Message& mark, const Message& message, const TextLook& mark_look, double indent);
+    /// Items behind 1, 2, 3, ...
+    void steps(const std::vector<Message>& messages, double indent, Color numbers = kSoftInk);
     /// Cells in columns that begin at these shares of the width.
-    void row(const std::vector<std::string>& cells, const std::vector<double>& shares, const TextLook& look);
+    void row(const std::vector<Message>& cells, const std::vector<double>& shares, const TextLook& look);
     void rule();
     void space(double mm) { y_ += mm; }
     /// Room for a picture of this height; gives its upper left corner.
@@ -91,7 +104,10 @@ class PageFlow {
     /// Begins a page where less than this is left; true if it did.
     bool need(double mm);
 
+    [[nodiscard]] std::string words(const Message& message) const { return text(message, language_); }
+
     Vec2d page_mm_;
+    Language language_;
     std::string title_, subtitle_;
     Color accent_;
     double y_ = 0;

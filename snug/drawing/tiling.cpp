@@ -122,12 +122,12 @@ void draw_bar(PageBuilder& page, Vec2d paper) {
         lines.push_back({{x + 10 * tick, y}, {x + 10 * tick, y - high}});
     }
     page.lines(std::move(lines), {kSoftInk, 0.15, {}});
-    page.text({x + kBar + 2, y}, "100 mm at 100 %", {kSmallText, kSoftInk});
+    page.text({x + kBar + 2, y}, say("page.bar"), {kSmallText, kSoftInk});
 }
 
 Drawing tile_page(const Drawing& drawing, const Tiling& tiles, int row, int column,
                   std::vector<DrawingItem> items) {
-    PageBuilder page(drawing.title, tiles.paper);
+    PageBuilder page(drawing.title, tiles.paper, drawing.language);
     const Vec2d corner{kSideMargin, kTopMargin}, end = corner + tiles.room;
     const int number = tiles.number(row, column);
     page.append(drawing.layers, std::move(items));
@@ -137,7 +137,8 @@ Drawing tile_page(const Drawing& drawing, const Tiling& tiles, int row, int colu
               {kBodyText, kInk, true});
     draw_bar(page, tiles.paper);
     if (tiles.count() == 1) return page.finish();
-    page.text({kSideMargin, 14}, "Tile " + std::to_string(number) + " of " + std::to_string(tiles.count()),
+    page.text({kSideMargin, 14},
+              say("page.tile", {{"tile", std::to_string(number)}, {"tiles", std::to_string(tiles.count())}}),
               {kHeadingText, kSoftInk, true});
     draw_page_map(page, tiles, row, column);
     page.rectangle(corner, tiles.room, {}, Pen{kHairline, 0.15, {2, 1.5}});
@@ -170,12 +171,10 @@ Result<std::vector<Drawing>> tiled(const Drawing& drawing, Vec2d paper) {
     return pages;
 }
 
-Drawing print_check_page(Vec2d paper, const std::string& title) {
-    PageFlow flow(paper, title, "Drawings at true size. This page first.", kInk);
-    flow.heading("Print at 100 %");
-    flow.paragraph(
-        "In the printer's window choose \"actual size\" or 100 %, never \"fit to page\". Then measure this "
-        "square with a ruler: each side must be 100 mm. If it is not, nothing that follows is right.");
+Drawing print_check_page(Vec2d paper, const std::string& title, Language language) {
+    PageFlow flow(paper, as_it_is(title), say("page.check_first"), kInk, language);
+    flow.heading(say("page.print_true"));
+    flow.paragraph(say("page.measure_square"));
     flow.space(8);
     const Vec2d corner = flow.room(kBar + 10);
     flow.page().layer("check", kInk);
@@ -183,11 +182,8 @@ Drawing print_check_page(Vec2d paper, const std::string& title) {
     const TextLook look{kBodyText, kSoftInk, false, TextAnchor::middle};
     flow.page().text(corner + Vec2d{kBar / 2, kBar / 2 + 1.2}, "100 x 100 mm", look);
     flow.page().layer("notes", kInk);
-    flow.heading("Join the tiles");
-    flow.paragraph(
-        "Tiles butt: cut one sheet along the dashed line, lay it against its neighbour so that the halves of "
-        "the crosses meet, and tape. The small map in the upper right corner shows where a sheet lies; the "
-        "number beyond an edge is the neighbour's. Sheets that would be empty are left out.");
+    flow.heading(say("page.join_tiles"));
+    flow.paragraph(say("page.how_to_join"));
     return flow.finish().front();
 }
 

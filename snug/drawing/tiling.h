@@ -15,6 +15,7 @@ namespace snug {
 [[nodiscard]] Result<std::vector<Drawing>> tiled(const Drawing& drawing, Vec2d paper_mm);
 
 /// The page before the tiles: what to tell the printer, a square of 100 x 100 mm to measure, how to join.
-[[nodiscard]] Drawing print_check_page(Vec2d paper_mm, const std::string& title);
+[[nodiscard]] Drawing print_check_page(Vec2d paper_mm, const std::string& title,
+                                       Language language = Language::english);
 
 }  // namespace snug

@@ -1,6 +1,10 @@
 #include "snug/fabricate/bricks/brick_list.h"
 
 #include <algorithm>
+#include <cassert>
+#include <iterator>
+
+#include "snug/words/words.h"
 
 namespace snug {
 namespace {
@@ -41,17 +45,30 @@ std::vector<BrickCount> brick_counts(std::span<const Brick> bricks, const BrickC
     return in_order(std::move(counts));
 }
 
-std::string part_name(const BrickPart& part) {
-    const char* const kind = part.kind == BrickKind::brick   ? "Brick "
-                             : part.kind == BrickKind::plate ? "Plate "
-                                                             : "Tile ";
-    return kind + std::to_string(part.width) + " x " + std::to_string(part.length);
+Message part_name(const BrickPart& part) {
+    return say(part.kind == BrickKind::brick   ? "bricks.named_brick"
+               : part.kind == BrickKind::plate ? "bricks.named_plate"
+                                               : "bricks.named_tile",
+               {{"size", std::to_string(part.width) + " x " + std::to_string(part.length)}});
+}
+
+Message color_name(const BrickColor& color) {
+    // As brick_colors() lists them.
+    static constexpr const char* kCodes[] = {
+        "color.black",     "color.blue",      "color.green",      "color.red",           "color.yellow",
+        "color.white",     "color.tan",       "color.orange",     "color.reddish_brown", "color.light_gray",
+        "color.dark_gray", "color.dark_blue", "color.dark_brown", "color.dark_red"};
+    const std::span<const BrickColor> colors = brick_colors();
+    assert(colors.size() == std::size(kCodes));
+    const auto found = std::find_if(colors.begin(), colors.end(),
+                                    [&](const BrickColor& each) { return each.name == color.name; });
+    return found == colors.end() ? as_it_is(color.name) : say(kCodes[found - colors.begin()]);
 }
 
 std::string parts_csv(std::span<const BrickCount> counts) {
     std::string text = "part,name,color,ldraw_color,bricklink_color,pieces\n";
     for (const BrickCount& each : counts)
-        text += std::string(each.part->number) + "," + part_name(*each.part) + "," +
+        text += std::string(each.part->number) + "," + snug::text(part_name(*each.part)) + "," +
                 std::string(each.color->name) + "," + std::to_string(each.color->ldraw) + "," +
                 std::to_string(each.color->bricklink) + "," + std::to_string(each.pieces) + "\n";
     return text;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "snug/base/message.h"
 #include "snug/fabricate/bricks/ldraw.h"
 
 namespace snug {
@@ -20,7 +21,10 @@ struct BrickCount {
 [[nodiscard]] std::vector<BrickCount> brick_counts(std::span<const Brick> bricks, const BrickColor& color);
 
 /// "Brick 2 x 4"
-[[nodiscard]] std::string part_name(const BrickPart& part);
+[[nodiscard]] Message part_name(const BrickPart& part);
+
+/// "dark blue": a colour as people of a language call it.
+[[nodiscard]] Message color_name(const BrickColor& color);
 
 /// `part,name,color,ldraw_color,bricklink_color,pieces`, a line each.
 [[nodiscard]] std::string parts_csv(std::span<const BrickCount> counts);

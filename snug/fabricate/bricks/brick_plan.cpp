@@ -8,6 +8,7 @@
 #include "snug/drawing/page_builder.h"
 #include "snug/drawing/svg.h"
 #include "snug/fabricate/bricks/brick_list.h"
+#include "snug/words/halves.h"
 #include "snug/words/words.h"
 
 namespace snug {
@@ -114,20 +115,21 @@ class CoursePicture {
 };
 
 /// "4 of 2x10, 1 of 1x3"
-std::string pieces_text(const Step& step, const BrickColor& color) {
-    std::string text;
+Message pieces_text(const Step& step, const BrickColor& color) {
+    std::vector<Message> counts;
     for (const BrickCount& each : brick_counts(step.bricks, color))
-        text += (text.empty() ? "" : ", ") + std::to_string(each.pieces) + " of " +
-                std::to_string(each.part->width) + "x" + std::to_string(each.part->length);
-    return text;
+        counts.push_back(say("bricks.count", {{"pieces", std::to_string(each.pieces)},
+                                              {"size", std::to_string(each.part->width) + "x" +
+                                                           std::to_string(each.part->length)}}));
+    return say("bricks.counts", {{"counts", counts}});
 }
 
-std::string step_title(const Step& step, int number, int count) {
+Message step_title(const Step& step, std::size_t number, std::size_t count) {
     const BrickKind kind = step.first().kind;
-    const char* const what = kind == BrickKind::brick   ? "bricks"
-                             : kind == BrickKind::plate ? "plates"
-                                                        : "tiles";
-    return "Step " + std::to_string(number) + " of " + std::to_string(count) + ": " + what;
+    return say(kind == BrickKind::brick   ? "bricks.step_bricks"
+               : kind == BrickKind::plate ? "bricks.step_plates"
+                                          : "bricks.step_tiles",
+               {{"step", std::to_string(number)}, {"steps", std::to_string(count)}});
 }
 
 void mark(Grid<char>& standing, const Step& step) {
@@ -148,8 +150,8 @@ Grid<char> top_of(const std::vector<Step>& steps, std::size_t number, const Bric
 
 class HalfPages {
   public:
-    HalfPages(const ColoredBuild& half, const std::string& object_name, Vec2d paper_mm)
-        : half_(half), name_(object_name), paper_(paper_mm) {
+    HalfPages(const ColoredBuild& half, const BrickPlanText& text, Vec2d paper_mm)
+        : half_(half), text_(text), paper_(paper_mm) {
         // As many pictures on a page as stay easy to read.
         for (const int across : {1, 2, 3})
             for (const int down : {1, 2, 3, 4}) {
@@ -165,9 +167,9 @@ class HalfPages {
 
     [[nodiscard]] std::vector<Drawing> pages(std::size_t most, bool& cut_short) {
         const std::vector<Step> steps = steps_of(*half_.build);
-        PageFlow flow(paper_, std::string(half_title(half_.build->half)) + ": step by step",
-                      name_ + " · from above, cavity facing you; what is put on, above what stands",
-                      half_ink(half_.build->half));
+        PageFlow flow(paper_, say("bricks.steps", {{"half", marked_half(half_.build->half)}}),
+                      say("bricks.how_to_read", {{"name", text_.object_name}}), half_ink(half_.build->half),
+                      text_.language);
         const auto across = static_cast<std::size_t>(across_), down = static_cast<std::size_t>(down_);
         for (std::size_t first = 0; first < steps.size(); first += across) {
             cut_short = first / (across * down) >= most;
@@ -191,58 +193,42 @@ class HalfPages {
     void draw(PageBuilder& page, Vec2d corner, const std::vector<Step>& steps, std::size_t number) {
         const double width = column_width() - kBetween;
         const TextLook title{kBodyText, kInk, true}, small{kSmallText, kSoftInk};
-        page.text(corner + Vec2d{0, kBodyText},
-                  step_title(steps[number], static_cast<int>(number) + 1, static_cast<int>(steps.size())),
-                  title);
+        page.text(corner + Vec2d{0, kBodyText}, step_title(steps[number], number + 1, steps.size()), title);
         page.text(corner + Vec2d{0, kBodyText + 1.5 * kSmallText},
-                  shortened(pieces_text(steps[number], *half_.color), width, small), small);
+                  shortened(page.words(pieces_text(steps[number], *half_.color)), width, small), small);
         CoursePicture(page, half_, corner + Vec2d{0, kCaption}, stud_)
             .draw(top_of(steps, number, *half_.build), steps[number]);
     }
 
     const ColoredBuild& half_;
-    const std::string& name_;
+    const BrickPlanText& text_;
     Vec2d paper_;
     int across_ = 0, down_ = 1;  // pictures on a page
     double stud_ = 0;
 };
 
 void tell_order(PageFlow& flow, const BrickPlanText& text) {
-    flow.heading("Order of work");
-    int step = 0;
-    const auto tell = [&](const std::string& words) {
-        flow.item(std::to_string(++step), words, {kBodyText, kInk, true}, 8);
-    };
-    tell("Sort the pieces by size. bricks/wanted.xml is the same list for a shop that takes BrickLink's.");
-    tell(
-        "Build each half on a flat table, course by course, its cavity facing you; bricks/foams.mpd shows "
-        "the "
-        "same steps in every LDraw viewer.");
-    tell(
-        "Press each course down before the next: joints of neighbouring courses cross, and every piece "
-        "stands "
-        "on those before it.");
-    tell(
-        "Studs stand 1.8 mm into the cavity; the design has left room for them. Line the cavity where the "
-        "object must not touch hard plastic.");
-    if (text.lid_gap_mm > 0)
-        tell("The rims meet stud on stud, so the lid stands " + number(text.lid_gap_mm, 1) +
-             " mm off. Build the rims with tiles where it must close.");
-    tell("Close the empty halves once, BACK over BACK: the black corners meet.");
+    std::vector<Message> steps{say("bricks.sort"), say("bricks.build"), say("bricks.press"),
+                               say("bricks.studs")};
+    if (text.lid_gap_mm > 0) steps.push_back(say("bricks.lid_gap", {{"mm", number(text.lid_gap_mm, 1)}}));
+    steps.push_back(say("bricks.close"));
+    flow.heading(say("page.order_of_work"));
+    flow.steps(steps, 8, kInk);
 }
 
 std::vector<Drawing> first_pages(std::span<const ColoredBuild> halves, const BrickPlanText& text,
                                  Vec2d paper) {
-    PageFlow flow(paper, "Bricks", text.object_name + " · what to gather, and how to build it", kInk);
-    for (const PackFigure& figure : text.figures)
-        flow.row({snug::text(figure.label, Language::english), snug::text(figure.value, Language::english)},
-                 {0, 0.32}, {});
-    flow.heading("Pieces");
+    PageFlow flow(paper, say("bricks.heading"), say("bricks.subtitle", {{"name", text.object_name}}), kInk,
+                  text.language);
+    for (const PackFigure& figure : text.figures) flow.row({figure.label, figure.value}, {0, 0.32}, {});
+    flow.heading(say("bricks.pieces"));
     const std::vector<double> shares{0, 0.14, 0.42, 0.72};
-    flow.row({"pieces", "part", "name", "colour"}, shares, {kSmallText, kSoftInk, true});
+    flow.row({say("bricks.column_pieces"), say("bricks.column_part"), say("bricks.column_name"),
+              say("bricks.column_colour")},
+             shares, {kSmallText, kSoftInk, true});
     for (const BrickCount& each : brick_counts(halves))
-        flow.row({grouped(static_cast<unsigned long long>(each.pieces)), std::string(each.part->number),
-                  part_name(*each.part), std::string(each.color->name)},
+        flow.row({as_it_is(grouped(static_cast<unsigned long long>(each.pieces))),
+                  as_it_is(each.part->number), part_name(*each.part), color_name(*each.color)},
                  shares, {});
     tell_order(flow, text);
     return flow.finish();
@@ -252,12 +238,13 @@ std::vector<Drawing> first_pages(std::span<const ColoredBuild> halves, const Bri
 
 BrickPlan brick_plan(std::span<const ColoredBuild> halves, const BrickPlanText& text, Vec2d paper_mm) {
     BrickPlan plan;
-    plan.document = {"bricks-plan", text.object_name + ": bricks", first_pages(halves, text, paper_mm),
+    const Message title = say("bricks.title", {{"name", text.object_name}});
+    plan.document = {"bricks-plan", snug::text(title, text.language), first_pages(halves, text, paper_mm),
                      false};
     for (const ColoredBuild& half : halves) {
         if (half.build->bricks.empty()) continue;
         bool cut_short = false;
-        auto pages = HalfPages(half, text.object_name, paper_mm).pages(kMostPages, cut_short);
+        auto pages = HalfPages(half, text, paper_mm).pages(kMostPages, cut_short);
         plan.cut_short = plan.cut_short || cut_short;
         std::move(pages.begin(), pages.end(), std::back_inserter(plan.document.pages));
     }

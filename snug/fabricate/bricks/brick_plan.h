@@ -13,6 +13,7 @@ namespace snug {
 /// What the pages tell besides the bricks.
 struct BrickPlanText {
     std::string object_name;
+    Language language = Language::english;
     std::vector<PackFigure> figures;
     double lid_gap_mm = 0;  ///< that the rims' studs leave between the halves
 };

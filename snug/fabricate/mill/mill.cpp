@@ -11,6 +11,7 @@
 #include "snug/fabricate/mill/gcode.h"
 #include "snug/fabricate/mill/mill_plan.h"
 #include "snug/fabricate/mill/mill_setup.h"
+#include "snug/words/words.h"
 
 namespace snug {
 namespace {
@@ -21,10 +22,18 @@ std::string zero_text(const MillOptions& options, const std::string& of, const s
            ", Z0 on " + on;
 }
 
+/// Controllers read ASCII alone, so that programs speak English.
+std::string side_up(const MillPlan& plan) {
+    return text(mill_side_up(plan), Language::english);
+}
+std::string back(const MillPlan& plan) {
+    return text(mill_back(plan), Language::english);
+}
+
 std::vector<std::string> remarks(const MillPlan& plan, const MillOptions& options) {
     const Vec2d size = plan.field.size_mm();
-    return {"Stock " + dimensions({size.x, size.y, plan.field.top_mm()}) + " mm, " + mill_side_up(plan),
-            std::string("BACK ") + mill_back(plan),
+    return {"Stock " + dimensions({size.x, size.y, plan.field.top_mm()}) + " mm, " + side_up(plan),
+            "BACK " + back(plan),
             "Flat cutter " + number(options.cutter_mm) + " mm, " + number(plan.depth_mm(), 1) + " mm deep",
             zero_text(options, "the stock", "its top"),
             "Feeds and speeds are starting values: try them on waste"};
@@ -41,17 +50,18 @@ std::string board_program(const FoamDesign& design, const MillPlan& own, const M
                         {"Holes for pins in the board, for " + mill_file_name(outside),
                          zero_text(options, "where the stock will lie", "the board"),
                          "Then lay the " + std::string(half_title(own.half)) +
-                             " on the pins, cavity down, BACK " + mill_back(outside)});
+                             " on the pins, cavity down, BACK " + back(outside)});
 }
 
 void add_programs(const FoamDesign& design, const MillPlans& plans, const MillOptions& options,
                   WorkshopPack& pack) {
     for (const MillPlan& plan : plans.plans) {
         if (plan.empty()) continue;
-        pack.files.push_back(
-            text_file("mill/" + mill_file_name(plan),
-                      grbl_program(plan.path, plan.field.size_mm(), options,
-                                   {mill_title(plan), design.object_name}, remarks(plan, options))));
+        pack.files.push_back(text_file(
+            "mill/" + mill_file_name(plan),
+            grbl_program(plan.path, plan.field.size_mm(), options,
+                         {std::string(half_title(plan.half)) + ", " + side_up(plan), design.object_name},
+                         remarks(plan, options))));
         const MillPlan& own = plans.plans[plan.half == Half::lower ? 0 : 1];
         if (plan.outside && !own.pins.empty())
             pack.files.push_back(

@@ -7,6 +7,7 @@
 #include "snug/base/text.h"
 #include "snug/drawing/page_builder.h"
 #include "snug/drawing/svg.h"
+#include "snug/words/halves.h"
 #include "snug/words/words.h"
 
 namespace snug {
@@ -105,17 +106,11 @@ class TopView {
     Vec2d size_, corner_;
 };
 
-std::string feed_text(const MillOptions& options) {
-    return number(options.feed_mm_min, 0) + " mm/min, down " + number(options.plunge_mm_min, 0) +
-           " mm/min, " + number(options.spindle_rpm, 0) + " rpm: starting values, try them on waste";
-}
-
-/// "lower.nc", "lower.nc and lid.nc"
-std::string programs(const MillPlans& plans, bool outside) {
-    std::string names;
+/// The programs of the cavities or of the outer sides: "lower.nc", "lower.nc and lid.nc"
+std::vector<Message> programs(const MillPlans& plans, bool outside) {
+    std::vector<Message> names;
     for (const MillPlan& plan : plans.plans)
-        if (plan.outside == outside && !plan.empty())
-            names += (names.empty() ? "" : " and ") + mill_file_name(plan);
+        if (plan.outside == outside && !plan.empty()) names.push_back(as_it_is(mill_file_name(plan)));
     return names;
 }
 
@@ -126,84 +121,79 @@ double highest_stock(const MillPlans& plans) {
 }
 
 /// How a half lies for its outer side.
-std::string turning(const MillPlans& plans) {
-    const std::string turn =
-        "turn it over about the line from left to right, so that its near edge comes to "
-        "lie far and its cavity down";
+Message turning(const MillPlans& plans) {
+    const Message names = say("mill.programs", {{"names", programs(plans, true)}});
+    if (plans.plans.front().pins.empty()) return say("mill.turn", {{"programs", names}});
     const bool lower_is_turned = std::any_of(
         plans.plans.begin(), plans.plans.end(),
         [](const MillPlan& plan) { return plan.outside && plan.half == Half::lower && !plan.empty(); });
-    if (plans.plans.front().pins.empty())
-        return "Outer sides (" + programs(plans, true) + "): after a half's cavity is milled, " + turn +
-               ", line it up by its edges, set Z0 on its top again, and run its outside program.";
-    return "Outer sides (" + programs(plans, true) + "): after a half's cavity is milled, run its board " +
-           "program (" + mill_board_name(lower_is_turned ? Half::lower : Half::lid) +
-           ") in the board and put pins in. Take the half, " + turn +
-           " on the pins, keep X0 Y0, set Z0 on its top, and run its outside program. Each half has its own "
-           "holes in the board.";
+    return say("mill.turn_on_pins",
+               {{"programs", names}, {"board", mill_board_name(lower_is_turned ? Half::lower : Half::lid)}});
 }
 
-std::vector<std::string> order_of_work(const MillPlans& plans, const MillOptions& options) {
-    std::vector<std::string> steps{
-        "Cut each stock to its size. Write LOWER or LID and BACK on it.",
-        "Fix it on the machine, the cavity's side up and BACK as drawn: double-sided tape or a vacuum, for "
-        "screws tear foam. Keep " +
-            number(options.cutter_mm) + " mm free around it: strips at an edge are cleared from beside it.",
-        "Set X0 Y0 where it is drawn, Z0 on the top of the stock. Run the program once with Z0 " +
-            number(highest_stock(plans) + 20, 0) + " mm higher, in the air."};
+std::vector<Message> order_of_work(const MillPlans& plans, const MillOptions& options) {
+    std::vector<Message> steps{say("mill.cut_stock"),
+                               say("mill.fix_stock", {{"mm", number(options.cutter_mm)}}),
+                               say("mill.set_zero", {{"mm", number(highest_stock(plans) + 20, 0)}})};
     if (!plans.plans.front().pins.empty())
-        steps.push_back(
-            "Both cavity programs begin with two holes for pins of " + number(options.pin_mm) +
-            " mm. The halves meet on them one way only: where they do not, one of them lay turned.");
+        steps.push_back(say("mill.pins", {{"mm", number(options.pin_mm)}}));
     if (!programs(plans, true).empty()) steps.push_back(turning(plans));
-    steps.push_back(
-        "Close the empty halves once, BACK over BACK, and try the object's outline before it goes in.");
+    steps.push_back(say("mill.close"));
     return steps;
+}
+
+/// A line of a table of two columns.
+void tell(PageFlow& flow, const Message& label, const Message& value) {
+    flow.row({label, value}, {0, 0.3}, {});
 }
 
 std::vector<Drawing> first_pages(const FoamDesign& design, const MillPlans& plans, const MillOptions& options,
                                  const std::vector<PackFigure>& figures, Vec2d page_mm) {
-    PageFlow flow(page_mm, "Milling", design.object_name + " · set-up sheet", kInk);
-    for (const PackFigure& figure : figures)
-        flow.row({text(figure.label, Language::english), text(figure.value, Language::english)}, {0, 0.3},
-                 {});
-    flow.row(
-        {"Cutter", "flat, " + number(options.cutter_mm) + " mm, flute " + number(options.flute_mm) + " mm"},
-        {0, 0.3}, {});
-    flow.row({"Feeds", feed_text(options)}, {0, 0.3}, {});
-    flow.row({"One pass", number(plans.plans.front().field.step_mm, 3) + " mm down, lines " +
-                              number(options.stepover * options.cutter_mm, 2) + " mm apart, " +
-                              number(options.safe_mm) + " mm above the stock between them"},
-             {0, 0.3}, {});
-    flow.heading("Order of work");
-    int step = 0;
-    for (const std::string& words : order_of_work(plans, options))
-        flow.item(std::to_string(++step), words, {kBodyText, kInk, true}, 8);
+    PageFlow flow(page_mm, say("mill.heading"), say("mill.subtitle", {{"name", design.object_name}}), kInk,
+                  design.language);
+    for (const PackFigure& figure : figures) tell(flow, figure.label, figure.value);
+    tell(flow, say("mill.cutter"),
+         say("mill.cutter_of",
+             {{"cutter_mm", number(options.cutter_mm)}, {"flute_mm", number(options.flute_mm)}}));
+    tell(flow, say("mill.feeds"),
+         say("mill.feeds_of", {{"feed", number(options.feed_mm_min, 0)},
+                               {"plunge", number(options.plunge_mm_min, 0)},
+                               {"rpm", number(options.spindle_rpm, 0)}}));
+    tell(flow, say("mill.pass"),
+         say("mill.pass_of", {{"step_mm", number(plans.plans.front().field.step_mm, 3)},
+                              {"apart_mm", number(options.stepover * options.cutter_mm, 2)},
+                              {"safe_mm", number(options.safe_mm)}}));
+    flow.heading(say("page.order_of_work"));
+    flow.steps(order_of_work(plans, options), 8, kInk);
     return flow.finish();
 }
 
 std::vector<Drawing> side_page(const FoamDesign& design, const MillPlan& plan, const MillOptions& options,
                                Vec2d page_mm) {
+    const Message half = marked_half(plan.half);
     PageFlow flow(
-        page_mm, std::string(half_title(plan.half)) + (plan.outside ? ", outer side" : ""),
-        design.object_name + " · mill/" + mill_file_name(plan) + " · from above, as you stand before it",
-        half_ink(plan.half));
+        page_mm, plan.outside ? say("mill.outer", {{"half", half}}) : half,
+        say("mill.from_above", {{"name", design.object_name}, {"file", "mill/" + mill_file_name(plan)}}),
+        half_ink(plan.half), design.language);
     flow.space(kNames);
     const double picture = page_mm.y - kBesidePicture;
     const Vec2d corner = flow.room(picture + kNames);
     TopView(flow.page(), plan, corner, {flow.width(), picture}).draw(options);
     const Vec2d size = plan.field.size_mm();
-    flow.row({"Lies", mill_side_up(plan) + ", BACK " + mill_back(plan)}, {0, 0.3}, {});
-    flow.row({"Stock", dimensions({size.x, size.y, plan.field.top_mm()}) + " mm (right, away from you, up)"},
-             {0, 0.3}, {});
-    flow.row({"Deepest", number(plan.depth_mm(), 1) + " mm; the darker, the deeper"}, {0, 0.3}, {});
-    flow.row({"Passes", std::to_string(plan.path.levels) + ", " + number(plan.path.cut_mm / 1000, 1) +
-                            " m, about " + number(plan.path.minutes + 0.5, 0) + " minutes"},
-             {0, 0.3}, {});
+    tell(flow, say("mill.lies"),
+         say("mill.lies_so", {{"side", mill_side_up(plan)}, {"back", mill_back(plan)}}));
+    tell(flow, say("mill.stock"),
+         say("mill.stock_of", {{"size", dimensions({size.x, size.y, plan.field.top_mm()})}}));
+    tell(flow, say("mill.deepest"), say("mill.deepest_of", {{"mm", number(plan.depth_mm(), 1)}}));
+    tell(flow, say("figure.passes"),
+         say("mill.passes_of", {{"passes", std::to_string(plan.path.levels)},
+                                {"way", number(plan.path.cut_mm / 1000, 1)},
+                                {"minutes", number(plan.path.minutes + 0.5, 0)}}));
     for (const MillPin& pin : plan.pins)
-        flow.row({"Pin", "at " + number(pin.at.x, 1) + ", " + number(pin.at.y, 1) +
-                             " mm from the near left corner, " + number(pin.depth_mm, 1) + " mm deep"},
-                 {0, 0.3}, {});
+        tell(
+            flow, say("mill.pin"),
+            say("mill.pin_at",
+                {{"x", number(pin.at.x, 1)}, {"y", number(pin.at.y, 1)}, {"deep", number(pin.depth_mm, 1)}}));
     return flow.finish();
 }
 
@@ -217,21 +207,18 @@ std::string mill_board_name(Half half) {
     return half == Half::lower ? "lower-board.nc" : "lid-board.nc";
 }
 
-std::string mill_side_up(const MillPlan& plan) {
-    return plan.outside ? "outer side up, cavity down" : "cavity up";
+Message mill_side_up(const MillPlan& plan) {
+    return say(plan.outside ? "mill.outer_up" : "mill.cavity_up");
 }
 
-std::string mill_title(const MillPlan& plan) {
-    return std::string(half_title(plan.half)) + ", " + mill_side_up(plan);
-}
-
-std::string mill_back(const MillPlan& plan) {
-    return back_is_far(plan) ? "away from you" : "towards you";
+Message mill_back(const MillPlan& plan) {
+    return say(back_is_far(plan) ? "mill.away" : "mill.towards");
 }
 
 DrawingDocument mill_setup(const FoamDesign& design, const MillPlans& plans, const MillOptions& options,
                            const std::vector<PackFigure>& figures, Vec2d page_mm) {
-    DrawingDocument document{"mill-setup", design.object_name + ": milling",
+    DrawingDocument document{"mill-setup",
+                             text(say("mill.title", {{"name", design.object_name}}), design.language),
                              first_pages(design, plans, options, figures, page_mm), false};
     for (const MillPlan& plan : plans.plans) {
         if (plan.empty()) continue;

@@ -12,11 +12,9 @@ namespace snug {
 /// "lower-board.nc": holes in the board for the pins that the turned half lies on
 [[nodiscard]] std::string mill_board_name(Half half);
 /// "cavity up", or "outer side up, cavity down"
-[[nodiscard]] std::string mill_side_up(const MillPlan& plan);
-/// "LOWER, cavity up"
-[[nodiscard]] std::string mill_title(const MillPlan& plan);
+[[nodiscard]] Message mill_side_up(const MillPlan& plan);
 /// Where BACK is to the operator: "away from you" or "towards you"
-[[nodiscard]] std::string mill_back(const MillPlan& plan);
+[[nodiscard]] Message mill_back(const MillPlan& plan);
 
 /// The set-up sheet: stock, cutter, feeds, the order of work, and each side from above with its depths, pins
 /// and way round, on upright pages of this size.

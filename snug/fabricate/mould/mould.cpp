@@ -146,7 +146,9 @@ Result<WorkshopPack> mould_pack(const FoamDesign& design, const WorkshopOptions&
     }
     add_dowels(bores, options.print, things);
     const std::size_t beds =
-        add_beds(things, options.print.bed_mm, design.object_name + ": moulds", "mould", "bed", pack);
+        add_beds(things, options.print.bed_mm,
+                 text(say("print.mould_title", {{"name", design.object_name}}), design.language), "mould",
+                 "bed", pack);
     add_stls(things, "mould", pack);
     pack.files.push_back(parts_list(*moulds));
     pack.documents.push_back(mould_guide(design, *moulds, options, beds));

@@ -76,12 +76,12 @@ void draw_section(PageBuilder& page, const MouldPicture& picture) {
     page.loops({outline}, mixed(kSoftInk, kPaper, 0.35), Pen{kInk, 0.25, {}});
     const Vec2d right = picture.in_section(width, pour), left = picture.in_section(0, pour);
     page.line(left - Vec2d{4, 0}, right + Vec2d{4, 0}, {kAlarm, 0.35, {2, 1}});
-    page.text(right + Vec2d{5, 1.2}, "pour to here", {kSmallText, kAlarm, true});
+    page.text(right + Vec2d{5, 1.2}, say("mould.pour_here"), {kSmallText, kAlarm, true});
     const double marked = picture.grid.middle(picture.section, 0).y;
     for (const double x : {left.x, right.x})
         page.line({x + (x == left.x ? -1.2 : 1.2), marked}, {x + (x == left.x ? -5.0 : 5.0), marked},
                   {kInk, 0.5, {}});
-    page.text({left.x - 6, marked + 1}, "section", {kSmallText, kSoftInk, false, TextAnchor::end});
+    page.text({left.x - 6, marked + 1}, say("mould.section"), {kSmallText, kSoftInk, false, TextAnchor::end});
 }
 
 }  // namespace
@@ -115,7 +115,7 @@ Vec2d MouldPicture::in_section(double x, double up) const {
 
 void draw_core_scale(PageBuilder& page, const MouldPicture& picture, Vec2d at) {
     const int steps = std::min(picture.highest, 8);
-    page.text(at + Vec2d{0, 3.6}, "Core above the floor", {kSmallText, kSoftInk});
+    page.text(at + Vec2d{0, 3.6}, say("mould.core_scale"), {kSmallText, kSoftInk});
     for (int step = 0; step <= steps; ++step) {
         const int core = steps == 0 ? 0 : (picture.highest * step + steps / 2) / steps;
         const Vec2d corner = at + Vec2d{32.0 + 14.0 * step, 0};

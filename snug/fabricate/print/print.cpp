@@ -89,7 +89,9 @@ Result<void> add_fit_test(const FoamDesign& design, const PrintOptions& options,
     const auto ring = printed_half(kept, block, flat, false, "fit-test");
     if (!ring) return tl::unexpected(ring.error());
     if (ring->parts.empty()) return {};
-    add_beds(ring->parts, options.bed_mm, design.object_name + ": fit test", "print", "fit-test", pack);
+    add_beds(ring->parts, options.bed_mm,
+             text(say("print.fit_title", {{"name", design.object_name}}), design.language), "print",
+             "fit-test", pack);
     add_stls(ring->parts, "print", pack);
     pack.figures.push_back(
         {say("figure.fit_test"), say("figure.flat_parts", {{"parts", ring->parts.size()},
@@ -130,8 +132,9 @@ Result<WorkshopPack> print_pack(const FoamDesign& design, const PrintOptions& op
     things.insert(things.end(), lid->parts.begin(), lid->parts.end());
     const std::size_t bores = lower->bores.size() + lid->bores.size();
     add_dowels(bores, options, things);
-    const std::size_t beds =
-        add_beds(things, options.bed_mm, design.object_name + ": foams", "print", "bed", pack);
+    const std::size_t beds = add_beds(
+        things, options.bed_mm, text(say("print.title", {{"name", design.object_name}}), design.language),
+        "print", "bed", pack);
     add_stls(things, "print", pack);
     pack.files.push_back(parts_list(lower->places + lid->places));
 

@@ -9,6 +9,7 @@
 #include "snug/drawing/svg.h"
 #include "snug/fabricate/sheets/sheet_engraving.h"
 #include "snug/fabricate/sheets/sheet_findings.h"
+#include "snug/words/halves.h"
 
 namespace snug {
 namespace {
@@ -16,28 +17,31 @@ namespace {
 constexpr double kMargin = 15;
 constexpr int kPicturesAcross = 4;
 constexpr double kBetween = 6;
-constexpr double kCaption = 9;  // mm below a picture
+constexpr double kCaption = 9;          // mm below a picture
+constexpr std::size_t kMostNamed = 60;  // islands
 constexpr Color kInk{28, 36, 46}, kSoft{96, 106, 120}, kIsland{196, 60, 60};
 
 Color foam_color(Half half) {
     return half == Half::lower ? kLowerBlue : kUpperOrange;
 }
 
-std::string half_name(const SheetStack& stack) {
-    return stack.half == Half::lower ? "LOWER" : "LID";
-}
-
-Drawing new_page(const std::string& title, Vec2d size_mm) {
+Drawing new_page(const Message& title, Vec2d size_mm, Language language) {
     Drawing page;
-    page.title = title;
+    page.title = text(title, language);
     page.size_mm = size_mm;
     page.layers = {{"assembly", kInk}};
+    page.language = language;
     return page;
 }
 
 void write(Drawing& page, Vec2d at, std::string text, double height, Color color = kInk, bool bold = false,
            TextAnchor anchor = TextAnchor::start) {
     page.items.push_back({0, TextItem{at, std::move(text), height, anchor, 0, bold, color}});
+}
+
+void write(Drawing& page, Vec2d at, const Message& message, double height, Color color = kInk,
+           bool bold = false, TextAnchor anchor = TextAnchor::start) {
+    write(page, at, text(message, page.language), height, color, bold, anchor);
 }
 
 void draw(Drawing& page, std::vector<std::vector<Vec2d>> lines, bool closed, std::optional<Color> fill,
@@ -50,75 +54,59 @@ double width_of(const Drawing& page) {
 }
 
 /// Lines of body text; gives where the next may begin.
-double paragraph(Drawing& page, double y, const std::string& mark, const std::string& text) {
+double paragraph(Drawing& page, double y, const std::string& mark, const Message& message) {
     constexpr double height = 3.6, indent = 8;
     if (!mark.empty()) write(page, {kMargin, y}, mark, height, kInk, true);
     const auto letters = static_cast<std::size_t>((width_of(page) - indent) / (0.53 * height));
-    for (const std::string& line : wrapped(text, letters, 40)) {
+    for (const std::string& line : wrapped(text(message, page.language), letters, 40)) {
         write(page, {kMargin + indent, y}, line, height);
         y += 1.45 * height;
     }
     return y + 1.6;
 }
 
-double heading(Drawing& page, const SheetAssembly& half, const std::string& words,
+double heading(Drawing& page, const SheetAssembly& half, const Message& title,
                const std::string& object_name) {
-    write(page, {kMargin, kMargin + 7}, half_name(half.stack) + ": " + words, 8, kInk, true);
-    write(page, {kMargin, kMargin + 14}, object_name + " - sheets of " + number(half.thickness_mm, 3) + " mm",
-          4.2, kSoft);
+    write(page, {kMargin, kMargin + 7}, title, 8, kInk, true);
+    write(page, {kMargin, kMargin + 14},
+          say("sheets.subtitle", {{"name", object_name}, {"mm", number(half.thickness_mm, 3)}}), 4.2, kSoft);
     return kMargin + 24;
 }
 
 /// The order of work, a step in each.
-std::vector<std::string> steps(const SheetAssembly& half, const SheetOptions& options) {
+std::vector<Message> steps(const SheetAssembly& half, const SheetOptions& options) {
     const SheetStack& stack = half.stack;
     const std::string first = stack.sheet_name(0), last = stack.sheet_name(stack.count - 1);
-    const std::string away = stack.half == Half::lower ? "away from you" : "towards you";
-    std::vector<std::string> text;
-    text.push_back("Lay " + first + " on the table, the engraved side up and the arrow to BACK pointing " +
-                   away + ". " + first + " touches the case" +
-                   (stack.half == Half::lower ? "; the cavity grows upward, facing you."
-                                              : " at the top: the lid is built upside down, its cavity "
-                                                "facing you."));
+    const bool lower = stack.half == Half::lower;
+    std::vector<Message> steps{say(lower ? "sheets.lay_lower" : "sheets.lay_lid", {{"first", first}})};
     if (half.dowels.sheets > 1)
-        text.push_back("Put " + std::to_string(half.dowels.centres.size()) + " dowels of " +
-                       number(options.dowel_mm) + " mm into its holes. They go through " + first + " to " +
-                       stack.sheet_name(half.dowels.sheets - 1) +
-                       " and fit one way only: where they do not meet the holes, the sheet is turned or "
-                       "lies upside down.");
-    if (stack.count > 1)
-        text.push_back("Glue " + stack.sheet_name(1) + (stack.count > 2 ? " to " + last : "") +
-                       " on it one after the other, numbers upward, arrows to BACK, odd corners above each "
-                       "other. The line on each sheet shows where the next one ends.");
+        steps.push_back(say("sheets.put_dowels", {{"dowels", std::to_string(half.dowels.centres.size())},
+                                                  {"mm", number(options.dowel_mm)},
+                                                  {"first", first},
+                                                  {"last", stack.sheet_name(half.dowels.sheets - 1)}}));
+    if (stack.count == 2) steps.push_back(say("sheets.glue_one", {{"sheet", last}}));
+    if (stack.count > 2)
+        steps.push_back(say("sheets.glue_all", {{"first", stack.sheet_name(1)}, {"last", last}}));
     const auto loose = island_names(stack, true), glued = island_names(stack, false);
-    if (!glued.empty())
-        text.push_back("Glue the islands (" + listed(glued, 60) +
-                       ") where the sheet before shows their outlines.");
+    if (!glued.empty()) steps.push_back(say("sheets.glue_islands", {{"islands", listed(glued, kMostNamed)}}));
     if (!loose.empty())
-        text.push_back("Held by no sheet: " + listed(loose, 60) + ". Glue all pieces of " + first +
-                       " onto a backing sheet, as on its picture.");
-    text.push_back(
-        stack.half == Half::lower
-            ? "The lower foam is done: it goes into the case with " + first + " below."
-            : "The lid is done: turn it over about its BACK edge onto the lower foam, BACK on BACK.");
-    return text;
+        steps.push_back(say("sheets.glue_loose", {{"islands", listed(loose, kMostNamed)}, {"first", first}}));
+    steps.push_back(lower ? say("sheets.lower_done", {{"first", first}}) : say("sheets.lid_done"));
+    return steps;
 }
 
 /// A length to measure in the cutter's program, and one on this page.
 double scale_check(Drawing& page, double y, const ScaleCheck& check) {
     y = paragraph(page, y, "mm",
-                  "All lengths in the cutter's files are millimetres; in a DXF file one unit is one "
-                  "millimetre. Measure before you cut: in " +
-                      check.file + " piece " + check.piece + " is " + number(check.width_mm, 2) +
-                      " mm wide from its leftmost to its rightmost edge. If the cutter's program says "
-                      "otherwise, open the file there again as millimetres.");
+                  say("sheets.measure",
+                      {{"file", check.file}, {"piece", check.piece}, {"mm", number(check.width_mm, 2)}}));
     constexpr double bar = 100;
     const double x = kMargin + 8;
     std::vector<std::vector<Vec2d>> lines{{{x, y}, {x + bar, y}}};
     for (int tick = 0; tick <= 10; ++tick)
         lines.push_back({{x + 10 * tick, y}, {x + 10 * tick, y - (tick % 5 == 0 ? 2.4 : 1.4)}});
     draw(page, std::move(lines), false, {}, Pen{kInk, 0.15, {}});
-    write(page, {x + bar + 2, y}, "100 mm on paper printed at 100 %", 2.7, kSoft);
+    write(page, {x + bar + 2, y}, say("sheets.bar"), 2.7, kSoft);
     return y + 3;
 }
 
@@ -143,12 +131,11 @@ void side_view(Drawing& page, double top, const SheetAssembly& half) {
               TextAnchor::end);
         std::size_t pieces = 0;
         for (const SheetPiece& piece : stack.pieces) pieces += piece.sheet == sheet;
-        write(page, {kMargin + 24 + width, y + bar / 2 + 1.1}, counted(pieces, "piece", "pieces"), 3.2,
-              kSoft);
+        write(page, {kMargin + 24 + width, y + bar / 2 + 1.1}, say("sheets.pieces", {{"pieces", pieces}}),
+              3.2, kSoft);
     }
     write(page, {kMargin + 20, bottom + 5},
-          stack.half == Half::lower ? "case, below" : "case, above when closed (seen upside down)", 3.2,
-          kSoft);
+          say(stack.half == Half::lower ? "sheets.case_below" : "sheets.case_above"), 3.2, kSoft);
 }
 
 /// One sheet small: its pieces, islands by their letters, BACK, the odd corner, dowels.
@@ -173,7 +160,8 @@ class Picture {
                                                      Color{255, 255, 255}, Pen{kInk, 0.15, {}}}});
         const double y = corner_.y + stack_.size_mm().y * scale_ + 4.6;
         write(page_, {corner_.x, y}, stack_.sheet_name(sheet), 4.2, kInk, true);
-        if (islands > 0) write(page_, {corner_.x + 13, y}, counted(islands, "island", "islands"), 3, kIsland);
+        if (islands > 0)
+            write(page_, {corner_.x + 13, y}, say("sheets.islands", {{"islands", islands}}), 3, kIsland);
     }
 
   private:
@@ -224,7 +212,7 @@ class Picture {
     double scale_;
 };
 
-void add_pictures(std::vector<Drawing>& pages, const SheetAssembly& half, const std::string& object_name,
+void add_pictures(std::vector<Drawing>& pages, const SheetAssembly& half, const FoamDesign& design,
                   Vec2d page_mm) {
     const SheetStack& stack = half.stack;
     const double width = (page_mm.x - 2 * kMargin - (kPicturesAcross - 1) * kBetween) / kPicturesAcross;
@@ -236,8 +224,10 @@ void add_pictures(std::vector<Drawing>& pages, const SheetAssembly& half, const 
     for (int sheet = 0; sheet < stack.count; ++sheet) {
         const int on_page = sheet % (down * kPicturesAcross);
         if (on_page == 0) {
-            pages.push_back(new_page(half_name(stack) + ", sheets in their order", page_mm));
-            heading(pages.back(), half, "sheets in their order, cavity facing you", object_name);
+            const Message name = marked_half(stack.half);
+            pages.push_back(
+                new_page(say("sheets.page_pictures", {{"half", name}}), page_mm, design.language));
+            heading(pages.back(), half, say("sheets.heading_pictures", {{"half", name}}), design.object_name);
         }
         std::size_t end = next;
         while (end < stack.pieces.size() && stack.pieces[end].sheet == sheet) ++end;
@@ -251,27 +241,24 @@ void add_pictures(std::vector<Drawing>& pages, const SheetAssembly& half, const 
 
 }  // namespace
 
-DrawingDocument sheet_assembly(std::span<const SheetAssembly> halves, const std::string& object_name,
+DrawingDocument sheet_assembly(std::span<const SheetAssembly> halves, const FoamDesign& design,
                                const SheetOptions& options, const ScaleCheck& check, Vec2d page_mm) {
-    DrawingDocument document{"sheets-assembly", object_name + ": how to glue the sheets", {}, false};
+    const Message title = say("sheets.title", {{"name", design.object_name}});
+    DrawingDocument document{"sheets-assembly", text(title, design.language), {}, false};
     for (const SheetAssembly& half : halves) {
-        if (half.stack.count == 0) continue;
-        Drawing page = new_page(half_name(half.stack) + ", order of work", page_mm);
-        double y = heading(page, half,
-                           counted(static_cast<unsigned long long>(half.stack.count), "sheet", "sheets") +
-                               ", cavity facing you",
-                           object_name);
+        const int count = half.stack.count;
+        if (count == 0) continue;
+        const Message name = marked_half(half.stack.half);
+        Drawing page = new_page(say("sheets.page_order", {{"half", name}}), page_mm, design.language);
+        double y = heading(page, half, say("sheets.heading_order", {{"half", name}, {"sheets", count}}),
+                           design.object_name);
         int step = 0;
-        for (const std::string& text : steps(half, options))
-            y = paragraph(page, y, std::to_string(++step), text);
-        y = paragraph(page, y, "!",
-                      "Ask the maker of the foam whether it may be cut by laser: never PVC (chlorine); "
-                      "polystyrene, polypropylene, polyethylene and polyurethane foams burn or give off "
-                      "poisonous gases, and many workshops forbid them. A knife or water jet cuts all.");
+        for (const Message& each : steps(half, options)) y = paragraph(page, y, std::to_string(++step), each);
+        y = paragraph(page, y, "!", say("sheets.laser"));
         y = scale_check(page, y, check);
         side_view(page, y + 4, half);
         document.pages.push_back(std::move(page));
-        add_pictures(document.pages, half, object_name, page_mm);
+        add_pictures(document.pages, half, design, page_mm);
     }
     return document;
 }

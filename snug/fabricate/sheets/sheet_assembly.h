@@ -25,8 +25,8 @@ struct ScaleCheck {
 
 /// The pages sheets-assembly: for each half how to stack and glue it, then every sheet small with its number
 /// and its islands, cavity facing the reader. `page_mm`: of the upright paper.
-[[nodiscard]] DrawingDocument sheet_assembly(std::span<const SheetAssembly> halves,
-                                             const std::string& object_name, const SheetOptions& options,
-                                             const ScaleCheck& check, Vec2d page_mm);
+[[nodiscard]] DrawingDocument sheet_assembly(std::span<const SheetAssembly> halves, const FoamDesign& design,
+                                             const SheetOptions& options, const ScaleCheck& check,
+                                             Vec2d page_mm);
 
 }  // namespace snug

@@ -66,9 +66,10 @@ std::vector<std::size_t> in_cutting_order(std::span<const CutPiece> pieces, cons
 }  // namespace
 
 Drawing stock_drawing(std::span<const CutPiece> pieces, const Nesting& nesting, int stock,
-                      const std::string& title) {
+                      const Message& title, Language language) {
     Drawing drawing;
-    drawing.title = title;
+    drawing.title = text(title, language);
+    drawing.language = language;
     drawing.size_mm = nesting.stock_mm;
     drawing.layers = layers();
     const std::vector<std::size_t> order = in_cutting_order(pieces, nesting, stock);

@@ -14,6 +14,6 @@ namespace snug {
 /// above), cut-inner, cut-outer. Pieces within others' offcuts are wholly on cut-inner, smallest first, so
 /// that nothing is cut that has already fallen out.
 [[nodiscard]] Drawing stock_drawing(std::span<const CutPiece> pieces, const Nesting& nesting, int stock,
-                                    const std::string& title);
+                                    const Message& title, Language language);
 
 }  // namespace snug

@@ -11,13 +11,8 @@ namespace {
 
 constexpr std::size_t kMostNamed = 12;
 
-/// "L2a, L2b and U1a", or the first of them and how many there are more.
 Message named(const std::vector<std::string>& pieces) {
-    const std::size_t shown = std::min(pieces.size(), kMostNamed);
-    std::vector<Message> names;
-    for (std::size_t i = 0; i < shown; ++i) names.push_back(as_it_is(pieces[i]));
-    if (shown == pieces.size()) return say("sheets.names", {{"names", names}});
-    return say("sheets.names_and_more", {{"names", names}, {"more", pieces.size() - shown}});
+    return listed(pieces, kMostNamed);
 }
 
 void add_lost(std::vector<Finding>& findings, const FoamDesign& design, const SheetStack& stack) {
@@ -108,15 +103,12 @@ std::vector<std::string> island_names(const SheetStack& stack, bool first) {
     return names;
 }
 
-std::string listed(const std::vector<std::string>& names, std::size_t most) {
-    std::string text;
-    const std::size_t shown = names.size() > most ? most : names.size();
-    for (std::size_t i = 0; i < shown; ++i) {
-        if (i > 0) text += i + 1 == names.size() ? " and " : ", ";
-        text += names[i];
-    }
-    if (shown < names.size()) text += " and " + grouped(names.size() - shown) + " more";
-    return text;
+Message listed(const std::vector<std::string>& pieces, std::size_t most) {
+    const std::size_t shown = std::min(pieces.size(), most);
+    std::vector<Message> names;
+    for (std::size_t i = 0; i < shown; ++i) names.push_back(as_it_is(pieces[i]));
+    if (shown == pieces.size()) return say("sheets.names", {{"names", names}});
+    return say("sheets.names_and_more", {{"names", names}, {"more", pieces.size() - shown}});
 }
 
 void add_sheet_findings(std::vector<Finding>& findings, const FoamDesign& design, const SheetAssembly& half,

@@ -16,8 +16,8 @@ void add_sheet_findings(std::vector<Finding>& findings, const FoamDesign& design
 /// Pieces too small for their number.
 void add_unnumbered_finding(std::vector<Finding>& findings, const std::vector<std::string>& pieces);
 
-/// "L3a, L3b and 5 more"
-[[nodiscard]] std::string listed(const std::vector<std::string>& names, std::size_t most);
+/// "L2a, L2b and U1a", or the first of them and how many there are more: "L3a, L3b and 5 more".
+[[nodiscard]] Message listed(const std::vector<std::string>& pieces, std::size_t most);
 
 /// Islands of the sheets above the first; with `first` those of the first sheet, which no sheet holds.
 [[nodiscard]] std::vector<std::string> island_names(const SheetStack& stack, bool first);

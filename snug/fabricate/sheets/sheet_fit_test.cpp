@@ -45,7 +45,8 @@ std::optional<Drawing> sheet_fit_test(const FoamDesign& design, const SheetOptio
     roll.stock_mm = {std::max({options.stock_mm.x, options.stock_mm.y}), 1e7};
     const auto nesting = nest(to_nest, stack.cell_mm, roll);
     if (!nesting || pieces.empty()) return {};
-    Drawing drawing = stock_drawing(cuts, *nesting, 0, design.object_name + ": fit test, lengths in mm");
+    Drawing drawing = stock_drawing(cuts, *nesting, 0,
+                                    say("sheets.fit_title", {{"name", design.object_name}}), design.language);
     crop(drawing, pieces, *nesting, stack.cell_mm, options.margin_mm + options.kerf_mm);
     return drawing;
 }

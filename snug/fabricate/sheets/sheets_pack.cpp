@@ -146,10 +146,12 @@ void add_figures(WorkshopPack& pack, const Stacks& stacks, const AllPieces& all,
 void add_stock_files(WorkshopPack& pack, const AllPieces& all, const Nesting& nesting,
                      const FoamDesign& design, const SheetMeasure& measure, const SheetOptions& options) {
     for (int stock = 0; stock < nesting.stocks; ++stock) {
-        const std::string title = design.object_name + ": stock sheet " + std::to_string(stock + 1) + " of " +
-                                  std::to_string(nesting.stocks) + ", " + number(measure.thickness_mm, 3) +
-                                  " mm thick, lengths in mm";
-        add_drawing(pack, stock_name(stock), stock_drawing(all.cuts, nesting, stock, title), options);
+        const Message title = say("sheets.stock_title", {{"name", design.object_name},
+                                                         {"sheet", std::to_string(stock + 1)},
+                                                         {"sheets", std::to_string(nesting.stocks)},
+                                                         {"mm", number(measure.thickness_mm, 3)}});
+        add_drawing(pack, stock_name(stock), stock_drawing(all.cuts, nesting, stock, title, design.language),
+                    options);
     }
     pack.files.push_back(text_file("sheets/index.csv", index_csv(all, nesting)));
 }
@@ -172,7 +174,7 @@ Result<WorkshopPack> sheets_pack(const FoamDesign& design, const SheetOptions& o
     for (std::size_t half = 0; half < stacks->halves.size(); ++half)
         halves.push_back({stacks->halves[half], stacks->dowels[half], stacks->measure.thickness_mm});
     pack.documents.push_back(
-        sheet_assembly(halves, design.object_name, options, scale_check(all, *nesting, options), page_mm));
+        sheet_assembly(halves, design, options, scale_check(all, *nesting, options), page_mm));
     add_figures(pack, *stacks, all, *nesting);
     for (const SheetAssembly& half : halves) add_sheet_findings(pack.findings, design, half, options);
     add_unnumbered_finding(pack.findings, all.unnumbered);

@@ -8,6 +8,7 @@
 #include "snug/drawing/text_lines.h"
 #include "snug/fabricate/kit/block_grid.h"
 #include "snug/fabricate/kit/block_names.h"
+#include "snug/words/halves.h"
 
 namespace snug {
 namespace {
@@ -21,7 +22,7 @@ constexpr double kOverviewHead = 34, kOverviewFoot = 30;
 
 /// What stands above a map: a name in large letters, what it is, and a line of what to do.
 struct MapHead {
-    std::string name, title, task;
+    Message name, title, task;
     Color color;
 };
 
@@ -30,19 +31,23 @@ struct MapPage {
     PageBuilder page;
     BlockGrid grid;
 };
-MapPage map_page(BlockGrid grid, const std::string& object_name, const MapHead& head) {
+MapPage map_page(BlockGrid grid, const FoamDesign& design, const MapHead& head) {
     const double width = std::max(kNarrowestMap, grid.size().x + 2 * kGridMargin);
     const double head_width = std::min(width - 2 * kGridMargin, kWidestHead);
-    const std::vector<std::string> task = lines_of(head.task, head_width, kBodyText);
-    const double strip = kTitleStrip + (static_cast<double>(task.size()) - 1) * kBodyText * kLineSpacing;
+    const std::string task = text(head.task, design.language);
+    const double lines = static_cast<double>(lines_of(task, head_width, kBodyText).size());
+    const double strip = kTitleStrip + (lines - 1) * kBodyText * kLineSpacing;
     grid.corner = {kGridMargin, strip + kGridMargin};
-    MapPage map{PageBuilder(object_name + ": " + head.name + ", " + head.title,
-                            {width, strip + grid.size().y + 2 * kGridMargin}),
+    const Message title =
+        say("sponge.map", {{"name", design.object_name}, {"half", head.name}, {"layers", head.title}});
+    MapPage map{PageBuilder(text(title, design.language), {width, strip + grid.size().y + 2 * kGridMargin},
+                            design.language),
                 grid};
-    map.page.text({kGridMargin, 8.5}, head.name, {kTitleText, head.color, true});
-    map.page.text({kGridMargin + text_width(head.name, kTitleText, true) + 5, 8.5}, head.title,
+    const std::string name = text(head.name, design.language);
+    map.page.text({kGridMargin, 8.5}, name, {kTitleText, head.color, true});
+    map.page.text({kGridMargin + text_width(name, kTitleText, true) + 5, 8.5}, head.title,
                   {kHeadingText, kInk, true});
-    map.page.paragraph({kGridMargin, 11.5}, head_width, head.task, {kBodyText, kSoftInk});
+    map.page.paragraph({kGridMargin, 11.5}, head_width, task, {kBodyText, kSoftInk});
     return map;
 }
 
@@ -123,7 +128,7 @@ void draw_scale(PageBuilder& page, const PluckPlan& plan, Vec2d at) {
     const int deepest = plan.deepest();
     const int steps = std::min(deepest, 8);
     const TextLook look{kSmallText, kSoftInk, false, TextAnchor::middle};
-    page.text(at + Vec2d{0, 3.6}, "Blocks to remove", {kSmallText, kSoftInk});
+    page.text(at + Vec2d{0, 3.6}, say("sponge.scale"), {kSmallText, kSoftInk});
     for (int step = 0; step <= steps; ++step) {
         const int removed = steps == 0 ? 0 : (deepest * step + steps / 2) / steps;
         const Vec2d corner = at + Vec2d{26.0 + 9.0 * step, 0};
@@ -132,27 +137,34 @@ void draw_scale(PageBuilder& page, const PluckPlan& plan, Vec2d at) {
     }
 }
 
+/// "layer 3 of 12"
+Message title_of(const LayerRun& run, int layers) {
+    const std::string first = std::to_string(run.first), all = std::to_string(layers);
+    if (run.layers() == 1) return say("sponge.layer_of", {{"layer", first}, {"layers", all}});
+    return say("sponge.layers_of", {{"first", first}, {"last", std::to_string(run.last)}, {"layers", all}});
+}
+
+Message task_of(const LayerRun& run, const std::string& object_name) {
+    const bool several = run.layers() > 1;
+    const Message pluck = run.plucked == 0 ? say("sponge.pluck_none")
+                                           : say(several ? "sponge.pluck_in_each" : "sponge.pluck_shaded",
+                                                 {{"blocks", run.plucked}});
+    std::vector<Message> cut_off;
+    if (run.cut_off > 0)
+        cut_off.push_back(
+            say(several ? "sponge.cut_off_in_each" : "sponge.cut_off", {{"blocks", run.cut_off}}));
+    return say("sponge.map_task", {{"pluck", pluck}, {"cut_off", cut_off}, {"name", object_name}});
+}
+
 }  // namespace
 
-Drawing pluck_map(const PluckPlan& plan, const LayerRun& run, const std::string& object_name) {
+Drawing pluck_map(const PluckPlan& plan, const LayerRun& run, const FoamDesign& design) {
     const CellTest plucked = [&](int row, int column) { return plan.plucked_at(row, column, run.first); };
-    const std::string pluck =
-        run.plucked == 0
-            ? "Nothing to pluck."
-            : "Pluck " + counted(static_cast<unsigned long long>(run.plucked), "block", "blocks") +
-                  (run.layers() > 1 ? " in each" : "") + ": the shaded ones.";
     const CellTest cut_off = [&](int row, int column) { return plan.cut_off_at(row, column, run.first); };
-    const std::string trim =
-        run.cut_off > 0
-            ? " Cut off " + counted(static_cast<unsigned long long>(run.cut_off), "block", "blocks") +
-                  (run.layers() > 1 ? " in each" : "") + ": the grey ones, for which the case has no room."
-            : "";
-    const std::string task =
-        pluck + trim + " Cavity facing you; layer 1 is the one at the cavity. True size. " + object_name;
-    MapPage map = map_page(
-        {plan.half, plan.removed.ny(), plan.removed.nz(), {}, {plan.column_mm, plan.row_mm}}, object_name,
-        {std::string(half_title(plan.half)), layers_text(run) + " of " + std::to_string(plan.layers), task,
-         half_ink(plan.half)});
+    MapPage map =
+        map_page({plan.half, plan.removed.ny(), plan.removed.nz(), {}, {plan.column_mm, plan.row_mm}}, design,
+                 {marked_half(plan.half), title_of(run, plan.layers), task_of(run, design.object_name),
+                  half_ink(plan.half)});
     const Color tint = mixed(half_color(plan.half), kPaper, 0.55);
     map.page.layer("pluck", half_color(plan.half));
     draw_cells(map.page, map.grid, plucked, tint);
@@ -172,17 +184,14 @@ Drawing pluck_map(const PluckPlan& plan, const LayerRun& run, const std::string&
     return map.page.finish();
 }
 
-Drawing fit_test_map(const FitTest& test, const DesignSpace& space, const std::string& object_name) {
+Drawing fit_test_map(const FitTest& test, const FoamDesign& design) {
     // A ring has no lid: it lies as the lower half does.
     const CellTest ring = [&](int row, int column) { return test.ring(row, column) != 0; };
-    MapPage map = map_page(
-        {Half::lower, test.ring.ny(), test.ring.nz(), {}, {space.block_mm.z, space.block_mm.y}}, object_name,
-        {"FIT TEST", "ring of one layer",
-         "Keep the shaded ring, pluck what is inside, cut off what is outside. Lies as the lower foam, "
-         "cavity "
-         "facing you. True size. " +
-             object_name,
-         kInk});
+    const Vec3d block_mm = design.space.block_mm;
+    MapPage map =
+        map_page({Half::lower, test.ring.ny(), test.ring.nz(), {}, {block_mm.z, block_mm.y}}, design,
+                 {say("sponge.fit_test"), say("sponge.ring"),
+                  say("sponge.ring_task", {{"name", design.object_name}}), kInk});
     map.page.layer("ring", kSoftInk);
     draw_cells(map.page, map.grid, ring, mixed(kSoftInk, kPaper, 0.6));
     map.page.layer("grid", kHairline);
@@ -200,22 +209,20 @@ bool overview_has_numbers(const PluckPlan& plan, Vec2d paper) {
     return std::min(cell.x, cell.y) >= kLeastNumberCell;
 }
 
-Drawing pluck_overview(const PluckPlan& plan, Vec2d paper, const std::string& object_name) {
+Drawing pluck_overview(const PluckPlan& plan, Vec2d paper, const FoamDesign& design) {
     const auto [page_mm, cell] = overview_of(plan, paper);
-    const std::string name(half_title(plan.half));
-    PageBuilder page(object_name + ": " + name + ", overview", page_mm);
+    const Message half = marked_half(plan.half);
+    PageBuilder page(
+        text(say("sponge.overview", {{"name", design.object_name}, {"half", half}}), design.language),
+        page_mm, design.language);
     const double width = page_mm.x - 2 * kPageMargin;
     const bool with_numbers = overview_has_numbers(plan, paper);
-    page.text({kPageMargin, kPageMargin + 7}, name, {kTitleText, half_ink(plan.half), true});
+    page.text({kPageMargin, kPageMargin + 7}, half, {kTitleText, half_ink(plan.half), true});
     page.text({page_mm.x - kPageMargin, kPageMargin + 7},
-              shortened(object_name, width * 0.7, {kHeadingText, kInk, true}),
+              shortened(design.object_name, width * 0.7, {kHeadingText, kInk, true}),
               {kHeadingText, kInk, true, TextAnchor::end});
     page.paragraph({kPageMargin, kPageMargin + 9.5}, width,
-                   "Cavity facing you. " +
-                       std::string(with_numbers ? "The number says how many blocks to remove from this column"
-                                                : "The shade says how many blocks to remove from a column, "
-                                                  "the table how many from which") +
-                       ", from the cavity's side; white columns stay whole. Not at true size.",
+                   page.words(say(with_numbers ? "sponge.read_numbers" : "sponge.read_shades")),
                    {kBodyText, kSoftInk});
 
     BlockGrid grid{plan.half, plan.removed.ny(), plan.removed.nz(), {}, cell};
@@ -229,11 +236,11 @@ Drawing pluck_overview(const PluckPlan& plan, Vec2d paper, const std::string& ob
 
     const double foot = grid.corner.y + grid.size().y + kGridMargin + 6;
     draw_scale(page, plan, {kPageMargin, foot});
-    page.text({page_mm.x - kPageMargin, foot + 3.8},
-              grouped(static_cast<unsigned long long>(plan.plucked)) + " blocks to remove",
+    page.text({page_mm.x - kPageMargin, foot + 3.8}, say("sponge.to_remove", {{"blocks", plan.plucked}}),
               {kHeadingText, half_ink(plan.half), true, TextAnchor::end});
     page.text({page_mm.x - kPageMargin, foot + 9},
-              "from " + std::to_string(plan.layers) + " layers of " + number(plan.layer_mm, 2) + " mm",
+              say("sponge.from_layers",
+                  {{"layers", std::to_string(plan.layers)}, {"mm", number(plan.layer_mm, 2)}}),
               {kBodyText, kSoftInk, false, TextAnchor::end});
     return page.finish();
 }

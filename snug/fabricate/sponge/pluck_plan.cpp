@@ -85,9 +85,10 @@ PluckPlan pluck_plan(const FoamDesign& design, Half half) {
     return plan;
 }
 
-std::string layers_text(const LayerRun& run) {
-    if (run.first == run.last) return "layer " + std::to_string(run.first);
-    return "layers " + std::to_string(run.first) + " to " + std::to_string(run.last);
+Message layers_text(const LayerRun& run) {
+    const std::string first = std::to_string(run.first);
+    if (run.first == run.last) return say("sponge.layer", {{"layer", first}});
+    return say("sponge.layers", {{"first", first}, {"last", std::to_string(run.last)}});
 }
 
 }  // namespace snug

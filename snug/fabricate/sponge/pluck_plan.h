@@ -55,6 +55,6 @@ struct PluckPlan {
 [[nodiscard]] PluckPlan pluck_plan(const FoamDesign& design, Half half);
 
 /// "layer 3" or "layers 3 to 5"
-[[nodiscard]] std::string layers_text(const LayerRun& run);
+[[nodiscard]] Message layers_text(const LayerRun& run);
 
 }  // namespace snug

@@ -55,11 +55,11 @@ Result<void> add_map(const Drawing& map, std::string name, Vec2d paper, Maps& ma
 
 Result<Maps> true_size_maps(const FoamDesign& design, const SpongeWork& work, Vec2d paper) {
     Maps maps;
-    const std::string title = design.object_name + ": maps at true size";
-    maps.document = {"sponge-maps", title, {print_check_page(paper, title)}, true};
+    const std::string title = text(say("sponge.maps_title", {{"name", design.object_name}}), design.language);
+    maps.document = {"sponge-maps", title, {print_check_page(paper, title, design.language)}, true};
     std::size_t test_pages = 1;
     if (work.test) {
-        const Drawing map = fit_test_map(*work.test, design.space, design.object_name);
+        const Drawing map = fit_test_map(*work.test, design);
         if (auto done = add_map(map, "sponge/fit-test.svg", paper, maps); !done)
             return tl::unexpected(done.error());
         test_pages = maps.document.pages.size();
@@ -67,7 +67,7 @@ Result<Maps> true_size_maps(const FoamDesign& design, const SpongeWork& work, Ve
     for (const PluckPlan* plan : {&work.lower, &work.lid})
         for (const LayerRun& run : plan->runs) {
             if (run.plucked + run.cut_off == 0) continue;
-            const Drawing map = pluck_map(*plan, run, design.object_name);
+            const Drawing map = pluck_map(*plan, run, design);
             if (auto done = add_map(map, map_name(*plan, run), paper, maps); !done)
                 return tl::unexpected(done.error());
         }
@@ -105,8 +105,8 @@ Result<WorkshopPack> sponge_pack(const FoamDesign& design, const WorkshopOptions
     if (!maps) return tl::unexpected(maps.error());
 
     WorkshopPack pack;
-    pack.documents.push_back({"sponge-plan", design.object_name + ": plan",
-                              sponge_plan(design, work, paper_mm(options.paper)), false});
+    pack.documents.push_back(
+        {"sponge-plan", sponge_title(design), sponge_plan(design, work, paper_mm(options.paper)), false});
     tell_figures(design, work, *maps, options.paper, pack);
     if (maps->too_many)
         pack.findings.push_back(

@@ -1,54 +1,63 @@
 #include "snug/fabricate/sponge/sponge_plan.h"
 
+#include <algorithm>
 #include <iterator>
 #include <string>
 #include <utility>
 
 #include "snug/base/text.h"
 #include "snug/drawing/page_builder.h"
+#include "snug/drawing/text_lines.h"
 #include "snug/fabricate/kit/block_names.h"
 #include "snug/fabricate/sponge/pluck_map.h"
+#include "snug/words/halves.h"
 
 namespace snug {
 namespace {
 
 constexpr double kNumberIndent = 8;  // mm
 constexpr double kRowIndent = 20;
+constexpr double kHalfIndent = 22;  // at least
+constexpr double kHalfGap = 3;
 
-std::string many(long long count, std::string_view one, std::string_view more) {
-    return counted(static_cast<unsigned long long>(count), one, more);
+Message stock_text(const PluckPlan& plan) {
+    if (plan.layers == 0) return say("sponge.no_stock", {{"blocks", plan.plucked}});
+    return say("sponge.stock", {{"layers", plan.layers},
+                                {"width", number(plan.column_mm * plan.removed.nz(), 1)},
+                                {"depth", number(plan.row_mm * plan.removed.ny(), 1)},
+                                {"mm", number(plan.layer_mm, 2)},
+                                {"blocks", plan.plucked}});
 }
 
-std::string stock_text(const PluckPlan& plan) {
-    if (plan.layers == 0) return "no foam on this side";
-    return many(plan.layers, "layer", "layers") + " of " + number(plan.column_mm * plan.removed.nz(), 1) +
-           " x " + number(plan.row_mm * plan.removed.ny(), 1) + " mm, each " + number(plan.layer_mm, 2) +
-           " mm thick";
+Message blocks_text(long long blocks) {
+    return say("sponge.blocks", {{"blocks", blocks}});
 }
 
 void tell_half(PageFlow& flow, const PluckPlan& plan) {
     const TextLook name{kHeadingText, half_ink(plan.half), true};
+    double indent = kHalfIndent;
+    for (const Half half : {Half::lower, Half::lid})
+        indent = std::max(indent,
+                          text_width(flow.page().words(marked_half(half)), name.height_mm, true) + kHalfGap);
     flow.space(2);
-    flow.item(half_title(plan.half),
-              stock_text(plan) + "; " + many(plan.plucked, "block", "blocks") + " to pluck", name, 22);
+    flow.item(marked_half(plan.half), stock_text(plan), name, indent);
     const std::vector<double> shares{0.12, 0.42, 0.66};
-    flow.row({"from the cavity", "pluck in each", "together"}, shares, {kSmallText, kSoftInk, true});
+    flow.row({say("sponge.from_cavity"), say("sponge.in_each"), say("sponge.together")}, shares,
+             {kSmallText, kSoftInk, true});
     for (const LayerRun& run : plan.runs) {
         if (run.plucked == 0) {
-            flow.row({layers_text(run), run.cut_off > 0 ? "nothing" : "nothing: leave whole"}, shares,
-                     {kBodyText, kSoftInk});
+            flow.row({layers_text(run), say(run.cut_off > 0 ? "sponge.nothing" : "sponge.leave_whole")},
+                     shares, {kBodyText, kSoftInk});
             continue;
         }
-        const long long all = run.plucked * run.layers();
-        flow.row({layers_text(run), many(run.plucked, "block", "blocks"),
-                  grouped(static_cast<unsigned long long>(all))},
-                 shares, {});
+        const auto all = static_cast<unsigned long long>(run.plucked * run.layers());
+        flow.row({layers_text(run), blocks_text(run.plucked), as_it_is(grouped(all))}, shares, {});
     }
 }
 
 /// The uppermost layers may be little more than what stands above the parting: less work to build than to
 /// pluck.
-std::string advice_on_high_columns(const PluckPlan& plan) {
+std::optional<Message> advice_on_high_columns(const PluckPlan& plan) {
     const long long columns = static_cast<long long>(plan.removed.size());
     long long kept = 0;
     int last = 0;
@@ -57,44 +66,25 @@ std::string advice_on_high_columns(const PluckPlan& plan) {
             kept += (columns - run.plucked - run.cut_off) * run.layers();
             last = run.last;
         }
-    if (last == 0) return "";
-    const bool one = last == 1;
-    return std::string(half_title(plan.half)) + ": " + layers_text({1, last, 0}) +
-           (one ? " keeps" : " keep") + " less than half of " + (one ? "its" : "their") + " blocks, " +
-           many(kept, "block", "blocks") + (one ? "" : " together") + ". Instead of plucking " +
-           (one ? "it" : "them") + ", glue as many spare blocks on layer " + std::to_string(last + 1) +
-           " where the map is white: that saves work and " + many(last, "layer", "layers") + " of foam.";
+    if (last == 0) return {};
+    const Message half = marked_half(plan.half);
+    if (last == 1) return say("sponge.high_layer", {{"half", half}, {"blocks", kept}});
+    return say("sponge.high_layers", {{"half", half},
+                                      {"last", std::to_string(last)},
+                                      {"blocks", kept},
+                                      {"next", std::to_string(last + 1)},
+                                      {"layers", last}});
 }
 
-std::vector<std::string> order_of_work(const SpongeWork& work) {
-    std::vector<std::string> steps;
-    if (work.test)
-        steps.push_back(
-            "Fit test first: print the map \"fit test\", make that ring from one layer, and pass the "
-            "object's "
-            "outline through it by hand. If it does not fit, go back to the design, before a whole block is "
-            "spent.");
-    steps.push_back(
-        "Print the maps at 100 %, check the square on the first page with a ruler, and join the tiles.");
-    steps.push_back(
-        "Cut the layers to size. Write LOWER or LID and its number on each, and BACK on its back edge. Layer "
-        "1 "
-        "is the one at the cavity.");
-    if (work.lower.cut_off + work.lid.cut_off > 0)
-        steps.push_back(
-            "Cut off each layer what its map shows in grey: the case has no room for it there. Some layers "
-            "have a map for this alone.");
-    steps.push_back(
-        "Lay the map of a layer on it, cavity side up, BACK on BACK, the black corner on column A1. Pluck "
-        "the "
-        "shaded blocks. Keep them: they mend a mistake.");
-    steps.push_back(
-        "Stack each half from its last layer up to layer 1, the BACK edges in one line, and check the depths "
-        "against the overview. Then glue the layers, with an adhesive that the object's keeper allows.");
-    steps.push_back(
-        "Close the empty halves once, lid over lower foam, BACK over BACK: the black corners meet and the "
-        "rims "
-        "touch all round.");
+std::vector<Message> order_of_work(const SpongeWork& work) {
+    std::vector<Message> steps;
+    if (work.test) steps.push_back(say("sponge.try_fit"));
+    steps.push_back(say("sponge.print_maps"));
+    steps.push_back(say("sponge.cut_layers"));
+    if (work.lower.cut_off + work.lid.cut_off > 0) steps.push_back(say("sponge.trim"));
+    steps.push_back(say("sponge.pluck"));
+    steps.push_back(say("sponge.stack"));
+    steps.push_back(say("sponge.close"));
     return steps;
 }
 
@@ -119,18 +109,17 @@ std::string runs_of_row(const PluckPlan& plan, int row) {
 }
 
 void add_table(const FoamDesign& design, const PluckPlan& plan, Vec2d page_mm, std::vector<Drawing>& pages) {
-    PageFlow flow(page_mm, std::string(half_title(plan.half)) + ": depths",
-                  design.object_name +
-                      " · rows, then columns: blocks to remove from the cavity's side; "
-                      "columns that are not named stay whole",
-                  half_ink(plan.half));
+    PageFlow flow(page_mm, say("sponge.depths", {{"half", marked_half(plan.half)}}),
+                  say("sponge.how_to_read", {{"name", design.object_name}}), half_ink(plan.half),
+                  design.language);
     const auto text_of = [&](int from_back) { return runs_of_row(plan, plan.row_from_back(from_back)); };
     for (int begin = 0; begin < plan.removed.ny();) {
         const std::string text = text_of(begin);
         int end = begin + 1;
         while (end < plan.removed.ny() && text_of(end) == text) ++end;
         const std::string rows = row_name(begin) + (end - begin > 1 ? "-" + row_name(end - 1) : "");
-        if (!text.empty()) flow.item(rows, text, {kBodyText, half_ink(plan.half), true}, kRowIndent);
+        if (!text.empty())
+            flow.item(as_it_is(rows), as_it_is(text), {kBodyText, half_ink(plan.half), true}, kRowIndent);
         begin = end;
     }
     std::vector<Drawing> done = flow.finish();
@@ -139,33 +128,33 @@ void add_table(const FoamDesign& design, const PluckPlan& plan, Vec2d page_mm, s
 
 }  // namespace
 
+std::string sponge_title(const FoamDesign& design) {
+    return text(say("sponge.title", {{"name", design.object_name}}), design.language);
+}
+
 std::vector<Drawing> sponge_plan(const FoamDesign& design, const SpongeWork& work, Vec2d page_mm) {
-    PageFlow flow(page_mm, design.object_name,
-                  "Slit sponge · " + dimensions(design.space.size()) + " mm closed (x, y, z) · blocks of " +
-                      dimensions(design.space.block_mm, 2) + " mm · " +
-                      many(work.lower.plucked + work.lid.plucked, "block", "blocks") + " to pluck",
-                  kInk);
+    PageFlow flow(page_mm, as_it_is(design.object_name),
+                  say("sponge.subtitle", {{"size", dimensions(design.space.size())},
+                                          {"block", dimensions(design.space.block_mm, 2)},
+                                          {"blocks", work.lower.plucked + work.lid.plucked}}),
+                  kInk, design.language);
     tell_half(flow, work.lower);
     tell_half(flow, work.lid);
     flow.space(2);
-    flow.heading("Order of work");
-    int step = 0;
-    for (const std::string& text : order_of_work(work))
-        flow.item(std::to_string(++step), text, {kBodyText, kSoftInk, true}, kNumberIndent);
+    flow.heading(say("page.order_of_work"));
+    flow.steps(order_of_work(work), kNumberIndent);
     for (const PluckPlan* plan : {&work.lower, &work.lid})
-        if (const std::string advice = advice_on_high_columns(*plan); !advice.empty())
-            flow.item("+", advice, {kBodyText, half_ink(plan->half), true}, kNumberIndent);
+        if (const auto advice = advice_on_high_columns(*plan))
+            flow.item(as_it_is("+"), *advice, {kBodyText, half_ink(plan->half), true}, kNumberIndent);
     if (work.test && (work.test->islands > 0 || work.test->pieces > 1))
-        flow.paragraph("The fit test leaves out " + many(work.test->islands, "island", "islands") +
-                           " of foam and its ring is in " + many(work.test->pieces, "piece", "pieces") + ".",
-                       {kSmallText, kSoftInk});
+        flow.paragraph(
+            say("sponge.test_leaves_out", {{"islands", work.test->islands}, {"pieces", work.test->pieces}}),
+            {kSmallText, kSoftInk});
 
     std::vector<Drawing> pages;
-    for (Drawing& page : flow.finish())
-        pages.push_back(titled(std::move(page), design.object_name + ": plan"));
+    for (Drawing& page : flow.finish()) pages.push_back(titled(std::move(page), sponge_title(design)));
     for (const PluckPlan* plan : {&work.lower, &work.lid})
-        if (plan->plucked + plan->cut_off > 0)
-            pages.push_back(pluck_overview(*plan, page_mm, design.object_name));
+        if (plan->plucked + plan->cut_off > 0) pages.push_back(pluck_overview(*plan, page_mm, design));
     for (const PluckPlan* plan : {&work.lower, &work.lid})
         if (plan->plucked > 0 && !overview_has_numbers(*plan, page_mm))
             add_table(design, *plan, page_mm, pages);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "snug/drawing/drawing.h"
@@ -14,6 +15,9 @@ struct SpongeWork {
     PluckPlan lower, lid;
     std::optional<FitTest> test;
 };
+
+/// Of the document that the pages make.
+[[nodiscard]] std::string sponge_title(const FoamDesign& design);
 
 /// The pages of the plan: stock, counts and order of work in words; the overview of each half; for grids too
 /// fine for numbers, tables of the depths in runs.

@@ -43,7 +43,7 @@ Grid<std::string> worked(const CutFoams& foams, Half half) {
     Grid<std::string> left(ny, nz, std::string(static_cast<std::size_t>(plan.layers), '#'));
     long long plucked = 0, cut_off = 0;
     for (const LayerRun& run : plan.runs) {
-        const Drawing drawing = pluck_map(plan, run, "thing");
+        const Drawing drawing = pluck_map(plan, run, foams.design());
         ReadMap map = read_map(drawing, "pluck", ny, nz);
         EXPECT_EQ(static_cast<long long>(map.cells.size()), run.plucked);
         if (run.cut_off > 0) {
@@ -147,8 +147,8 @@ TEST(SpongeTest, MapsFoldedAlongBackMeet) {
     const CutFoams foams = letter_l();
     const PluckPlan lower = pluck_plan(foams.design(), Half::lower),
                     lid = pluck_plan(foams.design(), Half::lid);
-    const ReadMap below = read_map(pluck_map(lower, lower.runs[0], "L"), "pluck", 3, 4);
-    const ReadMap above = read_map(pluck_map(lid, lid.runs[0], "L"), "pluck", 3, 4);
+    const ReadMap below = read_map(pluck_map(lower, lower.runs[0], foams.design()), "pluck", 3, 4);
+    const ReadMap above = read_map(pluck_map(lid, lid.runs[0], foams.design()), "pluck", 3, 4);
     // Seen from +x with BACK on top, k to the right.
     EXPECT_EQ(below.cells, (std::set<std::pair<int, int>>{{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}}));
     // The lid's map lies with its BACK against the lower one's, above it. Folded over, row by row from BACK,
@@ -176,8 +176,8 @@ TEST(SpongeTest, EverySheetSaysWhichWayRound) {
     for (const Half half : {Half::lower, Half::lid}) {
         const PluckPlan plan = pluck_plan(foams.design(), half);
         const bool lower = half == Half::lower;
-        for (const Drawing& sheet :
-             {pluck_map(plan, plan.runs[0], "L"), pluck_overview(plan, {210, 297}, "L")}) {
+        for (const Drawing& sheet : {pluck_map(plan, plan.runs[0], foams.design()),
+                                     pluck_overview(plan, {210, 297}, foams.design())}) {
             std::string all;
             for (const TextItem& text : test::items_on<TextItem>(sheet, "notes")) all += text.text + "\n";
             EXPECT_NE(all.find(lower ? "LOWER" : "LID"), std::string::npos);
@@ -205,7 +205,7 @@ TEST(SpongeTest, TheOverviewCountsTheBlocksToRemove) {
         Random random(static_cast<std::uint64_t>(100 + seed));
         const CutFoams foams = random_foams(random);
         const PluckPlan plan = pluck_plan(foams.design(), random.chance(0.5) ? Half::lower : Half::lid);
-        const Drawing sheet = pluck_overview(plan, {210, 297}, "thing");
+        const Drawing sheet = pluck_overview(plan, {210, 297}, foams.design());
         if (!overview_has_numbers(plan, {210, 297})) continue;
         const int rows = plan.removed.ny(), columns = plan.removed.nz();
         const ReadMap map = read_map(sheet, "pluck", rows, columns);

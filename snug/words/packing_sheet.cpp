@@ -1,0 +1,88 @@
+#include "snug/words/catalogue.h"
+
+// The sheet that travels with the box.
+
+namespace snug {
+namespace {
+
+constexpr Wording kRows[] = {
+    {"packing.title", "{name}: packing sheet", "{name}：梱包指示書"},
+    {"packing.subtitle", "Packing sheet · travels with the box · {size} mm",
+     "梱包指示書 · 箱に添えてください · {size} mm"},
+    {"packing.picture_lower", "1  Lower foam, cavity up", "1　下のフォーム（くぼみが上）"},
+    {"packing.picture_object", "2  Object in the lower foam", "2　下のフォームに納めた対象物"},
+    {"packing.picture_lid", "3  Lid, here turned over its BACK edge", "3　ふた（奥の縁を軸に裏返した図）"},
+    {"packing.how", "How to lay it in", "納め方"},
+    {"packing.stand",
+     "Stand the case with the lower foam in it, cavity up, the edge marked BACK away from you. The "
+     "cavity must be empty and free of crumbs.",
+     "下のフォームを、くぼみを上にしてケースに入れ、奥（BACK と書いた縁）を向こう側にして置きます。く"
+     "ぼみは空で、フォームのくずが残っていないことを確かめます。"},
+    {"packing.lay",
+     "Lower the object straight down into its cavity, as in picture 2, without turning or pressing. "
+     "Where it does not go in by its own weight, take it out and look why.",
+     "図 2 のように、対象物を回したり押し込んだりせず、くぼみへまっすぐに下ろします。自重で収まらない"
+     "ときは、いったん取り出して原因を調べます。"},
+    {"packing.close",
+     "Put the lid on by hand, cavity down, BACK over BACK, the marked corners together. The rims "
+     "must meet all round without force. Never press the lid with the case's cover.",
+     "ふたのくぼみを下に向け、BACK どうし、印のある角どうしを合わせて、手でかぶせます。力を入れなくて"
+     "も、縁は全周で合うはずです。ケースのふたで押さえつけないでください。"},
+    {"packing.unpack",
+     "To unpack, lift the lid straight up first. Lift out by hand where fingers fit beside the "
+     "object: {places,}. Never by a thin or projecting part.",
+     "取り出すときは、まずふたをまっすぐ上に持ち上げます。対象物は、脇に指の入る所（{places,}）から手"
+     "で取り出します。細い部分や突き出た部分を持たないでください。"},
+    {"packing.place", "{side} {mm} mm at {column}", "{column} の{side} {mm} mm"},
+    {"packing.unpack_ribbons",
+     "To unpack, lift the lid straight up first. No side leaves the {mm} mm that a finger wants "
+     "(widest: {widest}). Lay two ribbons across the lower foam before the object, their ends "
+     "outside, and lift by them.",
+     "取り出すときは、まずふたをまっすぐ上に持ち上げます。指を入れるのに要る {mm} mm のすきまは、どの"
+     "側にもありません（最も広い所：{widest}）。対象物を納める前に、リボンを 2 本、端を外に出して下の"
+     "フォームに渡しておき、それを持って取り出します。"},
+    {"packing.widest", "{side}, {mm} mm at {column}", "{column} の{side} {mm} mm"},
+    {"packing.what", "What it is", "内容"},
+    {"packing.object_of", "{name}, {size} mm, {kg} kg", "{name}、{size} mm、{kg} kg"},
+    {"packing.object_unweighed", "{name}, {size} mm, weight not given", "{name}、{size} mm、重さの指定なし"},
+    {"packing.closed", "Foam, closed", "閉じた大きさ"},
+    {"packing.closed_of", "{size} mm (x upward, y from BACK, z across)",
+     "{size} mm（x：上へ、y：奥から手前へ、z：左右）"},
+    {"packing.walls_of",
+     "floor {floor} · lid {lid} · back {back} · front {front} · left {left} · right {right} mm",
+     "底 {floor} · ふた {lid} · 奥 {back} · 手前 {front} · 左 {left} · 右 {right} mm"},
+    {"packing.foam_weighs", "{litres} litres, {kg} kg", "{litres} リットル、{kg} kg"},
+    {"packing.foam_and_object", "{litres} litres, {kg} kg; with the object {all_kg} kg, without the case",
+     "{litres} リットル、{kg} kg。対象物を含めて {all_kg} kg（ケースを除く）"},
+    {"packing.material", "Material", "材料"},
+    {"packing.material_of", "{litres} litres, {cost}", "{litres} リットル、{cost}"},
+    {"packing.know", "What to know", "注意点"},
+    {"packing.nothing_found", "Nothing was found in the shape of the foam.",
+     "フォームの形に問題は見つかりませんでした。"},
+    {"packing.unchecked", "What was not checked", "確かめていないこと"},
+    {"packing.unchecked_drops",
+     "Drops and shocks: neither the foam's thickness nor its stiffness was matched to the object's "
+     "weight and fragility.",
+     "落下と衝撃：フォームの厚さと硬さは、対象物の重さと壊れやすさに合わせて決めたものではありません"
+     "。"},
+    {"packing.unchecked_pressure",
+     "Pressure: whether the foam dents where the object rests on a small area, or sags in a long "
+     "store.",
+     "圧力：対象物が小さな面で載る所でフォームがへこまないか、長期の保管で沈まないか。"},
+    {"packing.unchecked_material",
+     "The material near collections: gases, plasticisers, dust, colour, flammability. Ask a "
+     "conservator; put tissue or film between where in doubt.",
+     "収蔵品のそばに置く材料：ガス、可塑剤、粉、色移り、燃えやすさ。保存の専門家に相談し、不安があれ"
+     "ば薄葉紙やフィルムを間に挟んでください。"},
+    {"packing.unchecked_model",
+     "The model itself: whether it is the object's true size and shape, as it is today.",
+     "モデル自体：対象物の現在の大きさと形に合っているか。"},
+};
+
+}  // namespace
+
+std::span<const Wording> words_of_packing_sheet() {
+    return kRows;
+}
+
+}  // namespace snug
