@@ -7,6 +7,7 @@
 
 #include "snug/base/text.h"
 #include "snug/base/utf8.h"
+#include "snug/base/wide_text.h"
 
 namespace snug {
 namespace {
@@ -26,11 +27,27 @@ std::size_t step(std::string_view text) {
     return std::max<std::size_t>(1, xml_character_bytes(text));
 }
 
-/// Bytes of the first `count` characters, or of all.
+/// Bytes of as many characters as take the room of `count` letters, or of all: at least one, if any room.
 std::size_t bytes_of_characters(std::string_view text, std::size_t count) {
-    std::size_t bytes = 0;
-    while (count-- > 0 && bytes < text.size()) bytes += step(text.substr(bytes));
+    std::size_t bytes = 0, taken = 0;
+    while (taken < count && bytes < text.size()) {
+        taken += is_wide(first_character(text.substr(bytes)).character) ? 2 : 1;
+        if (taken > count && bytes > 0) break;
+        bytes += step(text.substr(bytes));
+    }
     return bytes;
+}
+
+/// The last place up to `end` where a line of the text may break: at a blank, or beside a wide character; 0
+/// if there is none.
+std::size_t last_break(std::string_view text, std::size_t end) {
+    std::size_t found = 0;
+    for (std::size_t at = 0; at <= end && at < text.size();) {
+        const bool blank = text[at] == ' ';
+        if (blank || (at > 0 && text[at - 1] != ' ')) found = at;
+        at += blank ? 1 : unbroken(text.substr(at)).size();
+    }
+    return found;
 }
 
 /// In tenths of a px.
@@ -74,8 +91,7 @@ std::vector<std::string> broken(std::string_view text, std::size_t longest, std:
                 lines.push_back(std::string(text.substr(0, end)) + std::string(kEllipsis));
                 return lines;
             }
-            const std::size_t space = text.substr(0, end + 1).rfind(' ');
-            if (space != std::string_view::npos && space > 0) end = space;
+            if (const std::size_t place = last_break(text, end); place > 0) end = place;
         }
         lines.emplace_back(text.substr(0, end));
         text.remove_prefix(end);

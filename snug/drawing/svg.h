@@ -26,9 +26,10 @@ namespace snug {
 /// becomes a replacement character.
 [[nodiscard]] std::string xml_text(std::string_view text);
 
-/// The lines that `text` (UTF-8) fills when none is longer than `longest` characters: broken at spaces,
-/// longer words anywhere, and as even as that many lines can be. At most `most_lines`; the last one ends in
-/// an ellipsis if more would follow.
+/// The lines that `text` (UTF-8) fills when none is longer than `longest` characters, of which wide ones
+/// count as two: broken at spaces and between wide characters (snug/base/wide_text.h), longer words anywhere,
+/// and as even as that many lines can be. At most `most_lines`; the last one ends in an ellipsis if more
+/// would follow.
 [[nodiscard]] std::vector<std::string> wrapped(std::string_view text, std::size_t longest,
                                                std::size_t most_lines);
 
