@@ -14,7 +14,7 @@ constexpr Wording kRows[] = {
      "フラットエンドミル、直径 {cutter_mm} mm、刃長 {flute_mm} mm"},
     {"mill.feeds", "Feeds", "送り"},
     {"mill.feeds_of", "{feed} mm/min, down {plunge} mm/min, {rpm} rpm: starting values, try them on waste",
-     "毎分 {feed} mm、下降は毎分 {plunge} mm、毎分 {rpm} 回転。目安なので端材で試すこと"},
+     "{feed} mm/分、下降 {plunge} mm/分、{rpm} 回転/分。目安なので端材で試すこと"},
     {"mill.pass", "One pass", "1 段"},
     {"mill.pass_of",
      "{step_mm} mm down, lines {apart_mm} mm apart, {safe_mm} mm above the stock between them",

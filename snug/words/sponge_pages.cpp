@@ -11,8 +11,7 @@ constexpr Wording kRows[] = {
     {"sponge.subtitle",
      "Slit sponge · {size} mm closed (x, y, z) · blocks of {block} mm · {blocks} "
      "{blocks|block|blocks} to pluck",
-     "スリットスポンジ · 閉じたとき {size} mm（x, y, z） · {block} mm のブロック · 抜くブロック "
-     "{blocks} 個"},
+     "スリットスポンジ · 閉じて {size} mm（x, y, z） · ブロック {block} mm · 抜く数 {blocks}"},
     {"sponge.stock",
      "{layers} {layers|layer|layers} of {width} x {depth} mm, each {mm} mm thick; {blocks} "
      "{blocks|block|blocks} to pluck",

@@ -353,6 +353,8 @@ TEST(SvgText, WrappedLinesAreShortEvenAndComplete) {
     EXPECT_EQ(wrapped("aaaaaaaaaa", 4, 9).size(), 3u);
     EXPECT_EQ(wrapped("a b c d e f", 3, 2), (std::vector<std::string>{"a b", "c \xE2\x80\xA6"}));
     EXPECT_TRUE(wrapped("", 10, 3).empty());
+    // Wide characters take the room of two, and no line begins with a mark that closes.
+    EXPECT_EQ(wrapped("対象物です。次", 10, 9), (std::vector<std::string>{"対象物で", "す。次"}));
     EXPECT_EQ(wrapped("\xC3\xB6\xC3\xB6\xC3\xB6", 2, 9).size(), 2u);
     Random random(8);
     for (int i = 0; i < 200; ++i) {

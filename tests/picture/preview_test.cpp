@@ -272,6 +272,18 @@ TEST(PreviewOfGaps, TellsStepsFromUndercutsAndSaysWhereTheBallIs) {
     EXPECT_TRUE(holds(gap_maps(gap, space, 0).svg, "unknown: the object is open"));
 }
 
+TEST(Preview, SpeaksJapaneseWhereItIsAskedTo) {
+    const DesignSpace space{{4, 6, 8}, {10, 10, 10}};
+    const GapReport gap = gap_in_column(space, 2, 2, 0);
+    const FoamPair foams = flat(space, 2, 2);
+    const std::string svg = preview_svg(foams, space, {}, {}, "", &gap, Language::japanese);
+    EXPECT_EQ(xml_fault(svg), "");
+    for (const char* words : {"下（LOWER）", "ふた（LID）", "奥（BACK）", ">BACK<", "のすきま", "IPAGothic"})
+        EXPECT_TRUE(holds(svg, words)) << words;
+    for (const char* words : {"foam", "cavity", "Gap of", "closed"}) EXPECT_FALSE(holds(svg, words)) << words;
+    EXPECT_FALSE(holds(preview_svg(foams, space, {}, {}, "", &gap), "\xE3")) << "nor English any Japanese";
+}
+
 TEST(PreviewOfGaps, StaysSmallHoweverManyColumns) {
     const DesignSpace space{{10, 900, 700}, {5, 1, 1}};
     GapReport gap = gap_in_column(space, 3, 3, 0);
