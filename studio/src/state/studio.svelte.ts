@@ -1,6 +1,6 @@
 import type {BrickRange, Design, Preset} from '../design/design';
 import {firstDesign, forNewObject} from '../design/edit';
-import {bounds, comesTo, type Dependent, type OptionPath, type Schema} from '../design/options';
+import type {Schema} from '../design/options';
 import {canRedo, canUndo, Gestures, moved, present, record, startHistory, type History} from '../design/history';
 import type {BesideFile, Engine, Failure, Finding, Gap, ObjectInfo, Packing} from '../engine/api';
 import {CANCELLED, isFailure} from '../engine/failure';
@@ -12,6 +12,7 @@ import {gravestFirst} from './findings';
 import {Keeping} from './keeping.svelte';
 import {LongWork} from './long_work';
 import type {Busy, Content, DisplayMeshes, FileFacts, Problem, Reading, Timing, Work} from './on_the_page';
+import {Options} from './options.svelte';
 import {Placements} from './placements.svelte';
 import {Readings} from './readings';
 import {Rest} from './rest.svelte';
@@ -30,14 +31,12 @@ export class Studio {
   readonly defaults: Design;
   readonly presets: Preset[];
   readonly bricks: BrickRange;
-  readonly options: Schema;
+  readonly options: Options;
   readonly samples: string[];
   readonly version: string;
 
   /** What the controls show. */
   design: Design = $state.raw({} as Design);
-  /** What follows from it for its own options. */
-  #dependent: Dependent = $state.raw({});
   readonly #object: ShownObject;
   readonly #onDesign: () => void;
   /** The last good one. */
@@ -87,7 +86,7 @@ export class Studio {
 
   private constructor(
     engine: Engine,
-    facts: Pick<Studio, 'defaults' | 'presets' | 'bricks' | 'options' | 'samples' | 'version'>,
+    facts: Pick<Studio, 'defaults' | 'presets' | 'bricks' | 'samples' | 'version'> & {options: Schema},
     onDesign: () => void,
   ) {
     this.engine = engine;
@@ -96,7 +95,7 @@ export class Studio {
     this.defaults = facts.defaults;
     this.presets = facts.presets;
     this.bricks = facts.bricks;
-    this.options = facts.options;
+    this.options = new Options(facts.options, () => this.design);
     this.samples = facts.samples;
     this.version = facts.version;
     this.design = firstDesign(facts.defaults);
@@ -138,21 +137,6 @@ export class Studio {
   /** The gaps of these foams will be known. */
   get gapComes(): boolean {
     return this.#resting.comes || this.busy?.work === 'gaps';
-  }
-
-  /** Of a side where none is chosen and the space is fitted to the object. */
-  get fittedWall(): number {
-    return this.options['space.wall_mm'].fitted ?? 0;
-  }
-
-  /** What an option comes to in the design, chosen or not; null where it is simply not there. */
-  comesTo(path: OptionPath): unknown {
-    return comesTo(this.design, path, this.#dependent);
-  }
-
-  /** Least and most of a number in the design. */
-  bounds(path: OptionPath): {min?: number; max?: number} {
-    return bounds(this.options[path], this.#dependent[path]);
   }
 
   /** What the command line is to make: of a thinned object its original, of a file that states its unit in no other. */
@@ -375,7 +359,7 @@ export class Studio {
     const packing = await this.engine.pack(design);
     if (isFailure(packing)) return packing;
     this.packing = packing;
-    this.#dependent = packing.dependent;
+    this.options.depend(packing.dependent);
     this.gap = null;
     this.timing = {input, answer_ms: performance.now() - input, library_ms: packing.library_ms};
     return null;
@@ -384,7 +368,7 @@ export class Studio {
   async #checked(design: Design): Promise<Failure | null> {
     const answer = await this.engine.parseProject(JSON.stringify(design));
     if (isFailure(answer)) return answer;
-    this.#dependent = answer.dependent;
+    this.options.depend(answer.dependent);
     return null;
   }
 
