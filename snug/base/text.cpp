@@ -6,6 +6,8 @@
 
 #include <fast_float/fast_float.h>
 
+#include "snug/base/one_line.h"
+
 namespace snug {
 namespace {
 
@@ -120,12 +122,10 @@ std::string counted(unsigned long long count, std::string_view one, std::string_
 }
 
 std::string quoted(std::string_view text, std::size_t longest) {
-    std::string shown = "\"";
-    for (const char c : text.substr(0, longest)) {
-        const auto byte = static_cast<unsigned char>(c);
-        shown += byte < 0x20 || byte >= 0x7f ? '?' : c;
-    }
-    return shown + (text.size() > longest ? "...\"" : "\"");
+    std::size_t end = std::min(text.size(), longest);
+    // Never half a character: the bytes behind its first have the upper bits 10.
+    for (int back = 0; back < 3 && end > 0 && end < text.size() && (text[end] & 0xC0) == 0x80; ++back) --end;
+    return "\"" + one_line(text.substr(0, end)) + (end < text.size() ? "...\"" : "\"");
 }
 
 }  // namespace snug

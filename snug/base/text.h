@@ -23,7 +23,8 @@ namespace snug {
 /// "1 block", "3 blocks"
 [[nodiscard]] std::string counted(unsigned long long count, std::string_view one, std::string_view many);
 
-/// What stands in a file, made safe to show: control characters replaced, cut off at `longest` bytes.
+/// What stands in a file, made safe to show: as one_line() has it, cut off behind the last character within
+/// `longest` bytes.
 [[nodiscard]] std::string quoted(std::string_view text, std::size_t longest = 40);
 
 }  // namespace snug
