@@ -33,7 +33,7 @@ constexpr Wording kRows[] = {
      "Put the parts of a mould together on a flat board as its picture shows, with the dowels in "
      "their bores, and glue or clamp them. Seal every joint from inside with wax, modelling clay or "
      "tape: what is poured finds every gap.",
-     "型の部品を、図のとおりに、だぼを穴に入れて平らな板の上で組み、接着するか締め付けます。注いだも"
+     "型の部品を、図のとおりに、ダボを穴に入れて平らな板の上で組み、接着するか締め付けます。注いだも"
      "のはどんなすきまにも入るので、継ぎ目はすべて内側から、ろう、粘土、テープでふさぎます。"},
     {"mould.release",
      "Smooth what is rough, then brush all inner faces with the release agent that the foam's or "

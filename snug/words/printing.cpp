@@ -9,13 +9,13 @@ constexpr Wording kRows[] = {
     {"no_dowel/foam",
      "dowels of {diameter_mm} x {length_mm} mm find too little foam around them where {pairs} "
      "{pairs|pair|pairs} of parts meet: glue them face to face, or take smaller dowels or a larger bed",
-     "部品の合わせ目 {pairs} か所では、{diameter_mm} x {length_mm} mm のだぼのまわりのフォームが足りません。"
-     "面同士を接着するか、小さいだぼか大きいベッドを選んでください。"},
+     "部品の合わせ目 {pairs} か所では、{diameter_mm} x {length_mm} mm のダボのまわりのフォームが足りません。"
+     "面同士を接着するか、小さいダボか大きいベッドを選んでください。"},
     {"no_dowel/plastic",
      "dowels of {diameter_mm} x {length_mm} mm find too little plastic around them where {pairs} "
      "{pairs|pair|pairs} of parts meet: glue them face to face, or take smaller dowels or a larger bed",
-     "部品の合わせ目 {pairs} か所では、{diameter_mm} x {length_mm} mm のだぼのまわりの樹脂が足りません。面"
-     "同士を接着するか、小さいだぼか大きいベッドを選んでください。"},
+     "部品の合わせ目 {pairs} か所では、{diameter_mm} x {length_mm} mm のダボのまわりの樹脂が足りません。面"
+     "同士を接着するか、小さいダボか大きいベッドを選んでください。"},
     {"rigid/print",
      "printed plastic holds the object but is no cushion: put foam between it and the outer box",
      "印刷した樹脂は対象物を支えますが、緩衝にはなりません。外箱との間に緩衝材を入れてください。"},
@@ -25,7 +25,7 @@ constexpr Wording kRows[] = {
      "ケースが広がるため、{parts} 個の部品が一番下のブロックより外に張り出します。プリンターのソフトでサポ"
      "ートを付けてください{glue}。"},
     {"overhang.glue", ", and glue them face to face: they have no dowels",
-     "（だぼがないため、面同士を接着してください）"},
+     "（ダボがないため、面同士を接着してください）"},
     {"narrow_foam",
      "{blocks} {blocks|block|blocks} of the {foam} {blocks|is|are} not cast: the foam is too narrow there "
      "to leave room between faces that lean by {lean}; take a smaller draft",

@@ -30,24 +30,24 @@ constexpr Wording kRows[] = {
      "The case widens from the first sheet on, so {sheets} {sheets|sheet|sheets} of the {foam} reach over "
      "the sheet before: lay them by the dowels, or by the picture of each sheet within the dashed "
      "rectangle.",
-     "ケースが最初のシートから広がるため、{foam}の {sheets} 枚のシートが前のシートからはみ出します。だぼに"
+     "ケースが最初のシートから広がるため、{foam}の {sheets} 枚のシートが前のシートからはみ出します。ダボに"
      "合わせるか、破線の四角の中の各シートの図に合わせて重ねてください。"},
     {"sheets-dowels",
      "No two dowels of {dowel_mm} mm with {edge_mm} mm of foam around them go through the sheets of the "
      "{foam}: lay them by the marked outlines, or choose thinner dowels.",
-     "{foam}のシートには、まわりに {edge_mm} mm のフォームを残して {dowel_mm} mm のだぼを二本通す場所があ"
-     "りません。記された輪郭に合わせて重ねるか、細いだぼを選んでください。"},
+     "{foam}のシートには、まわりに {edge_mm} mm のフォームを残して {dowel_mm} mm のダボを二本通す場所があ"
+     "りません。記された輪郭に合わせて重ねるか、細いダボを選んでください。"},
     {"sheets-dowels/one",
      "Sheet {sheet} of the {foam} has no room for dowels: lay them by the outline that is marked on the "
      "sheet before.",
-     "{foam}のシート {sheet} にはだぼの余地がありません。前のシートに記された輪郭に合わせて重ねてください。"},
+     "{foam}のシート {sheet} にはダボの余地がありません。前のシートに記された輪郭に合わせて重ねてください。"},
     {"sheets-dowels/several",
      "Sheets {first} to {last} of the {foam} have no room for dowels: lay them by the outline that is "
      "marked on the sheet before.",
-     "{foam}のシート {first}～{last} にはだぼの余地がありません。前のシートに記された輪郭に合わせて重ねて"
+     "{foam}のシート {first}～{last} にはダボの余地がありません。前のシートに記された輪郭に合わせて重ねて"
      "ください。"},
     {"sheets-dowels/fewer", "The sheets of the {foam} have room for {found} dowels instead of {wanted}.",
-     "{foam}のシートには、だぼは {wanted} 本ではなく {found} 本しか入りません。"},
+     "{foam}のシートには、ダボは {wanted} 本ではなく {found} 本しか入りません。"},
     {"sheets-unnumbered",
      "Too small for an engraved number, so number them by hand as they come off the cutter: {pieces}.",
      "小さくて番号を刻めないため、切り出しながら手で番号を書いてください：{pieces}"},

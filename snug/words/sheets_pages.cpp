@@ -27,7 +27,7 @@ constexpr Wording kRows[] = {
     {"sheets.put_dowels",
      "Put {dowels} dowels of {mm} mm into its holes. They go through {first} to {last} and fit one "
      "way only: where they do not meet the holes, the sheet is turned or lies upside down.",
-     "その穴に、直径 {mm} mm のだぼを {dowels} 本差します。だぼは {first} から {last} までを通り、正"
+     "その穴に、直径 {mm} mm のダボを {dowels} 本差します。ダボは {first} から {last} までを通り、正"
      "しい向きにしか合いません。穴に合わないときは、シートの向きか表裏が逆です。"},
     {"sheets.glue_one",
      "Glue {sheet} on it one after the other, numbers upward, arrows to BACK, odd corners above each "
