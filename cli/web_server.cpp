@@ -64,10 +64,10 @@ void find(const Site& site, const httplib::Request& request, httplib::Response& 
     if (const auto kept = site.contents.find(request.path); kept != site.contents.end())
         return send_kept(response, kept->second);
     const auto file = site.files.find(request.path);
-    const auto bytes = file == site.files.end() ? fail(ErrorKind::input, "") : read_file(file->second);
-    if (bytes)
-        return response.set_content(reinterpret_cast<const char*>(bytes->data()), bytes->size(),
-                                    content_type(file->second));
+    if (file != site.files.end())
+        if (const auto bytes = read_file(file->second))
+            return response.set_content(reinterpret_cast<const char*>(bytes->data()), bytes->size(),
+                                        content_type(file->second));
     response.status = 404;
     response.set_content("There is nothing here.\n", "text/plain; charset=utf-8");
 }

@@ -41,7 +41,7 @@ Result<FileBytes> unpack_meshopt(Bytes packed, const MeshoptView& view) {
         failed = meshopt_decodeIndexBuffer(bytes.data(), view.count, view.stride, from, packed.size());
     else
         failed = meshopt_decodeIndexSequence(bytes.data(), view.count, view.stride, from, packed.size());
-    if (failed != 0) return fail(ErrorKind::input, "damaged");
+    if (failed != 0) return fail(ErrorKind::input, as_it_is("damaged"));
     return bytes;
 }
 
@@ -70,7 +70,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const Bytes binary = file.subspan(std::min(json.size() + 1, size));
     SceneTools tools;
     tools.beside = [&](const std::string& name) -> Result<FileBytes> {
-        if (name.size() % 2 != 0) return fail(ErrorKind::input, "not there");
+        if (name.size() % 2 != 0) return fail(ErrorKind::input, as_it_is("not there"));
         return FileBytes(binary.begin(), binary.end());
     };
     tools.meshopt = unpack_meshopt;

@@ -22,7 +22,6 @@ enum class ErrorKind {
 struct Error {
     Error() = default;
     Error(ErrorKind kind_, Message message_) : kind(kind_), message(std::move(message_)) {}
-    Error(ErrorKind kind_, std::string_view sentence) : Error(kind_, as_it_is(sentence)) {}
 
     ErrorKind kind = ErrorKind::input;
     Message message;
@@ -34,9 +33,6 @@ using Result = tl::expected<T, Error>;
 
 [[nodiscard]] inline tl::unexpected<Error> fail(ErrorKind kind, Message message) {
     return tl::unexpected<Error>(Error{kind, std::move(message)});
-}
-[[nodiscard]] inline tl::unexpected<Error> fail(ErrorKind kind, std::string_view sentence) {
-    return tl::unexpected<Error>(Error{kind, sentence});
 }
 
 }  // namespace snug

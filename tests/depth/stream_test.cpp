@@ -27,7 +27,8 @@ using test::Random;
 /// Of bytes in memory; counts how many were read.
 ByteSource source_of(const FileBytes& bytes, std::atomic<std::uint64_t>* read = nullptr) {
     return {bytes.size(), [&bytes, read](std::uint64_t at, std::span<std::byte> into) -> Result<void> {
-                if (at + into.size() > bytes.size()) return fail(ErrorKind::input, "beyond the end");
+                if (at + into.size() > bytes.size())
+                    return fail(ErrorKind::input, as_it_is("beyond the end"));
                 std::memcpy(into.data(), bytes.data() + at, into.size());
                 if (read) *read += into.size();
                 return {};
@@ -352,7 +353,7 @@ TEST(Stream, AFileThatShrinksAndACancelledPassEndWithTheirError) {
     ByteSource shrinking = source_of(bytes);
     const auto whole = shrinking.read;
     shrinking.read = [&](std::uint64_t at, std::span<std::byte> into) -> Result<void> {
-        if (++reads > 2) return fail(ErrorKind::input, "the file has shrunk");
+        if (++reads > 2) return fail(ErrorKind::input, as_it_is("the file has shrunk"));
         return whole(at, into);
     };
     const auto stream = TriangleStream::open(shrinking);

@@ -44,7 +44,7 @@ TEST(Gltf, NamesOfFilesAreDecodedAndDataMayStandInTheText) {
     SceneTools tools;
     tools.beside = [&](const std::string& name) -> Result<FileBytes> {
         if (name != "my scan \xC3\xA4.bin" && name != "100%.bin" && name != "%41.bin")
-            return fail(ErrorKind::input, "not there: " + name);
+            return fail(ErrorKind::input, as_it_is("not there: " + name));
         return scene.binary;
     };
     expect_box(read_gltf(file_of(scene.gltf("my%20scan%20%C3%A4.bin")), tools));

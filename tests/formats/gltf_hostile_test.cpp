@@ -34,11 +34,11 @@ TEST(Gltf, ADecoderThatFailsIsNotAskedForTheSameAgain) {
     SceneTools tools;
     tools.meshopt = [&](Bytes, const MeshoptView&) -> Result<FileBytes> {
         ++asked;
-        return fail(ErrorKind::input, "damaged");
+        return fail(ErrorKind::input, as_it_is("damaged"));
     };
     tools.draco = [&](Bytes, std::span<const DracoAttribute>) -> Result<DracoMesh> {
         ++asked;
-        return fail(ErrorKind::input, "damaged");
+        return fail(ErrorKind::input, as_it_is("damaged"));
     };
     GltfBuilder meshopt = box_scene();
     const std::vector<std::uint8_t> packed(64, 0xA0);
@@ -67,7 +67,7 @@ TEST(Gltf, ViewsThatShareTheirPackedBytesAreTriedWithinABudget) {
     SceneTools tools;
     tools.meshopt = [&](Bytes, const MeshoptView& view) -> Result<FileBytes> {
         unpacked += view.count * view.stride;
-        return fail(ErrorKind::input, "damaged at its end");
+        return fail(ErrorKind::input, as_it_is("damaged at its end"));
     };
     GltfBuilder scene;
     const GltfBox box;
