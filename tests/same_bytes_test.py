@@ -25,6 +25,11 @@ SAMPLE_CASES = [
     ("vase", ["--for", "bricks", "--longest", "120"]),
     ("camera", ["--for", "mill", "--longest", "90", "--rotate", "10,20,30", "--flute", "100"]),
     ("vase", ["--for", "mould", "--bed", "180x180x90", "--draft", "3"]),
+    ("camera", ["--for", "sponge", "--case", "425x284x155:45", "--preset", "slit-10", "--language", "ja"]),
+    ("vase", ["--for", "sheets", "--blocks", "auto", "--clearance", "1,2,2,0,1,3", "--notches", "60x30", "--language", "ja"]),
+    ("vase", ["--for", "bricks", "--longest", "120", "--language", "ja"]),
+    ("camera", ["--for", "mill", "--longest", "90", "--flute", "100", "--language", "ja"]),
+    ("torus", ["--for", "mould", "--language", "ja"]),
     ("figurine", ["--blocks", "90x54x54", "--block-size", "5x5x7.3", "--cut-on-touch", "--parting", "40"]),
 ]
 MODEL_CASES = [
@@ -61,13 +66,15 @@ def unpacked(found):
 
 
 def check(programs, wasm, path, options, work):
+    language = options[options.index("--language") + 1] if "--language" in options else "en"
     made = []
     for number, program in enumerate(programs):
         folder = work / f"native{number}"
         run([program, "make", path, *options, "-o", folder, "--quiet"])
         made.append(contents(folder))
     folder = work / "wasm"
-    run(["node", HERE / "make_with_wasm.mjs", wasm, path, work / "native0" / "project.snug.json", folder])
+    run(["node", HERE / "make_with_wasm.mjs", wasm, path, work / "native0" / "project.snug.json", folder,
+         language])
     pairs = [("clang", made[0], made[1]), ("wasm", unpacked(made[0]), contents(folder))]
     for name, expected, found in pairs:
         if sorted(found) != sorted(expected):

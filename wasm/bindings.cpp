@@ -98,14 +98,16 @@ val sample_file(const std::string& name) {
     return to_val(PackFile{name + ".ply", write_ply(mesh->vertices, mesh->triangles, {})});
 }
 
-val make(const val& object_bytes, const std::string& project_text, const val& tools) {
+/// {files, report, pack}, or what is wrong; in a language ("en", "ja").
+val make(const val& object_bytes, const std::string& project_text, const val& tools,
+         const std::string& language) {
     const auto project = parse_project(project_text);
     if (!project) return to_val(project.error());
     auto mesh = read_object(bytes_from(object_bytes), project->object.name, scene_tools_from(tools));
     if (!mesh) return to_val(mesh.error());
     auto object = prepare(std::move(*mesh), project->design);
     if (!object) return to_val(object.error());
-    return make_files(*object, *project, Language::english, {});
+    return make_files(*object, *project, language_of(language), {});
 }
 
 }  // namespace

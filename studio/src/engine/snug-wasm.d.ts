@@ -75,7 +75,7 @@ declare module 'snug-wasm/snug.mjs' {
     /** A JSON text: every option's path with its kind, range, unit, step, words and default, see
      *  snug/design/options_schema.h. */
     optionsSchema(): string;
-    make(object: Uint8Array, project: string, tools: SceneTools | null): Made | Failure;
+    make(object: Uint8Array, project: string, tools: SceneTools | null, language: string): Made | Failure;
     Session: new () => Session;
   }
 
