@@ -131,6 +131,9 @@ constexpr Wording kRows[] = {
      "its geometry lies in {name}, which is not beside it: put it there, or save it as .glb, which holds "
      "all",
      "形状のファイル {name} が隣にありません。そこに置くか、すべてを含む .glb で保存してください。"},
+    {"gltf.geometry_not_opened",
+     "its geometry lies in {name}: open both files at once, or save it as .glb, which holds all",
+     "形状が別のファイル {name} にあります。両方を同時に開くか、すべてを含む .glb で保存してください。"},
     {"gltf.geometry_at",
      "its geometry lies at \"{name}\", and Snug reads only what lies beside the file: save it as .glb, "
      "which holds all",

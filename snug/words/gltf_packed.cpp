@@ -56,8 +56,6 @@ constexpr Wording kRows[] = {
      "EXT_meshopt_compression で保存してください。"},
     {"draco.damaged", "a mesh that Draco packed is damaged: export it again, best without compression",
      "Draco で圧縮されたメッシュが壊れています。できれば圧縮せずに、もう一度書き出してください。"},
-    {"packed.damaged", "a part of it is damaged and cannot be unpacked: copy or export it again",
-     "壊れていて展開できない部分があります。もう一度コピーまたは書き出しをしてください。"},
 };
 
 }  // namespace

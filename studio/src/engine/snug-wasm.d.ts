@@ -26,18 +26,18 @@ declare module 'snug-wasm/snug.mjs' {
     containers: {name: string; members: OutputFile[]}[];
   }
 
-  /** What the library asks for while it reads a scene. A text is the sentence that says why there is no answer; none
-   *  of them throws. */
+  /** What the library asks for while it reads a scene. null: there is no answer; none of them throws. */
   export interface SceneTools {
-    beside?: (name: string) => Uint8Array | string;
+    /** `name`: without its folders. */
+    beside?: (name: string) => Uint8Array | null;
     /** Raw DEFLATE. */
-    inflate?: (packed: Uint8Array, most: number) => Uint8Array | string;
+    inflate?: (packed: Uint8Array, most: number) => Uint8Array | null;
     /** `packed` lies in the library's memory, as it does for all of them: copied before anything else is done. */
-    meshopt?: (packed: Uint8Array, count: number, stride: number, mode: string) => Uint8Array | string;
+    meshopt?: (packed: Uint8Array, count: number, stride: number, mode: string) => Uint8Array | null;
     draco?: (
       packed: Uint8Array,
       attributes: {id: number; components: number}[],
-    ) => {attributes: Float32Array[]; corners: Uint32Array} | string;
+    ) => {attributes: Float32Array[]; corners: Uint32Array} | null;
   }
 
   /** Keeps the object between calls. Failures change nothing. */

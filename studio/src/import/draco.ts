@@ -2,8 +2,6 @@ import createDecoder, {type DecoderModule} from 'draco3d/draco_decoder_nodejs.js
 import wasmUrl from 'draco3d/draco_decoder.wasm?url';
 import type {SceneTools} from 'snug-wasm/snug.mjs';
 
-const DAMAGED = 'a mesh that Draco packed is damaged: export it again, best without compression';
-
 let module: Promise<DecoderModule> | null = null;
 
 /** SceneTools.draco by Google's decoder. */
@@ -11,10 +9,10 @@ export async function dracoDecoder(): Promise<Required<SceneTools>['draco']> {
   const decoder = await (module ??= load());
   return (packed, asked) => {
     try {
-      return unpack(decoder, packed.slice(), asked) ?? DAMAGED;
+      return unpack(decoder, packed.slice(), asked) ;
     } catch {
       module = null; // where it stopped it may not be used again
-      return DAMAGED;
+      return null;
     }
   };
 }

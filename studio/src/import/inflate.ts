@@ -1,14 +1,12 @@
 import {Inflate} from 'fflate';
 import type {SceneTools} from 'snug-wasm/snug.mjs';
 
-/** As the command line has it. */
-const DAMAGED = 'what is packed in it is damaged';
 /** What comes out of a piece is held before it is counted: at most about a thousand times as much. */
 const PIECE = 1 << 14;
 
 /** SceneTools.inflate: raw DEFLATE, never much more than `most` bytes in memory. */
 export const inflate: Required<SceneTools>['inflate'] = (packed, most) => {
-  if (packed.length === 0) return DAMAGED;
+  if (packed.length === 0) return null;
   const parts: Uint8Array[] = [];
   let size = 0;
   const stream = new Inflate((part) => {
@@ -18,10 +16,10 @@ export const inflate: Required<SceneTools>['inflate'] = (packed, most) => {
   try {
     for (let at = 0; at < packed.length; at += PIECE) {
       stream.push(packed.slice(at, at + PIECE), at + PIECE >= packed.length);
-      if (size > most) return DAMAGED;
+      if (size > most) return null;
     }
   } catch {
-    return DAMAGED;
+    return null;
   }
   return joined(parts, size);
 };

@@ -10,7 +10,7 @@ export async function meshoptDecoder(): Promise<Required<SceneTools>['meshopt']>
       MeshoptDecoder.decodeGltfBuffer(bytes, count, stride, packed.slice(), mode);
       return bytes;
     } catch {
-      return 'a part packed by meshopt is damaged: export it again';
+      return null;
     }
   };
 }

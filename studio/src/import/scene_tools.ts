@@ -18,9 +18,9 @@ const LOADERS: {[Name in keyof Decoders]: () => Promise<Decoders[Name]>} = {
 export class SceneToolbox implements FileTools {
   readonly tools: SceneTools = {
     beside: (name) => this.#file(name),
-    inflate: (...asked) => this.#decoder('inflate')?.(...asked) ?? NOT_YET,
-    meshopt: (...asked) => this.#decoder('meshopt')?.(...asked) ?? NOT_YET,
-    draco: (...asked) => this.#decoder('draco')?.(...asked) ?? NOT_YET,
+    inflate: (...asked) => this.#decoder('inflate')?.(...asked) ?? null,
+    meshopt: (...asked) => this.#decoder('meshopt')?.(...asked) ?? null,
+    draco: (...asked) => this.#decoder('draco')?.(...asked) ?? null,
   };
   readonly #beside: readonly BesideFile[];
   readonly #decoders: Partial<Decoders> = {};
@@ -50,19 +50,14 @@ export class SceneToolbox implements FileTools {
     return this.#decoders[name];
   }
 
-  /** Files are opened without their folders. */
-  #file(path: string): Uint8Array | string {
-    const name = path.slice(Math.max(path.lastIndexOf('/'), path.lastIndexOf('\\')) + 1);
+  #file(name: string): Uint8Array | null {
     const file = this.#beside.find((one) => one.name.normalize() === name.normalize());
-    if (!file) return `its geometry lies in ${name}: open both files at once, or save it as .glb, which holds all`;
+    if (!file) return null;
     const content = this.#contents.get(file);
     if (!content)
       this.#missing ??= async () => {
         this.#contents.set(file, new Uint8Array(await file.content.arrayBuffer()));
       };
-    return content ?? NOT_YET;
+    return content ?? null;
   }
 }
-
-/** Never reaches a person: it is read again. */
-const NOT_YET = 'what it needs is not loaded yet';
