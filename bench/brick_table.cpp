@@ -140,7 +140,8 @@ json our_layout(const BrickShape& shape, bool exact) {
 json case_of(const Case& each) {
     const auto packing = packing_of(each);
     if (!packing) return {};
-    const FoamDesign design{packing->space, packing->blocks, *packing->foams, each.object};
+    const FoamDesign design{packing->space, packing->blocks, *packing->foams, packing->available,
+                            each.object};
     json halves = json::array();
     for (const Half half : {Half::lower, Half::lid}) {
         const BrickShape shape = brick_shape(design, half, {1, 1, kPlatesInBrick}, kPlatesInBrick);

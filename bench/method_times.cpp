@@ -13,7 +13,7 @@
 #include "snug/depth/depth_map.h"
 #include "snug/design/design.h"
 #include "snug/foam/block_map.h"
-#include "snug/foam/foam_pair.h"
+#include "snug/foam/foams.h"
 #include "snug/foam/parting.h"
 #include "snug/formats/mesh_files.h"
 #include "snug/make.h"
@@ -41,7 +41,7 @@ DesignSpace space_of(int columns, int layers) {
     return {{layers, columns, columns}, {side / layers, side / columns, side / columns}};
 }
 
-FoamPair foams_of(const DepthMap& depths, const DesignSpace& space, const Placement& placement) {
+Foams foams_of(const DepthMap& depths, const DesignSpace& space, const Placement& placement) {
     const BlockMap blocks = block_map(depths, space, kReach);
     return split(blocks, space, auto_parting_level(blocks, space, placement.bounds));
 }

@@ -104,7 +104,7 @@ std::string summary(const Object& object, const Project& project, const Made& ma
     if (packing.fitted_case) {
         lines.add("summary.case", case_text(*packing.fitted_case));
         std::string label = lines.worded("summary.fillers");
-        for (const Filler& filler : fillers(*packing.fitted_case, packing.foams->parting_level)) {
+        for (const Filler& filler : fillers(*packing.fitted_case, packing.foams->parting.front())) {
             lines.add(std::string_view(label), filler_text(filler));
             label.clear();
         }
@@ -113,7 +113,7 @@ std::string summary(const Object& object, const Project& project, const Made& ma
     lines.add("summary.remove",
               say("summary.removed", {{"blocks", fit.cut_blocks}, {"litres", litres(cut_mm3)}}));
     lines.add("summary.parting",
-              say("summary.parting_after", {{"level", std::to_string(packing.foams->parting_level)},
+              say("summary.parting_after", {{"level", std::to_string(packing.foams->parting.front())},
                                             {"blocks", std::to_string(packing.space.blocks.x)}}));
     lines.add("summary.walls", walls_text(fit.wall_mm));
     for (const Notch& notch : packing.notches) lines.add("summary.notch", notch_text(notch));

@@ -94,10 +94,10 @@ Result<Packing> pack(const Object& object, const Design& design, const Progress&
     if (!level) return tl::unexpected(level.error());
     packing->blocks = cut_by_both(cuts, *level);
     cut_for_hands(*packing, design, *level);
-    packing->foams = split(packing->blocks, space, *level, packing->available);
+    packing->foams = split(packing->blocks, *level, packing->available);
     packing->timing.foam_pair = watch.lap();
 
-    packing->fit = fit_report(*packing->foams, packing->blocks, space);
+    packing->fit = fit_report(*packing->foams, packing->blocks, space, packing->available);
     std::vector<Finding>& findings = packing->findings;
     find_object_problems(object, packing->placement, space, *depths, cuts, findings);
     find_foam_problems(*packing, design, findings);

@@ -65,28 +65,35 @@ val matrix(const Placement& placement) {
 }
 
 template <class T>
-val grid_values(const Grid<T>& grid) {
-    return typed_array(grid.size() == 0 ? nullptr : &grid[0], grid.size());
-}
-
-template <class T>
 void fill_from(const val& array, T* data, std::size_t size) {
     const val view{emscripten::typed_memory_view(size, data)};
     view.call<void>("set", array);
 }
 
-void set_columns(val& result, const FoamPair& foams, const BlockMap& blocks) {
+/// How high a half reaches in each column, in blocks from its own side.
+val heights(const Grid<Run>& kept) {
+    std::vector<std::uint16_t> heights;
+    heights.reserve(kept.size());
+    for (const Run run : kept) heights.push_back(static_cast<std::uint16_t>(run.end));
+    return typed_array(heights.data(), heights.size());
+}
+
+void set_columns(val& result, const Packing& packing) {
+    const BlockMap none;
+    const BlockMap& blocks = packing.foams ? packing.blocks : none;
     std::vector<std::int16_t> first(blocks.size()), end(blocks.size());
     std::vector<std::int16_t> exists_first(blocks.size()), exists_end(blocks.size());
     for (std::size_t column = 0; column < blocks.size(); ++column) {
         first[column] = blocks[column].first;
         end[column] = blocks[column].end;
-        const Run exists = foams.available[column];
+        const Run exists = packing.available[column];
         exists_first[column] = exists.first;
         exists_end[column] = exists.end;
     }
-    result.set("lower", grid_values(foams.lower));
-    result.set("upper", grid_values(foams.upper));
+    for (const Half half : {Half::lower, Half::lid})
+        result.set(
+            half == Half::lower ? "lower" : "upper",
+            heights(packing.foams ? kept_runs(*packing.foams, half, packing.space.blocks.x) : Grid<Run>()));
     result.set("cutFirst", typed_array(first.data(), first.size()));
     result.set("cutEnd", typed_array(end.data(), end.size()));
     result.set("existsFirst", typed_array(exists_first.data(), exists_first.size()));
@@ -230,8 +237,8 @@ val to_val(const Packing& packing, double library_ms) {
     val result = val::object();
     result.set("blocks", to_val(packing.space.blocks));
     result.set("block_mm", to_val(packing.space.block_mm));
-    set_columns(result, packing.foams.value_or(FoamPair{}), packing.foams ? packing.blocks : BlockMap{});
-    result.set("partingLevel", packing.foams ? packing.foams->parting_level : 0);
+    set_columns(result, packing);
+    result.set("partingLevel", packing.foams ? packing.foams->parting.front() : 0);
     result.set("placement", matrix(packing.placement));
     result.set("bounds", bounds);
     result.set("fit", packing.foams ? fit_val(packing.fit) : val::null());

@@ -22,10 +22,11 @@ struct Ends {
     double upper = std::numeric_limits<double>::infinity();
 };
 
-Ends ends_of(const FoamPair& foams, const DesignSpace& space, int j, int k) {
+Ends ends_of(const Foams& foams, const DesignSpace& space, int j, int k) {
     Ends ends;
-    if (foams.lower(j, k) > 0) ends.lower = space.face(0, foams.lower(j, k));
-    if (foams.upper(j, k) > 0) ends.upper = space.face(0, space.blocks.x - foams.upper(j, k));
+    const Run lower = foams.piece(Half::lower)(j, k), upper = foams.piece(Half::lid)(j, k);
+    if (!lower.none()) ends.lower = space.face(0, lower.end);
+    if (!upper.none()) ends.upper = space.face(0, upper.first);
     return ends;
 }
 
@@ -45,7 +46,7 @@ struct LineAreas {
 }  // namespace
 
 Result<BearingReport> bearing_report(const Mesh& mesh, const Placement& placement, const DesignSpace& space,
-                                     const FoamPair& foams, const Progress& progress) {
+                                     const Foams& foams, const Progress& progress) {
     std::vector<Vec3d> placed;
     placed.reserve(mesh.vertices.size());
     for (const Vec3f& vertex : mesh.vertices) placed.push_back(placement(vertex));

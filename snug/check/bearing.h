@@ -8,7 +8,7 @@
 #include "snug/base/finding.h"
 #include "snug/base/progress.h"
 #include "snug/base/result.h"
-#include "snug/foam/foam_pair.h"
+#include "snug/foam/foams.h"
 #include "snug/mesh/mesh.h"
 #include "snug/space/design_space.h"
 #include "snug/space/placement.h"
@@ -28,7 +28,7 @@ struct BearingReport {
 
 /// Fails only when cancelled.
 [[nodiscard]] Result<BearingReport> bearing_report(const Mesh& mesh, const Placement& placement,
-                                                   const DesignSpace& space, const FoamPair& foams,
+                                                   const DesignSpace& space, const Foams& foams,
                                                    const Progress& progress = {});
 
 /// What the weight of `mass_kg` presses with on an area, kPa; none on no area.

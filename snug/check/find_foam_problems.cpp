@@ -54,7 +54,7 @@ void find_foam_problems(const Packing& packing, const Design& design, std::vecto
                     findings);
     find_pieces(packing.fit, choice, findings);
     if (packing.fitted_case)
-        find_case_problems(*packing.fitted_case, packing.fit, packing.foams->parting_level, findings);
+        find_case_problems(*packing.fitted_case, packing.fit, packing.foams->parting.front(), findings);
 }
 
 }  // namespace snug

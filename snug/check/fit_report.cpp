@@ -114,10 +114,9 @@ long long blocks_of(const Grid<Run>& runs) {
 
 }  // namespace
 
-FitReport fit_report(const FoamPair& foams, const BlockMap& blocks, const DesignSpace& space) {
-    const Grid<Run>& available = foams.available;
-    const Grid<Run> lower = kept_runs(foams, Half::lower, space.blocks.x);
-    const Grid<Run> lid = kept_runs(foams, Half::lid, space.blocks.x);
+FitReport fit_report(const Foams& foams, const BlockMap& blocks, const DesignSpace& space,
+                     const Grid<Run>& available) {
+    const Grid<Run>&lower = foams.piece(Half::lower), &lid = foams.piece(Half::lid);
     FitReport report;
     report.lower_blocks = blocks_of(lower);
     report.upper_blocks = blocks_of(lid);

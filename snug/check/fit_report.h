@@ -4,7 +4,7 @@
 
 #include "snug/base/side.h"
 #include "snug/foam/block_map.h"
-#include "snug/foam/foam_pair.h"
+#include "snug/foam/foams.h"
 #include "snug/space/design_space.h"
 
 namespace snug {
@@ -24,6 +24,7 @@ struct FitReport {
 };
 
 /// In a rounded or leaning case walls end where its blocks do.
-[[nodiscard]] FitReport fit_report(const FoamPair& foams, const BlockMap& blocks, const DesignSpace& space);
+[[nodiscard]] FitReport fit_report(const Foams& foams, const BlockMap& blocks, const DesignSpace& space,
+                                   const Grid<Run>& available);
 
 }  // namespace snug

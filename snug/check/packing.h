@@ -9,7 +9,7 @@
 #include "snug/base/vec.h"
 #include "snug/check/fit_report.h"
 #include "snug/foam/block_map.h"
-#include "snug/foam/foam_pair.h"
+#include "snug/foam/foams.h"
 #include "snug/foam/notches.h"
 #include "snug/space/case_space.h"
 #include "snug/space/design_space.h"
@@ -33,7 +33,7 @@ struct Packing {
     BlockMap blocks;
     std::vector<Notch> notches;     ///< beside the object, where the design wants them and there is room
     long long rib_blocks = 0;       ///< cut because they stood too thin between cavities
-    std::optional<FoamPair> foams;  ///< none where the object leaves the space (finding `outside`)
+    std::optional<Foams> foams;     ///< none where the object leaves the space (finding `outside`)
     FitReport fit;                  ///< of `foams`
     std::vector<Finding> findings;  ///< dangers first
     Timing timing;

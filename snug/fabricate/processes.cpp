@@ -122,8 +122,9 @@ void tell_material(const Design& design, WorkshopPack& pack) {
 Result<WorkshopPack> workshop_pack(const Object& object, const Packing& packing, const Project& project,
                                    const WorkshopTools& tools) {
     if (!packing.foams) return fail(ErrorKind::does_not_fit, say("workshop.no_foams"));
-    const FoamDesign foams{packing.space, packing.blocks, *packing.foams, title_of(project.object.name),
-                           tools.language};
+    const FoamDesign foams{
+        packing.space, packing.blocks, *packing.foams, packing.available, title_of(project.object.name),
+        tools.language};
     auto pack = pack_of({foams, object, packing, project.design, tools});
     if (!pack) return pack;
     fill_material(packing, project.design, *pack);

@@ -36,7 +36,7 @@ struct HalfScene {
     std::vector<Face> faces;
 };
 
-HalfScene half_scene(const FoamPair& foams, const DesignSpace& space, const OpenedPair& pair, Half half) {
+HalfScene half_scene(const Foams& foams, const DesignSpace& space, const OpenedPair& pair, Half half) {
     HalfScene scene{relief(foams, space, pair, half), {}};
     scene.faces = visible_faces(scene.relief);
     return scene;
@@ -135,10 +135,10 @@ std::string caption_lines(const std::vector<std::string>& lines, double first_ba
 
 }  // namespace
 
-std::string preview_svg(const FoamPair& foams, const DesignSpace& space, const Mesh& mesh,
+std::string preview_svg(const Foams& foams, const DesignSpace& space, const Mesh& mesh,
                         const Placement& placement, const std::string& caption, const GapReport* gap,
                         Language language) {
-    const OpenedPair pair = opened(space, foams.parting_level);
+    const OpenedPair pair = opened(space, foams.parting.front());
     const HalfScene lower = half_scene(foams, space, pair, Half::lower);
     const HalfScene lid = half_scene(foams, space, pair, Half::lid);
     const std::vector<Projected> vertices = projected(mesh, placement, pair);

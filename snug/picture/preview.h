@@ -3,7 +3,7 @@
 #include <string>
 
 #include "snug/check/gap.h"
-#include "snug/foam/foam_pair.h"
+#include "snug/foam/foams.h"
 #include "snug/mesh/mesh.h"
 #include "snug/space/design_space.h"
 #include "snug/space/placement.h"
@@ -16,7 +16,7 @@ namespace snug {
 /// outline where it lies in the lower foam. Labelled LOWER, LID and BACK. The file's size follows what can be
 /// seen, not nx ny nz. With a gap report, maps of the gap of each half stand below.
 /// `language`: of its words, not of the caption. What is written on the foams is the same in all.
-[[nodiscard]] std::string preview_svg(const FoamPair& foams, const DesignSpace& space, const Mesh& mesh,
+[[nodiscard]] std::string preview_svg(const Foams& foams, const DesignSpace& space, const Mesh& mesh,
                                       const Placement& placement, const std::string& caption,
                                       const GapReport* gap = nullptr, Language language = Language::english);
 

@@ -120,7 +120,7 @@ int Relief::fewest_layers() const {
     return *std::min_element(layers.begin(), layers.end());
 }
 
-Relief relief(const FoamPair& foams, const DesignSpace& space, const OpenedPair& pair, Half half) {
+Relief relief(const Foams& foams, const DesignSpace& space, const OpenedPair& pair, Half half) {
     const bool lower = half == Half::lower;
     const Grid<Run> kept = kept_runs(foams, half, space.blocks.x);
     const int ny = kept.ny(), nz = kept.nz();

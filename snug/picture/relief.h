@@ -5,7 +5,7 @@
 #include "snug/base/grid.h"
 #include "snug/base/half.h"
 #include "snug/base/vec.h"
-#include "snug/foam/foam_pair.h"
+#include "snug/foam/foams.h"
 #include "snug/picture/isometric.h"
 #include "snug/space/design_space.h"
 
@@ -26,8 +26,7 @@ struct Relief {
     [[nodiscard]] int fewest_layers() const;
 };
 
-[[nodiscard]] Relief relief(const FoamPair& foams, const DesignSpace& space, const OpenedPair& pair,
-                            Half half);
+[[nodiscard]] Relief relief(const Foams& foams, const DesignSpace& space, const OpenedPair& pair, Half half);
 
 enum class FaceSide { top, front, right };
 

@@ -4,7 +4,7 @@
 #include <cstddef>
 
 #include "snug/check/fit_report.h"
-#include "snug/foam/foam_pair.h"
+#include "snug/foam/foams.h"
 #include "snug/space/fitted_space.h"
 
 namespace snug {
@@ -21,7 +21,7 @@ std::optional<ExactCut> exact_cut(const PreparedSurface& surface, const DesignSp
     result.depths = object_depths(surface, result.placement, space, cut);
     result.blocks = object_cut(half_cuts(result.depths, space), space, result.placement.bounds);
     // Where the halves meet changes neither the walls nor what is cut.
-    const FitReport fit = fit_report(split(result.blocks, space, 0, available), result.blocks, space);
+    const FitReport fit = fit_report(split(result.blocks, 0, available), result.blocks, space, available);
     if (fit.outside_blocks > 0) return {};
     result.cut_blocks = fit.cut_blocks;
     result.wall_mm = fit.wall_mm;

@@ -5,7 +5,7 @@
 
 #include "snug/design/design.h"
 #include "snug/foam/block_map.h"
-#include "snug/foam/foam_pair.h"
+#include "snug/foam/foams.h"
 #include "snug/foam/object_cut.h"
 #include "snug/object/prepared_surface.h"
 #include "snug/space/design_space.h"

@@ -7,7 +7,7 @@
 
 #include "snug/base/text.h"
 #include "snug/check/fit_report.h"
-#include "snug/foam/foam_pair.h"
+#include "snug/foam/foams.h"
 #include "snug/foam/object_cut.h"
 #include "snug/space/available.h"
 #include "snug/space/case_space.h"
@@ -28,8 +28,8 @@ std::optional<FitReport> evaluate(Climb& climb, const PreparedSurface& surface, 
     const ObjectDepths depths = object_depths(surface, placement, climb.space, climb.cut);
     const BlockMap blocks = object_cut(half_cuts(depths, climb.space), climb.space, placement.bounds);
     // Where the halves meet changes neither the walls nor what is cut.
-    const FoamPair foams = split(blocks, climb.space, 0, climb.available);
-    const FitReport fit = fit_report(foams, blocks, climb.space);
+    const Foams foams = split(blocks, 0, climb.available);
+    const FitReport fit = fit_report(foams, blocks, climb.space, climb.available);
     if (fit.outside_blocks > 0) return {};
     return fit;
 }

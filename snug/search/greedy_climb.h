@@ -7,7 +7,7 @@
 #include "snug/base/vec.h"
 #include "snug/depth/depth_map.h"
 #include "snug/design/design.h"
-#include "snug/foam/foam_pair.h"
+#include "snug/foam/foams.h"
 #include "snug/mesh/mesh.h"
 #include "snug/object/prepared_surface.h"
 #include "snug/space/design_space.h"

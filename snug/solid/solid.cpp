@@ -21,10 +21,10 @@ Solid solid_of(const Grid<Run>& runs, const DesignSpace& space, Half half) {
     return solid;
 }
 
-Solid lower_solid(const FoamPair& foams, const DesignSpace& space) {
+Solid lower_solid(const Foams& foams, const DesignSpace& space) {
     return solid_of(kept_runs(foams, Half::lower, space.blocks.x), space, Half::lower);
 }
-Solid upper_solid(const FoamPair& foams, const DesignSpace& space) {
+Solid upper_solid(const Foams& foams, const DesignSpace& space) {
     return solid_of(kept_runs(foams, Half::lid, space.blocks.x), space, Half::lid);
 }
 

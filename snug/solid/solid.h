@@ -6,7 +6,7 @@
 #include "snug/base/half.h"
 #include "snug/base/run.h"
 #include "snug/base/vec.h"
-#include "snug/foam/foam_pair.h"
+#include "snug/foam/foams.h"
 #include "snug/space/design_space.h"
 
 namespace snug {
@@ -23,7 +23,7 @@ struct Solid {
 /// `runs`: the blocks in each column, counted from the half's own side.
 [[nodiscard]] Solid solid_of(const Grid<Run>& runs, const DesignSpace& space, Half half);
 
-[[nodiscard]] Solid lower_solid(const FoamPair& foams, const DesignSpace& space);
-[[nodiscard]] Solid upper_solid(const FoamPair& foams, const DesignSpace& space);
+[[nodiscard]] Solid lower_solid(const Foams& foams, const DesignSpace& space);
+[[nodiscard]] Solid upper_solid(const Foams& foams, const DesignSpace& space);
 
 }  // namespace snug

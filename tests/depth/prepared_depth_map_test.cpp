@@ -234,7 +234,7 @@ TEST(PreparedSurface, GivesTheSamePackingsOfRealObjects) {
         const auto again = pack(*object, design);
         ASSERT_TRUE(once && again && once->foams && again->foams);
         EXPECT_EQ(once->blocks, again->blocks);
-        EXPECT_EQ(once->foams->parting_level, again->foams->parting_level);
+        EXPECT_EQ(once->foams->parting, again->foams->parting);
         EXPECT_EQ(once->placement.bounds, again->placement.bounds);
     }
 }

@@ -79,9 +79,8 @@ void expect_same(const FileBytes& bytes, const Design& design) {
     EXPECT_EQ(streamed->packing.blocks, packing->blocks);
     ASSERT_EQ(streamed->packing.foams.has_value(), packing->foams.has_value());
     if (!packing->foams) return;
-    EXPECT_EQ(streamed->packing.foams->lower, packing->foams->lower);
-    EXPECT_EQ(streamed->packing.foams->upper, packing->foams->upper);
-    EXPECT_EQ(streamed->packing.foams->parting_level, packing->foams->parting_level);
+    EXPECT_EQ(streamed->packing.foams->pieces, packing->foams->pieces);
+    EXPECT_EQ(streamed->packing.foams->parting, packing->foams->parting);
 }
 
 Design random_design_for(Random& random) {

@@ -14,6 +14,7 @@
 
 #include "tests/support/brute_force.h"
 #include "tests/support/fit_designs.h"
+#include "tests/support/heights.h"
 #include "tests/support/random_design.h"
 #include "tests/support/shapes.h"
 
@@ -40,7 +41,9 @@ TEST(Clearance, EachHalfGivesWayToTheObjectGrownForItAndToNothingElse) {
         const HalfCuts cuts =
             half_cuts(object_depths(soup.mesh, soup.placement, space, {clearance, soup.cut_on_touch}), space);
         const int level = random.integer(0, space.blocks.x);
-        const FoamPair foams = split(cut_by_both(cuts, level), space, level);
+        const Foams foams = split(cut_by_both(cuts, level), space, level);
+        const test::Heights lower = test::lower_heights(foams),
+                            upper = test::upper_heights(foams, space.blocks.x);
         const auto triangles = test::placed_triangles(soup.mesh, soup.placement);
         const Blocks below = test::brute_force_cut(triangles, space, clearance.lower, soup.cut_on_touch);
         const Blocks above = test::brute_force_cut(triangles, space, clearance.upper, soup.cut_on_touch);
@@ -60,8 +63,8 @@ TEST(Clearance, EachHalfGivesWayToTheObjectGrownForItAndToNothingElse) {
                     first = std::min(first, level);
                     end = std::max(end, level);
                 }
-                ASSERT_EQ(foams.lower(j, k), first) << j << " " << k;
-                ASSERT_EQ(foams.upper(j, k), space.blocks.x - end) << j << " " << k;
+                ASSERT_EQ(lower(j, k), first) << j << " " << k;
+                ASSERT_EQ(upper(j, k), space.blocks.x - end) << j << " " << k;
             }
     }
     EXPECT_GT(unlike, test::fit_cases());
@@ -103,10 +106,8 @@ Broken broken_by(const Packing& packing, const Blocks& below, const Blocks& abov
             int lowest = n.x, highest = -1;
             for (int i = 0; i < n.x; ++i) {
                 const auto column = packing.blocks.index(j, k);
-                const CutRun exists = packing.available[column];
-                const bool there = i >= exists.first && i < exists.end;
-                const bool lower = there && i < packing.foams->lower[column];
-                const bool upper = there && i >= n.x - packing.foams->upper[column];
+                const bool lower = packing.foams->piece(Half::lower)[column].contains(i);
+                const bool upper = packing.foams->piece(Half::lid)[column].contains(i);
                 broken.in_room += (lower && below.cut(i, j, k)) + (upper && above.cut(i, j, k));
                 broken.in_the_way += lower && (upper || upper_below);
                 upper_below |= upper;
@@ -209,19 +210,20 @@ TEST(Clearance, ALidThatIsLooserAllAroundLeavesTheLowerFoamTight) {
     Design design = box_design();
     design.cut.clearance_mm = {{0, 0, 0}, {0, 15, 15}};
     design.parting.level = 6;
-    const FoamPair foams = *packed(box, design).foams;
-    const FoamPair tight = *packed(box,
-                                   [&] {
-                                       auto same = design;
-                                       same.cut.clearance_mm = 0;
-                                       return same;
-                                   }())
-                                .foams;
-    EXPECT_EQ(foams.lower, tight.lower);
+    const Foams foams = *packed(box, design).foams;
+    const Foams tight = *packed(box,
+                                [&] {
+                                    auto same = design;
+                                    same.cut.clearance_mm = 0;
+                                    return same;
+                                }())
+                             .foams;
+    EXPECT_EQ(foams.piece(Half::lower), tight.piece(Half::lower));
+    const test::Heights upper = test::upper_heights(foams, 12);
     for (int j = 0; j < 20; ++j)
         for (int k = 0; k < 20; ++k) {
             const bool near = j >= 5 && j < 15 && k >= 5 && k < 15;
-            EXPECT_EQ(foams.upper(j, k), near ? 4 : 6) << j << " " << k;
+            EXPECT_EQ(upper(j, k), near ? 4 : 6) << j << " " << k;
         }
 }
 

@@ -15,6 +15,7 @@
 #include "snug/words/words.h"
 
 #include "tests/support/fit_designs.h"
+#include "tests/support/heights.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solid_checks.h"
 
@@ -61,16 +62,18 @@ TEST(Ribs, AreWhatNoRectangleOfTheLeastSizeFitsUnder) {
                        static_cast<std::int16_t>(random.integer(first + 1, space.blocks.x))};
             }
         const double least = random.between(0.1, 40);
-        const FoamPair before = split(blocks, space, level);
+        const Foams before = split(blocks, space, level);
         const long long cut = cut_thin_ribs(blocks, space, level, least);
-        const FoamPair after = split(blocks, space, level);
+        const Foams after = split(blocks, space, level);
         const int wy = static_cast<int>(std::ceil(least / space.block_mm.y)),
                   wz = static_cast<int>(std::ceil(least / space.block_mm.z));
-        EXPECT_EQ(after.lower, brute_opening(before.lower, wy, wz));
-        EXPECT_EQ(after.upper, brute_opening(before.upper, wy, wz));
         long long lost = 0;
-        for (std::size_t i = 0; i < blocks.size(); ++i)
-            lost += before.lower[i] + before.upper[i] - after.lower[i] - after.upper[i];
+        for (const Half half : {Half::lower, Half::lid}) {
+            const test::Heights high = test::heights_of(before, half, space.blocks.x),
+                                low = test::heights_of(after, half, space.blocks.x);
+            EXPECT_EQ(low, brute_opening(high, wy, wz));
+            for (std::size_t i = 0; i < blocks.size(); ++i) lost += high[i] - low[i];
+        }
         EXPECT_EQ(cut, lost);
     }
 }
@@ -109,12 +112,14 @@ TEST(Notches, LieOppositeAcrossTheNarrowWayInTheMiddle) {
         EXPECT_EQ(notch.at_mm, 0);
         EXPECT_EQ(notch.size_mm, (Vec3d{30, 20, 40}));
     }
+    const test::Heights lower = test::lower_heights(*packing.foams),
+                        upper = test::upper_heights(*packing.foams, 12);
     for (int j = 0; j < 20; ++j)
         for (int k = 0; k < 20; ++k) {
             const bool in_notch = k >= 8 && k < 12 && ((j >= 6 && j < 8) || (j >= 12 && j < 14));
             const bool in_bar = k >= 6 && k < 14 && j >= 8 && j < 12;
-            EXPECT_EQ(packing.foams->lower(j, k), in_bar ? 4 : in_notch ? 5 : 8) << j << " " << k;
-            EXPECT_EQ(packing.foams->upper(j, k), 4);
+            EXPECT_EQ(lower(j, k), in_bar ? 4 : in_notch ? 5 : 8) << j << " " << k;
+            EXPECT_EQ(upper(j, k), 4);
         }
 }
 
@@ -188,14 +193,15 @@ Design random_fit(Random& random) {
 }
 
 void expect_comes_out_and_is_whole(const Packing& packing) {
-    const FoamPair& foams = *packing.foams;
+    const Foams& foams = *packing.foams;
     const int nx = packing.space.blocks.x;
+    const test::Heights lower = test::lower_heights(foams), upper = test::upper_heights(foams, nx);
     for (std::size_t i = 0; i < packing.blocks.size(); ++i) {
         const CutRun run = packing.blocks[i];
-        ASSERT_LE(foams.lower[i] + foams.upper[i], nx);
+        ASSERT_LE(lower[i] + upper[i], nx);
         if (run.none()) continue;
-        ASSERT_LE(foams.lower[i], run.first);
-        ASSERT_LE(foams.upper[i], nx - run.end);
+        ASSERT_LE(lower[i], run.first);
+        ASSERT_LE(upper[i], nx - run.end);
     }
     for (const Half half : {Half::lower, Half::lid}) test::expect_solid_of(foams, half, packing.space);
     if (!fills_box(packing.available, nx)) return;
@@ -220,14 +226,16 @@ TEST(Fit, OfAnyKindComesOutIsClosedAndNeverAddsFoam) {
         tapered += !fills_box(packing->available, packing->space.blocks.x);
         Design plain = design;
         plain.fit = {};
-        plain.parting.level = packing->foams->parting_level;
+        plain.parting.level = packing->foams->parting.front();
         if (!design.case_options.inside_mm) plain.space.blocks = packing->space.blocks;
         plain.placement.offset_mm = packing->placement.bounds.centre();
         const auto before = pack(*object, plain);
         ASSERT_TRUE(before && before->foams);
-        for (std::size_t i = 0; i < packing->blocks.size(); ++i) {
-            ASSERT_LE(packing->foams->lower[i], before->foams->lower[i]);
-            ASSERT_LE(packing->foams->upper[i], before->foams->upper[i]);
+        for (const Half half : {Half::lower, Half::lid}) {
+            const int nx = packing->space.blocks.x;
+            const test::Heights cut = test::heights_of(*packing->foams, half, nx),
+                                whole = test::heights_of(*before->foams, half, nx);
+            for (std::size_t i = 0; i < cut.size(); ++i) ASSERT_LE(cut[i], whole[i]);
         }
     }
     EXPECT_GT(notched, cases / 10);

@@ -6,11 +6,12 @@
 
 #include "snug/depth/depth_builder.h"
 #include "snug/foam/block_map.h"
-#include "snug/foam/foam_pair.h"
+#include "snug/foam/foams.h"
 #include "snug/foam/parting.h"
 #include "snug/solid/solid.h"
 
 #include "tests/support/brute_force.h"
+#include "tests/support/heights.h"
 #include "tests/support/random_design.h"
 #include "tests/support/solid_checks.h"
 
@@ -101,14 +102,16 @@ TEST(Method, NoPointOfTheSurfaceLiesInFoam) {
 }
 
 /// Foam and cut of both halves as voxels, the way a person would check with their hands.
-void expect_comes_out(const FoamPair& foams, const BlockMap& blocks, const DesignSpace& space) {
+void expect_comes_out(const Foams& foams, const BlockMap& blocks, const DesignSpace& space) {
+    const test::Heights lower_half = test::lower_heights(foams),
+                        upper_half = test::upper_heights(foams, space.blocks.x);
     long long lower = 0, upper = 0, cut_blocks = 0;
     for (int j = 0; j < space.blocks.y; ++j) {
         for (int k = 0; k < space.blocks.z; ++k) {
             const CutRun run = blocks(j, k);
-            const int below = foams.lower(j, k), above = space.blocks.x - foams.upper(j, k);
+            const int below = lower_half(j, k), above = space.blocks.x - upper_half(j, k);
             lower += below;
-            upper += foams.upper(j, k);
+            upper += upper_half(j, k);
             cut_blocks += run.blocks();
             for (int i = run.first; i < run.end; ++i) {
                 for (int up = i; up < space.blocks.x; ++up) ASSERT_GE(up, below) << "lower foam in the way";
@@ -138,7 +141,7 @@ TEST(Method, SolidsOfRandomDesignsAreClosedAndHoldTheirBlocks) {
         const RandomDesign design = test::random_design(random);
         const BlockMap blocks = cut(design);
         const int level = auto_parting_level(blocks, design.space, design.placement.bounds);
-        const FoamPair foams = split(blocks, design.space, level);
+        const Foams foams = split(blocks, design.space, level);
         test::expect_solid_of(foams, Half::lower, design.space);
         test::expect_solid_of(foams, Half::lid, design.space);
     }

@@ -68,8 +68,7 @@ TEST(Clean, AScanWithoutItsSpecksHasTheFoamsOfTheObjectAlone) {
     EXPECT_EQ(object->read.triangles, scan.triangles.size());
     const auto clean = pack(*object, design);
     EXPECT_TRUE(has(clean->findings, "dropped"));
-    EXPECT_EQ(clean->foams->lower, alone->foams->lower);
-    EXPECT_EQ(clean->foams->upper, alone->foams->upper);
+    EXPECT_EQ(clean->foams->pieces, alone->foams->pieces);
 }
 
 TEST(Clean, SharesAreThoseOfTheSurface) {

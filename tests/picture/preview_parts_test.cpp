@@ -13,6 +13,7 @@
 #include "snug/picture/relief.h"
 #include "snug/space/available.h"
 
+#include "tests/support/heights.h"
 #include "tests/support/random.h"
 #include "tests/support/random_available.h"
 
@@ -90,12 +91,12 @@ TEST(Isometric, ProjectionKeepsLengths) {
 
 const DesignSpace kSpaceOfL{{8, 4, 5}, {10, 10, 10}};
 // An L: its long leg along z, its foot towards +y at the leg's +z end.
-const FoamPair kL{grid({{5, 5, 5, 5, 5}, {5, 2, 2, 2, 5}, {5, 5, 5, 2, 5}, {5, 5, 5, 5, 5}}),
-                  grid({{3, 3, 3, 3, 3}, {3, 1, 1, 1, 3}, {3, 3, 3, 1, 3}, {3, 3, 3, 3, 3}}), 5,
-                  all_blocks(kSpaceOfL.blocks)};
+const Foams kL =
+    test::foams_of_heights(grid({{5, 5, 5, 5, 5}, {5, 2, 2, 2, 5}, {5, 5, 5, 2, 5}, {5, 5, 5, 5, 5}}),
+                           grid({{3, 3, 3, 3, 3}, {3, 1, 1, 1, 3}, {3, 3, 3, 1, 3}, {3, 3, 3, 3, 3}}), 5, 8);
 
 TEST(Relief, AnLIsSeenUnmirroredInTheLowerHalfAndTurnedOverInTheLid) {
-    const OpenedPair pair = opened(kSpaceOfL, kL.parting_level);
+    const OpenedPair pair = opened(kSpaceOfL, kL.parting.front());
     const Relief lower = relief(kL, kSpaceOfL, pair, Half::lower);
     const Relief lid = relief(kL, kSpaceOfL, pair, Half::lid);
     // Rows from the back to the viewer, columns to the right, as on the page.
@@ -114,8 +115,9 @@ TEST(Relief, AnLIsSeenUnmirroredInTheLowerHalfAndTurnedOverInTheLid) {
 
 TEST(Relief, ManyColumnsAreDrawnTogetherAndNoCavityIsLost) {
     const DesignSpace space{{9, 3, 500}, {1, 1, 1}};
-    FoamPair foams{{3, 500, 9}, {3, 500, 0}, 9, all_blocks(space.blocks)};
-    foams.lower(1, 333) = 4;
+    test::Heights heights = test::filled(3, 500, 9);
+    heights(1, 333) = 4;
+    const Foams foams = test::foams_of_heights(heights, test::filled(3, 500, 0), 9, 9);
     const Relief lower = relief(foams, space, opened(space, 9), Half::lower);
     EXPECT_LE(lower.layers.nz(), 120);
     EXPECT_GT(lower.blocks_per_cell, 1);
@@ -127,20 +129,18 @@ TEST(Relief, ManyColumnsAreDrawnTogetherAndNoCavityIsLost) {
 
 struct RandomRelief {
     DesignSpace space;
-    FoamPair foams;
+    Foams foams;
     explicit RandomRelief(Random& random) {
         space.blocks = {random.integer(1, 6), random.integer(1, 7), random.integer(1, 7)};
         space.block_mm = {random.between(1, 9), random.between(1, 9), random.between(1, 9)};
-        foams = {{space.blocks.y, space.blocks.z},
-                 {space.blocks.y, space.blocks.z},
-                 random.integer(0, space.blocks.x),
-                 all_blocks(space.blocks)};
-        for (std::size_t i = 0; i < foams.lower.size(); ++i) {
-            foams.lower[i] = static_cast<std::uint16_t>(random.integer(0, space.blocks.x));
-            foams.upper[i] = static_cast<std::uint16_t>(random.integer(0, space.blocks.x - foams.lower[i]));
+        const int nx = space.blocks.x, parting = random.integer(0, nx);
+        test::Heights lower(space.blocks.y, space.blocks.z), upper = lower;
+        for (std::size_t i = 0; i < lower.size(); ++i) {
+            lower[i] = static_cast<std::uint16_t>(random.integer(0, nx));
+            upper[i] = static_cast<std::uint16_t>(random.integer(0, nx - lower[i]));
         }
-        if (random.chance(0.5))
-            test::shorten(foams, test::random_available(random, space.blocks), space.blocks.x);
+        foams = test::foams_of_heights(lower, upper, parting, nx);
+        if (random.chance(0.5)) test::shorten(foams, test::random_available(random, space.blocks));
     }
 };
 
@@ -169,7 +169,7 @@ TEST(Relief, FacesHaveTheAreaThatTheColumnsExpose) {
                 expected[1] += without(run(j, k), run(j + 1, k)) * mm.x * mm.z;
                 expected[2] += without(run(j, k), run(j, k + 1)) * mm.x * mm.y;
             }
-        const OpenedPair pair = opened(given.space, given.foams.parting_level);
+        const OpenedPair pair = opened(given.space, given.foams.parting.front());
         for (const Face& face : visible_faces(relief(given.foams, given.space, pair, Half::lower)))
             found[static_cast<int>(face.side)] += cross_length(face.across, face.along);
         for (int side = 0; side < 3; ++side) EXPECT_NEAR(found[side], expected[side], 1e-6) << side;
@@ -181,7 +181,7 @@ TEST(Relief, WhatIsDrawnLastIsNearestToTheViewer) {
         SCOPED_TRACE(seed);
         Random random(seed);
         const RandomRelief given(random);
-        const OpenedPair pair = opened(given.space, given.foams.parting_level);
+        const OpenedPair pair = opened(given.space, given.foams.parting.front());
         const Half half = random.chance(0.5) ? Half::lower : Half::lid;
         const std::vector<Face> faces = visible_faces(relief(given.foams, given.space, pair, half));
         const ImageFrame frame{{-150, -150}, 1.5, 200, 200};

@@ -13,6 +13,7 @@
 #include "snug/picture/gap_maps.h"
 #include "snug/space/available.h"
 
+#include "tests/support/heights.h"
 #include "tests/support/random.h"
 
 namespace snug {
@@ -78,7 +79,7 @@ Mesh ellipsoid(Vec3f half, int rings, int segments) {
     return mesh;
 }
 
-FoamPair foams_of(const Mesh& mesh, const Placement& placement, const DesignSpace& space) {
+Foams foams_of(const Mesh& mesh, const Placement& placement, const DesignSpace& space) {
     const Reach grown = reach(0, false);
     return split(block_map(depth_map(mesh, placement, space, grown), space, grown), space,
                  space.blocks.x / 2);
@@ -90,11 +91,9 @@ std::string preview_of(const Mesh& mesh, const DesignSpace& space, Vec3d rotatio
 }
 
 /// Foams of one height each, without an object.
-FoamPair flat(const DesignSpace& space, int lower, int upper) {
-    return {{space.blocks.y, space.blocks.z, static_cast<std::uint16_t>(lower)},
-            {space.blocks.y, space.blocks.z, static_cast<std::uint16_t>(upper)},
-            lower,
-            all_blocks(space.blocks)};
+Foams flat(const DesignSpace& space, int lower, int upper) {
+    return test::foams_of_heights(test::filled(space.blocks.y, space.blocks.z, lower),
+                                  test::filled(space.blocks.y, space.blocks.z, upper), lower, space.blocks.x);
 }
 
 TEST(Preview, SaysWhatIsWhat) {
@@ -130,11 +129,12 @@ TEST(Preview, FilesStaySmall) {
 TEST(Preview, TheRoughestFoamOfThePapersSizeStaysSmall) {
     const DesignSpace space;
     Random random(1);
-    FoamPair foams = flat(space, 15, 15);
-    for (std::size_t i = 0; i < foams.lower.size(); ++i) {
-        foams.lower[i] = static_cast<std::uint16_t>(random.integer(0, 15));
-        foams.upper[i] = static_cast<std::uint16_t>(random.integer(0, 15));
+    test::Heights lower = test::filled(space.blocks.y, space.blocks.z, 15), upper = lower;
+    for (std::size_t i = 0; i < lower.size(); ++i) {
+        lower[i] = static_cast<std::uint16_t>(random.integer(0, 15));
+        upper[i] = static_cast<std::uint16_t>(random.integer(0, 15));
     }
+    const Foams foams = test::foams_of_heights(lower, upper, 15, space.blocks.x);
     const std::string svg = preview_svg(foams, space, {}, {}, "");
     EXPECT_EQ(xml_fault(svg), "");
     EXPECT_LT(svg.size(), 300'000u);
@@ -198,10 +198,10 @@ Spot first_polygon(const std::string& svg, int group) {
 TEST(Preview, LowerShowsYTowardsTheViewerAndTheLidAwayFromHim) {
     const DesignSpace space{{4, 5, 6}, {10, 10, 10}};
     const auto pillar = [&](bool lower, int j, int k) {
-        FoamPair foams = flat(space, 2, 2);
-        Grid<std::uint16_t>& half = lower ? foams.lower : foams.upper;
-        half = Grid<std::uint16_t>(5, 6, 0);
+        const test::Heights whole = test::filled(5, 6, 2);
+        test::Heights half = test::filled(5, 6, 0);
         half(j, k) = 2;
+        const Foams foams = test::foams_of_heights(lower ? half : whole, lower ? whole : half, 2, 4);
         return first_polygon(preview_svg(foams, space, {}, {}, "x"),
                              lower ? 1 : 0);  // the lid is drawn first
     };
@@ -275,7 +275,7 @@ TEST(PreviewOfGaps, TellsStepsFromUndercutsAndSaysWhereTheBallIs) {
 TEST(Preview, SpeaksJapaneseWhereItIsAskedTo) {
     const DesignSpace space{{4, 6, 8}, {10, 10, 10}};
     const GapReport gap = gap_in_column(space, 2, 2, 0);
-    const FoamPair foams = flat(space, 2, 2);
+    const Foams foams = flat(space, 2, 2);
     const std::string svg = preview_svg(foams, space, {}, {}, "", &gap, Language::japanese);
     EXPECT_EQ(xml_fault(svg), "");
     for (const char* words : {"下（LOWER）", "ふた（LID）", "奥（BACK）", ">BACK<", "のすきま", "IPAGothic"})

@@ -9,7 +9,7 @@
 
 #include "snug/check/fit_report.h"
 #include "snug/foam/block_map.h"
-#include "snug/foam/foam_pair.h"
+#include "snug/foam/foams.h"
 #include "snug/make.h"
 #include "snug/samples/samples.h"
 #include "snug/words/words.h"

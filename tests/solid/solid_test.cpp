@@ -10,6 +10,7 @@
 #include "snug/space/available.h"
 
 #include "tests/support/closedness.h"
+#include "tests/support/heights.h"
 #include "tests/support/random.h"
 #include "tests/support/voxels.h"
 
@@ -85,7 +86,7 @@ TEST(Solid, SmallHeightFieldsHaveTheirCornersAndNoMore) {
 TEST(Solid, HalvesMeetInTheSamePlane) {
     // Lower 2 of 5 blocks, upper 1 of 5: the space in between is cut away.
     const DesignSpace space{{5, 1, 1}, {10, 3, 4}};
-    const FoamPair foams{Heights(1, 1, 2), Heights(1, 1, 1), 2, all_blocks(space.blocks)};
+    const Foams foams = test::foams_of_heights(test::filled(1, 1, 2), test::filled(1, 1, 1), 2, 5);
     const auto range = [](const Solid& solid) {
         float low = 1e9f, high = -1e9f;
         for (const Vec3f v : solid.vertices) {

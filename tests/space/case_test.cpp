@@ -14,6 +14,7 @@
 #include "snug/words/words.h"
 
 #include "tests/support/closedness.h"
+#include "tests/support/heights.h"
 #include "tests/support/random.h"
 #include "tests/support/shapes.h"
 
@@ -125,7 +126,7 @@ TEST(Case, ACameraInAHardCaseKeepsItsWallsAndPartsAtTheLid) {
     EXPECT_NEAR(fitted.rest_mm.y, 8, 1e-9);
     EXPECT_NEAR(fitted.rest_mm.z, 9, 1e-9);
     // The lid's line is 110 mm up: 3 + 9 + 5 x 20 = 112 with the rest below, 3 + 5 x 20 = 103 without.
-    EXPECT_EQ(packing->foams->parting_level, 5);
+    EXPECT_EQ(packing->foams->parting.front(), 5);
     EXPECT_TRUE(fitted.rest_under);
     EXPECT_NEAR(fitted.lid_off_mm, 2, 1e-9);
     const auto list = fillers(fitted, 5);
@@ -196,7 +197,7 @@ TEST(Case, ShortenedColumnsHoldEveryBlockInsideTheCaseAndNoPointOutside) {
 /// the case.
 void expect_depths_tell_the_foams(const Packing& packing) {
     const DesignSpace& space = packing.space;
-    std::istringstream text(depths_csv(*packing.foams, space.blocks.x));
+    std::istringstream text(depths_csv(*packing.foams, packing.available, space.blocks.x));
     std::string header;
     std::getline(text, header);
     const bool shortened = packing.fit.shortened_blocks > 0;
@@ -259,11 +260,14 @@ TEST(Case, RandomObjectsInShapedCasesKeepEveryInvariant) {
         }
         expect_depths_tell_the_foams(*packing);
         // It comes out: above what is kept of the lower half in a column there is none of it.
+        const int nx = packing->space.blocks.x;
+        const test::Heights lower = test::lower_heights(*packing->foams),
+                            upper = test::upper_heights(*packing->foams, nx);
         for (std::size_t c = 0; c < packing->blocks.size(); ++c) {
             const CutRun cut = packing->blocks[c];
             if (cut.none()) continue;
-            EXPECT_LE(packing->foams->lower[c], cut.first);
-            EXPECT_LE(packing->foams->upper[c], packing->space.blocks.x - cut.end);
+            EXPECT_LE(lower[c], cut.first);
+            EXPECT_LE(upper[c], nx - cut.end);
         }
     }
     EXPECT_GT(shortened, 10);

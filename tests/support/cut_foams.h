@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "snug/fabricate/kit/workshop_pack.h"
-#include "snug/foam/foam_pair.h"
+#include "snug/foam/foams.h"
 #include "snug/space/available.h"
 
 #include "tests/support/random.h"
@@ -16,9 +16,10 @@ namespace snug::test {
 struct CutFoams {
     DesignSpace space;
     BlockMap blocks;
-    FoamPair foams;
+    Foams foams;
+    Grid<Run> available;
 
-    [[nodiscard]] FoamDesign design() const { return {space, blocks, foams, "a test"}; }
+    [[nodiscard]] FoamDesign design() const { return {space, blocks, foams, available, "a test"}; }
     [[nodiscard]] long long cut() const {
         long long count = 0;
         for (const CutRun& run : blocks) count += run.blocks();
@@ -28,8 +29,8 @@ struct CutFoams {
 
 [[nodiscard]] inline CutFoams foams_of(const DesignSpace& space, BlockMap blocks, int parting,
                                        Grid<Run> available) {
-    FoamPair pair = split(blocks, space, parting, std::move(available));
-    return {space, std::move(blocks), std::move(pair)};
+    Foams foams = split(blocks, parting, available);
+    return {space, std::move(blocks), std::move(foams), std::move(available)};
 }
 [[nodiscard]] inline CutFoams foams_of(const DesignSpace& space, BlockMap blocks, int parting) {
     return foams_of(space, std::move(blocks), parting, all_blocks(space.blocks));

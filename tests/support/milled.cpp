@@ -11,6 +11,8 @@
 #include "snug/fabricate/mill/gcode.h"
 #include "snug/words/words.h"
 
+#include "tests/support/heights.h"
+
 namespace snug::test {
 namespace {
 
@@ -159,7 +161,7 @@ Lost lost_of(const GcodeStock& stock, const MillPlan& plan, const MillOptions& o
 
 void expect_the_blocks(const GcodeStock& stock, const MillPlan& plan, const FoamDesign& design) {
     const bool lid = plan.half == Half::lid;
-    const Grid<std::uint16_t>& kept = lid ? design.foams.upper : design.foams.lower;
+    const Heights kept = heights_of(design.foams, plan.half, design.space.blocks.x);
     const Vec3d block = design.space.block_mm;
     for (int j = 0; j < kept.ny(); ++j)
         for (int k = 0; k < kept.nz(); ++k) {

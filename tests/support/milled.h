@@ -48,7 +48,9 @@ struct MilledCase {
     Design design;
     Object object;
     Packing packing;
-    [[nodiscard]] FoamDesign foams() const { return {packing.space, packing.blocks, *packing.foams, "vase"}; }
+    [[nodiscard]] FoamDesign foams() const {
+        return {packing.space, packing.blocks, *packing.foams, packing.available, "vase"};
+    }
     [[nodiscard]] MilledObject milled() const {
         return {object.mesh, packing.placement, design.cut,
                 packing.fitted_case ? &*packing.fitted_case : nullptr};

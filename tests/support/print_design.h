@@ -8,15 +8,10 @@
 #include "snug/fabricate/kit/workshop_pack.h"
 #include "snug/space/available.h"
 
+#include "tests/support/heights.h"
 #include "tests/support/random.h"
 
 namespace snug::test {
-
-using Heights = Grid<std::uint16_t>;
-
-[[nodiscard]] inline Heights filled(int ny, int nz, int height) {
-    return {ny, nz, static_cast<std::uint16_t>(height)};
-}
 
 /// Steps of terraces with some columns torn out, as cavities are.
 [[nodiscard]] inline Heights random_heights(Random& random, Vec3i blocks) {
@@ -43,23 +38,30 @@ using Heights = Grid<std::uint16_t>;
 /// Both halves, upper ones cut off where they would meet the lower ones.
 struct PrintDesign {
     DesignSpace space;
-    FoamPair foams;
+    Foams foams;
     BlockMap blocks;
+    Grid<Run> available;
 
-    PrintDesign(DesignSpace in_space, Heights lower, Heights upper) : space(in_space) {
+    PrintDesign(DesignSpace in_space, const Heights& lower, Heights upper)
+        : space(in_space), available(all_blocks(space.blocks)) {
         for (std::size_t i = 0; i < lower.size(); ++i)
             upper[i] = std::min(upper[i], static_cast<std::uint16_t>(space.blocks.x - lower[i]));
         blocks = blocks_between(lower, upper, space.blocks.x);
-        foams = {std::move(lower), std::move(upper), space.blocks.x / 2, all_blocks(space.blocks)};
+        foams = foams_of_heights(lower, upper, space.blocks.x / 2, space.blocks.x);
     }
-    [[nodiscard]] FoamDesign view() const { return {space, blocks, foams, "L & co"}; }
+    /// What a case has no room for goes.
+    void shorten(Grid<Run> exists) {
+        test::shorten(foams, exists);
+        available = std::move(exists);
+    }
+    [[nodiscard]] FoamDesign view() const { return {space, blocks, foams, available, "L & co"}; }
 };
 
 [[nodiscard]] inline PrintDesign random_print_design(Random& random) {
     const DesignSpace space{{random.integer(2, 9), random.integer(1, 14), random.integer(1, 14)},
                             {random.between(2, 12), random.between(2, 12), random.between(2, 12)}};
     Heights lower = random_heights(random, space.blocks), upper = random_heights(random, space.blocks);
-    return {space, std::move(lower), std::move(upper)};
+    return {space, lower, std::move(upper)};
 }
 
 [[nodiscard]] inline PrintOptions random_print_options(Random& random) {

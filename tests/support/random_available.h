@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "snug/foam/foam_pair.h"
+#include "snug/base/grid.h"
+#include "snug/base/run.h"
+#include "snug/base/vec.h"
 
 #include "tests/support/random.h"
 
@@ -31,19 +33,6 @@ namespace snug::test {
         }
     available(n.y / 2, n.z / 2) = {0, static_cast<std::int16_t>(n.x)};
     return available;
-}
-
-/// Foams cut down to what exists.
-inline void shorten(FoamPair& foams, Grid<Run> available, int nx) {
-    for (std::size_t column = 0; column < available.size(); ++column) {
-        const auto within = [](std::uint16_t height, Run exists) {
-            const int top = std::min<int>(height, exists.end);
-            return static_cast<std::uint16_t>(top > exists.first ? top : 0);
-        };
-        foams.lower[column] = within(foams.lower[column], available[column]);
-        foams.upper[column] = within(foams.upper[column], from_other_end(available[column], nx));
-    }
-    foams.available = std::move(available);
 }
 
 }  // namespace snug::test

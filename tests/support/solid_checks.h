@@ -9,7 +9,7 @@
 namespace snug::test {
 
 /// The solid of a half is closed both ways and holds just the blocks that it keeps.
-inline void expect_solid_of(const FoamPair& foams, Half half, const DesignSpace& space) {
+inline void expect_solid_of(const Foams& foams, Half half, const DesignSpace& space) {
     const Solid solid = half == Half::lower ? lower_solid(foams, space) : upper_solid(foams, space);
     long long blocks = 0;
     for (const Run& run : kept_runs(foams, half, space.blocks.x)) blocks += run.blocks();

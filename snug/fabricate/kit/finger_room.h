@@ -3,7 +3,7 @@
 #include <array>
 
 #include "snug/foam/block_map.h"
-#include "snug/foam/foam_pair.h"
+#include "snug/foam/foams.h"
 #include "snug/mesh/mesh.h"
 #include "snug/space/design_space.h"
 #include "snug/space/placement.h"
@@ -25,6 +25,6 @@ struct FingerRoom {
 /// count. Never too wide; too small by two cells (of about 2 mm) at most.
 [[nodiscard]] std::array<FingerRoom, 4> finger_room(const Mesh& mesh, const Placement& placement,
                                                     const DesignSpace& space, const BlockMap& blocks,
-                                                    const FoamPair& foams);
+                                                    const Foams& foams);
 
 }  // namespace snug

@@ -86,7 +86,7 @@ int cells_for(double mm, double cell_mm) {
 
 std::optional<FitTest> fit_test(const FoamDesign& design, double least_ring_mm) {
     const auto count = [](const Grid<char>& mask) { return std::count(mask.begin(), mask.end(), 1); };
-    const int parting = design.foams.parting_level;
+    const int parting = design.foams.parting.front();
     FitTest test;
     test.level = parting - 1;
     test.opening = columns_cut_at(design.blocks, parting - 1);
@@ -101,8 +101,7 @@ std::optional<FitTest> fit_test(const FoamDesign& design, double least_ring_mm) 
     test.ring = spread(spread(test.opening, cells_for(least_ring_mm, block.y), true),
                        cells_for(least_ring_mm, block.z), false);
     for (std::size_t column = 0; column < test.ring.size(); ++column)
-        if (test.opening[column] || !design.foams.available[column].contains(test.level))
-            test.ring[column] = 0;
+        if (test.opening[column] || !design.available[column].contains(test.level)) test.ring[column] = 0;
     for_each_piece(test.ring, [&](const std::vector<Place>&) { ++test.pieces; });
     return test;
 }

@@ -31,23 +31,22 @@ Message caption(const Packing& packing, const std::string& object_name) {
 
 }  // namespace
 
-std::string depths_csv(const FoamPair& foams, int nx) {
-    const bool shortened = !fills_box(foams.available, nx);
+std::string depths_csv(const Foams& foams, const Grid<Run>& available, int nx) {
+    const bool shortened = !fills_box(available, nx);
+    const Grid<Run>&below = foams.piece(Half::lower), &above = foams.piece(Half::lid);
     std::string text = "j,k,lower_blocks,upper_blocks";
     text += shortened ? ",lower_first,upper_first\n" : "\n";
     const auto add = [&](int value) { text += "," + std::to_string(value); };
-    for (int j = 0; j < foams.lower.ny(); ++j)
-        for (int k = 0; k < foams.lower.nz(); ++k) {
-            const std::size_t column = foams.lower.index(j, k);
-            const Run lower = kept_run(foams, Half::lower, column, nx);
-            const Run upper = from_other_end(kept_run(foams, Half::lid, column, nx), nx);
+    for (int j = 0; j < below.ny(); ++j)
+        for (int k = 0; k < below.nz(); ++k) {
+            const Run lower = below(j, k), upper = above(j, k);
             text += std::to_string(j);
             add(k);
             add(lower.blocks());
             add(upper.blocks());
             if (shortened) {
                 add(lower.first);
-                add(upper.first);
+                add(upper.none() ? nx : upper.first);
             }
             text += "\n";
         }
@@ -57,7 +56,7 @@ std::string depths_csv(const FoamPair& foams, int nx) {
 Result<void> make_output_files(const Object& object, const Project& project, Made& made,
                                const TakeFile& take) {
     Packing& packing = made.packing;
-    const FoamPair& foams = *packing.foams;
+    const Foams& foams = *packing.foams;
     packing.timing.solids = 0;
     for (const bool lower : {true, false}) {
         Stopwatch watch;
@@ -68,7 +67,9 @@ Result<void> make_output_files(const Object& object, const Project& project, Mad
                 !done)
                 return done;
     }
-    if (auto done = take(text_file("depths.csv", depths_csv(foams, packing.space.blocks.x))); !done)
+    if (auto done =
+            take(text_file("depths.csv", depths_csv(foams, packing.available, packing.space.blocks.x)));
+        !done)
         return done;
     const std::string preview = preview_svg(foams, packing.space, object.mesh, packing.placement,
                                             text(caption(packing, project.object.name), made.language),

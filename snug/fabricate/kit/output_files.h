@@ -7,7 +7,7 @@
 #include "snug/design/project.h"
 #include "snug/fabricate/kit/made.h"
 #include "snug/fabricate/kit/workshop_pack.h"
-#include "snug/foam/foam_pair.h"
+#include "snug/foam/foams.h"
 #include "snug/object/object.h"
 
 namespace snug {
@@ -15,7 +15,7 @@ namespace snug {
 /// One line a column, j (y) over k (z), header `j,k,lower_blocks,upper_blocks`: blocks that are kept, of nx.
 /// Where a case leaves blocks out, `lower_first,upper_first` follow: the first block that a half keeps, from
 /// -x; 0 and nx where it keeps none.
-[[nodiscard]] std::string depths_csv(const FoamPair& foams, int nx);
+[[nodiscard]] std::string depths_csv(const Foams& foams, const Grid<Run>& available, int nx);
 
 /// Takes one file after the other, so that they need not all be held at once. An error ends the making.
 using TakeFile = std::function<Result<void>(const PackFile&)>;

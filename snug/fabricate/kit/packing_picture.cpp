@@ -21,7 +21,7 @@ struct HalfScene {
     std::vector<Face> faces;
 };
 
-HalfScene half_scene(const FoamPair& foams, const DesignSpace& space, const OpenedPair& pair, Half half) {
+HalfScene half_scene(const Foams& foams, const DesignSpace& space, const OpenedPair& pair, Half half) {
     HalfScene scene{relief(foams, space, pair, half), {}};
     scene.faces = visible_faces(scene.relief);
     return scene;
@@ -78,9 +78,9 @@ void draw_object(PageBuilder& builder, const Page& page, const ObjectOutlines& o
 }  // namespace
 
 void draw_packing_picture(PageBuilder& builder, Vec2d corner, Vec2d size, PictureParts parts,
-                          const FoamPair& foams, const DesignSpace& space, const Mesh& mesh,
+                          const Foams& foams, const DesignSpace& space, const Mesh& mesh,
                           const Placement& placement) {
-    const OpenedPair pair = opened(space, foams.parting_level);
+    const OpenedPair pair = opened(space, foams.parting.front());
     const HalfScene lower = half_scene(foams, space, pair, Half::lower);
     const HalfScene lid = parts.lid ? half_scene(foams, space, pair, Half::lid) : HalfScene{};
     std::vector<Projected> vertices;

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "snug/drawing/page_builder.h"
-#include "snug/foam/foam_pair.h"
+#include "snug/foam/foams.h"
 #include "snug/mesh/mesh.h"
 #include "snug/space/design_space.h"
 #include "snug/space/placement.h"
@@ -15,8 +15,7 @@ struct PictureParts {
 
 /// The lower foam as it lies on a table, seen into its cavity; with the object in it and the lid turned over
 /// its BACK edge where they are asked for. Fitted into a rectangle of the page and centred.
-void draw_packing_picture(PageBuilder& page, Vec2d corner, Vec2d size, PictureParts parts,
-                          const FoamPair& foams, const DesignSpace& space, const Mesh& mesh,
-                          const Placement& placement);
+void draw_packing_picture(PageBuilder& page, Vec2d corner, Vec2d size, PictureParts parts, const Foams& foams,
+                          const DesignSpace& space, const Mesh& mesh, const Placement& placement);
 
 }  // namespace snug

@@ -96,10 +96,10 @@ Json findings_json(const std::vector<Finding>& findings, Language language) {
 
 Json foam_json(const Packing& packing) {
     const FitReport& fit = packing.fit;
-    const FoamPair& foams = *packing.foams;
+    const Foams& foams = *packing.foams;
     return {{"lower_blocks", fit.lower_blocks}, {"upper_blocks", fit.upper_blocks},
             {"cut_blocks", fit.cut_blocks},     {"volume_mm3", rounded(fit.foam_mm3, 1e3)},
-            {"fill_ratio", fit.fill_ratio},     {"parting_level", foams.parting_level},
+            {"fill_ratio", fit.fill_ratio},     {"parting_level", foams.parting.front()},
             {"lower_pieces", fit.lower_pieces}, {"upper_pieces", fit.upper_pieces},
             {"rib_blocks", packing.rib_blocks}};
 }
@@ -216,7 +216,7 @@ std::string report_json(const Object& object, const Project& project, const Made
     }
     if (!packing.notches.empty()) json["notches"] = notches_json(packing.notches);
     if (packing.fitted_case) {
-        const int level = packing.foams ? packing.foams->parting_level : 0;
+        const int level = packing.foams ? packing.foams->parting.front() : 0;
         json["case"] = case_json(*packing.fitted_case, level, packing.fit);
     }
     if (made.search) json["search"] = search_json(*made.search);

@@ -8,7 +8,7 @@
 #include "snug/base/finding.h"
 #include "snug/drawing/drawing.h"
 #include "snug/foam/block_map.h"
-#include "snug/foam/foam_pair.h"
+#include "snug/foam/foams.h"
 #include "snug/formats/mesh_files.h"
 #include "snug/space/design_space.h"
 #include "snug/words/words.h"
@@ -22,7 +22,8 @@ namespace snug {
 struct FoamDesign {
     const DesignSpace& space;
     const BlockMap& blocks;
-    const FoamPair& foams;
+    const Foams& foams;
+    const Grid<Run>& available;             ///< blocks that exist
     std::string object_name;                ///< as people know it; UTF-8
     Language language = Language::english;  ///< of pages and pictures
 };

@@ -77,12 +77,12 @@ Grid<int> allowed_outside(const FoamDesign& design, Half half, const MillField& 
     const DesignSpace fine = fine_space(design.space, stock);
     const Grid<Run> columns = columns_within(object, fine, half);
     const bool any_case = object && object->fitted_case;
-    const Grid<std::uint16_t>& kept = design.foams.heights(half);
+    const Grid<Run>& kept = design.foams.piece(half);
     for (int j = 0; j < fine.blocks.y; ++j)
         for (int k = 0; k < fine.blocks.z; ++k) {
             int& steps = allowed(outside_row(half, j, fine.blocks.y), k);
             const Run within = columns(j, k);
-            if (kept(j / stock.rows_a_cell(), k / stock.columns_a_cell()) == 0 &&
+            if (kept(j / stock.rows_a_cell(), k / stock.columns_a_cell()).none() &&
                 (!any_case || within.none()))
                 steps = field.top;
             else if (any_case)

@@ -8,15 +8,15 @@ namespace {
 
 constexpr double kRounding = 1e-9;  // of a step that divides a block but for rounding
 
-MillField empty_field(const FoamDesign& design, Half half, double step_down_mm) {
-    const Grid<std::uint16_t>& kept = design.foams.heights(half);
+/// All at the bottom, below a top where the highest of the kept runs ends.
+MillField empty_field(const FoamDesign& design, const Grid<Run>& kept, double step_down_mm) {
     const Vec3d block = design.space.block_mm;
     MillField field;
     field.height = Grid<int>(kept.ny(), kept.nz());
     field.cell_mm = {block.z, block.y};
     field.steps_a_block = static_cast<int>(std::ceil(block.x / step_down_mm - kRounding));
     field.step_mm = block.x / field.steps_a_block;
-    field.top = *std::max_element(kept.begin(), kept.end()) * field.steps_a_block;
+    for (const Run run : kept) field.top = std::max(field.top, run.end * field.steps_a_block);
     return field;
 }
 
@@ -27,17 +27,17 @@ int MillField::lowest() const {
 }
 
 MillField mill_field(const FoamDesign& design, Half half, double step_down_mm) {
-    const Grid<std::uint16_t>& kept = design.foams.heights(half);
-    MillField field = empty_field(design, half, step_down_mm);
+    const Grid<Run> kept = kept_runs(design.foams, half, design.space.blocks.x);
+    MillField field = empty_field(design, kept, step_down_mm);
     for (int j = 0; j < kept.ny(); ++j)
         for (int k = 0; k < kept.nz(); ++k)
-            field.height(mill_row(half, j, kept.ny()), k) = kept(j, k) * field.steps_a_block;
+            field.height(mill_row(half, j, kept.ny()), k) = kept(j, k).end * field.steps_a_block;
     return field;
 }
 
 MillField mill_outside(const FoamDesign& design, Half half, double step_down_mm) {
     const Grid<Run> kept = kept_runs(design.foams, half, design.space.blocks.x);
-    MillField field = empty_field(design, half, step_down_mm);
+    MillField field = empty_field(design, kept, step_down_mm);
     field.height = Grid<int>(field.height.ny(), field.height.nz(), field.top);
     const int ny = kept.ny();
     for (int j = 0; j < ny; ++j)

@@ -1,7 +1,6 @@
 #include "snug/fabricate/mould/mould.h"
 
 #include <algorithm>
-#include <numeric>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,8 +17,11 @@
 namespace snug {
 namespace {
 
-long long sum_of(const Grid<std::uint16_t>& blocks) {
-    return std::accumulate(blocks.begin(), blocks.end(), 0LL);
+/// Blocks from the outer side to the cavity, those that the case lacks included.
+long long cast_blocks(const Grid<Run>& kept) {
+    long long blocks = 0;
+    for (const Run run : kept) blocks += run.end;
+    return blocks;
 }
 
 std::string word_of(Half half) {
@@ -29,9 +31,9 @@ std::string word_of(Half half) {
 Result<std::vector<Mould>> all_moulds(const FoamDesign& design, const WorkshopOptions& options) {
     std::vector<Mould> moulds;
     for (const Half half : {Half::lower, Half::lid}) {
-        if (sum_of(design.foams.heights(half)) == 0) continue;
-        Mould mould{
-            mould_form(half, design.foams.heights(half), design.space.block_mm, options.mould), {}, {}};
+        const Grid<Run> kept = kept_runs(design.foams, half, design.space.blocks.x);
+        if (cast_blocks(kept) == 0) continue;
+        Mould mould{mould_form(half, kept, design.space.block_mm, options.mould), {}, {}};
         auto made = mould_parts(mould.form, options.mould.draft_deg, options.print);
         if (!made) return tl::unexpected(made.error());
         mould.made = std::move(*made);
@@ -71,8 +73,8 @@ void tell_draft(const FoamDesign& design, const std::vector<Mould>& moulds, doub
     std::vector<Message> smaller, cut;
     for (const Mould& mould : moulds) {
         const Half half = mould.form.half;
-        const double whole =
-            static_cast<double>(sum_of(design.foams.heights(half))) * design.space.block_volume();
+        const long long blocks = cast_blocks(kept_runs(design.foams, half, design.space.blocks.x));
+        const double whole = static_cast<double>(blocks) * design.space.block_volume();
         smaller.push_back(say("draft.foam", {{"foam", foam_of(half)},
                                              {"mm", number(greatest_lean_mm(mould.form, draft_deg), 1)},
                                              {"lost_litres", number((whole - mould.made.pour_mm3) * 1e-6, 2)},

@@ -30,8 +30,9 @@ int mark_length(const std::vector<double>& lines, int margin) {
 
 }  // namespace
 
-MouldForm mould_form(Half half, const Grid<std::uint16_t>& foam, Vec3d block, const MouldOptions& options) {
-    const int highest = *std::max_element(foam.begin(), foam.end());
+MouldForm mould_form(Half half, const Grid<Run>& foam, Vec3d block, const MouldOptions& options) {
+    int highest = 0;
+    for (const Run kept : foam) highest = std::max<int>(highest, kept.end);
     const bool rim = options.rim_mm > 0;
     const double ledge = rim ? std::min(kLedge, options.wall_mm * kLedgeShare) : 0;
     MouldForm form;
@@ -48,7 +49,7 @@ MouldForm mould_form(Half half, const Grid<std::uint16_t>& foam, Vec3d block, co
     for (int j = 0; j < foam.ny(); ++j)
         for (int k = 0; k < foam.nz(); ++k)
             form.heights(j + form.margin, k + form.margin) =
-                static_cast<std::uint16_t>(1 + highest - foam(j, k));
+                static_cast<std::uint16_t>(1 + highest - foam(j, k).end);
     if (!rim) return form;
     const int mark_rows = mark_length(form.lines[1], form.margin),
               mark_columns = mark_length(form.lines[2], form.margin);

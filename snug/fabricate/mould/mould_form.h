@@ -34,7 +34,7 @@ struct MouldForm {
 };
 
 /// `foam`: blocks kept in each column of the half, at least one somewhere.
-[[nodiscard]] MouldForm mould_form(Half half, const Grid<std::uint16_t>& foam, Vec3d block_mm,
+[[nodiscard]] MouldForm mould_form(Half half, const Grid<Run>& foam, Vec3d block_mm,
                                    const MouldOptions& options);
 
 /// Which lines a mould may be cut apart along, by their numbers: those between columns and between levels of

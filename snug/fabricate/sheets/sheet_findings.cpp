@@ -17,9 +17,9 @@ Message named(const std::vector<std::string>& pieces) {
 
 void add_lost(std::vector<Finding>& findings, const FoamDesign& design, const SheetStack& stack) {
     if (stack.lost_blocks == 0) return;
-    const auto& heights = design.foams.heights(stack.half);
     int highest = 0;
-    for (const auto blocks : heights) highest = std::max<int>(highest, blocks);
+    for (const Run kept : kept_runs(design.foams, stack.half, design.space.blocks.x))
+        highest = std::max<int>(highest, kept.end);
     const double lost = static_cast<double>(stack.lost_blocks) * design.space.block_volume();
     const int missing = highest - stack.count * stack.levels;
     std::vector<Message> lower;

@@ -18,15 +18,13 @@ std::string mm(double value) {
     return number(value, 3) + " mm";
 }
 
-int highest(const Grid<std::uint16_t>& kept) {
-    int most = 0;
-    for (const std::uint16_t blocks : kept) most = std::max<int>(most, blocks);
-    return most;
-}
-
 /// The levels of the higher half.
 int most_levels_of(const FoamDesign& design) {
-    return std::max(highest(design.foams.lower), highest(design.foams.upper));
+    int most = 0;
+    for (const Half half : {Half::lower, Half::lid})
+        for (const Run kept : kept_runs(design.foams, half, design.space.blocks.x))
+            most = std::max<int>(most, kept.end);
+    return most;
 }
 
 /// "7.5 mm or 15 mm"

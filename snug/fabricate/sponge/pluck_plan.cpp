@@ -54,9 +54,8 @@ int PluckPlan::deepest() const {
 }
 
 PluckPlan pluck_plan(const FoamDesign& design, Half half) {
-    const FoamPair& foams = design.foams;
     const int nx = design.space.blocks.x;
-    const Grid<Run> kept = kept_runs(foams, half, nx);
+    const Grid<Run> kept = kept_runs(design.foams, half, nx);
     PluckPlan plan;
     plan.half = half;
     for (const Run run : kept) plan.layers = std::max<int>(plan.layers, run.end);
@@ -70,7 +69,8 @@ PluckPlan pluck_plan(const FoamDesign& design, Half half) {
     for (int row = 0; row < kept.ny(); ++row)
         for (int column = 0; column < kept.nz(); ++column) {
             const std::size_t at = kept.index(plan.row_from_back(row), column);
-            Run exists = existing_run(foams, half, at, nx).common(all);
+            const Run there = design.available[at];
+            Run exists = (half == Half::lower ? there : from_other_end(there, nx)).common(all);
             if (exists.none()) exists = {};
             const int removed = exists.blocks() - kept[at].blocks();
             plan.exists(row, column) = exists;

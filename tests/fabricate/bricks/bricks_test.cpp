@@ -14,6 +14,7 @@
 #include "snug/words/words.h"
 
 #include "tests/support/brick_design.h"
+#include "tests/support/heights.h"
 #include "tests/support/ldraw_reader.h"
 #include "tests/support/models.h"
 
@@ -85,14 +86,14 @@ std::map<std::array<int, 3>, int> blocks_of(const std::vector<test::PlacedPart>&
     return found;
 }
 
-void expect_the_foam(const WorkshopPack& pack, const DesignSpace& space, const FoamPair& foams) {
+void expect_the_foam(const WorkshopPack& pack, const DesignSpace& space, const Foams& foams) {
     const test::LdrawModels models = test::read_ldraw(text_of(pack, "bricks/foams.mpd"));
     EXPECT_TRUE(models.ends_in_crlf);
     ASSERT_EQ(models.names.front(), "foams.ldr");
     const int studs = static_cast<int>(std::lround(space.block_mm.x / 3.2) *
                                        std::lround(space.block_mm.y / 8) * std::lround(space.block_mm.z / 8));
     for (const bool lid : {false, true}) {
-        const Grid<std::uint16_t>& kept = lid ? foams.upper : foams.lower;
+        const test::Heights kept = test::heights_of(foams, lid ? Half::lid : Half::lower, space.blocks.x);
         const auto model = models.models.find(lid ? "lid.ldr" : "lower.ldr");
         const bool empty = std::all_of(kept.begin(), kept.end(), [](int height) { return height == 0; });
         ASSERT_EQ(model == models.models.end(), empty);
@@ -148,7 +149,7 @@ struct BrickCase {
     Packing packing;
     WorkshopOptions workshop;
     [[nodiscard]] FoamDesign design() const {
-        return {packing.space, packing.blocks, *packing.foams, "vase"};
+        return {packing.space, packing.blocks, *packing.foams, packing.available, "vase"};
     }
 };
 

@@ -24,7 +24,7 @@ TEST(FitTestTest, TheRingIsTheFoamAroundTheOpening) {
         const CutFoams foams = random_foams(random);
         const double wide = random.between(1, 60);
         const auto test = fit_test(foams.design(), wide);
-        const int level = foams.foams.parting_level;
+        const int level = foams.foams.parting.front();
         const auto cut = [&](int j, int k, int layer) {
             const CutRun run = foams.blocks(j, k);
             return run.first <= layer && layer < run.end;

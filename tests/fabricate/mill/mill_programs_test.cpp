@@ -59,12 +59,18 @@ void expect_board_takes(const std::string& board_program, const MillPlan& half, 
         }));
 }
 
+/// All of 4 x 8 x 10 blocks but some of column A1.
+Grid<snug::Run> without_corner(snug::Run left) {
+    Grid<snug::Run> available(8, 10, {0, 4});
+    available(0, 0) = left;
+    return available;
+}
+
 TEST(MillTest, WhatACaseLeavesOutIsMilledFromOutsideOnTheSamePins) {
-    test::PrintDesign design({{4, 8, 10}, {10, 10, 10}}, test::filled(8, 10, 2), test::filled(8, 10, 2));
-    design.foams.lower(4, 4) = 1;
-    design.blocks(4, 4) = {1, 2};
-    design.foams.available = {8, 10, {0, 4}};
-    design.foams.available(0, 0).first = 1;  // BACK, left
+    test::Heights lower = test::filled(8, 10, 2);
+    lower(4, 4) = 1;
+    test::PrintDesign design({{4, 8, 10}, {10, 10, 10}}, lower, test::filled(8, 10, 2));
+    design.shorten(without_corner({1, 4}));  // BACK, left
     MillOptions options;
     options.pin_mm = 6;
     const auto plans = mill_plans(design.view(), {}, options);
@@ -85,8 +91,7 @@ TEST(MillTest, WhatACaseLeavesOutIsMilledFromOutsideOnTheSamePins) {
 
 TEST(MillTest, EachTurnedHalfLiesOnItsOwnHolesInTheBoard) {
     test::PrintDesign design({{4, 8, 10}, {10, 10, 10}}, test::filled(8, 10, 2), test::filled(8, 10, 2));
-    design.foams.available = {8, 10, {0, 4}};
-    design.foams.available(0, 0) = {1, 3};
+    design.shorten(without_corner({1, 3}));
     for (const MillOrigin origin : {MillOrigin::corner, MillOrigin::centre}) {
         MillOptions options;
         options.origin = origin;
@@ -101,11 +106,10 @@ TEST(MillTest, EachTurnedHalfLiesOnItsOwnHolesInTheBoard) {
 }
 
 TEST(MillTest, EveryProgramSaysWhichSideIsUpWhereBackIsAndWhereZeroIs) {
-    test::PrintDesign design({{4, 8, 10}, {10, 10, 10}}, test::filled(8, 10, 2), test::filled(8, 10, 2));
-    design.foams.lower(4, 4) = design.foams.upper(4, 4) = 1;
-    design.blocks(4, 4) = {1, 3};
-    design.foams.available = {8, 10, {0, 4}};
-    design.foams.available(0, 0) = {1, 3};
+    test::Heights half = test::filled(8, 10, 2);
+    half(4, 4) = 1;
+    test::PrintDesign design({{4, 8, 10}, {10, 10, 10}}, half, half);
+    design.shorten(without_corner({1, 3}));
     const auto pack = mill_pack(design.view(), {}, {});
     ASSERT_TRUE(pack);
     struct Said {

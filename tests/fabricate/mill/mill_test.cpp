@@ -223,14 +223,14 @@ TEST(MillTest, AStripAtTheEdgeThatIsNarrowerThanTheCutterIsClearedFromBesideTheS
 
 TEST(MillTest, WhatIsLeftOutBesideMissingColumnsIsNoSlot) {
     test::PrintDesign design({{5, 20, 20}, {6, 2, 2}}, test::filled(20, 20, 3), test::filled(20, 20, 2));
-    design.foams.available = {20, 20, {0, 5}};
+    Grid<snug::Run> available = all_blocks(design.space.blocks);
     for (int j = 0; j < 20; ++j)
         for (int k = 0; k < 20; ++k) {
             const int in = std::min({j, k, 19 - j, 19 - k});
-            if (in < 2) design.foams.lower(j, k) = design.foams.upper(j, k) = 0;
-            if (in < 2) design.foams.available(j, k) = {};       // not there at all
-            if (in == 2) design.foams.available(j, k) = {1, 5};  // 2 mm beside the air
+            if (in < 2) available(j, k) = {};       // not there at all
+            if (in == 2) available(j, k) = {1, 5};  // 2 mm beside the air
         }
+    design.shorten(std::move(available));
     MillOptions options;
     options.pin_mm = 0;
     const auto plans = mill_plans(design.view(), {}, options);

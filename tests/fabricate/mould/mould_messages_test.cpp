@@ -49,8 +49,9 @@ TEST(MouldPack, FoamTooNarrowForTheDraftIsAWarning) {
 
 TEST(MouldPack, WhatTheCaseLeavesNoRoomForIsToBeTrimmed) {
     test::PrintDesign design({{4, 3, 3}, {10, 10, 10}}, test::filled(3, 3, 2), test::filled(3, 3, 2));
-    design.foams.available = {3, 3, {0, 4}};
-    design.foams.available(0, 0).first = 1;
+    Grid<snug::Run> available = all_blocks(design.space.blocks);
+    available(0, 0).first = 1;
+    design.shorten(std::move(available));
     WorkshopOptions options;
     options.mould.draft_deg = 0;
     const auto pack = mould_pack(design.view(), options);

@@ -27,8 +27,8 @@ using test::Heights;
 
 constexpr const char* kHalves[] = {"lower", "lid"};
 
-const Heights& foam_of(const FoamPair& foams, const std::string& half) {
-    return half == "lower" ? foams.lower : foams.upper;
+Heights foam_of(const FoamDesign& design, const std::string& half) {
+    return test::heights_of(design.foams, half == "lower" ? Half::lower : Half::lid, design.space.blocks.x);
 }
 
 int greatest(const Heights& heights) {
@@ -91,7 +91,7 @@ void expect_moulds_of(const FoamDesign& design, WorkshopOptions options) {
     const Vec3d s = design.space.block_mm;
     for (const std::string half : kHalves) {
         SCOPED_TRACE(half);
-        const Heights& foam = foam_of(design.foams, half);
+        const Heights foam = foam_of(design, half);
         const long long blocks = std::accumulate(foam.begin(), foam.end(), 0LL);
         if (blocks == 0) continue;
         const AssembledMould mould = test::assembled_mould(*pack, half);
@@ -161,7 +161,7 @@ TEST(MouldPack, DraftedFoamNeverExceedsTheHalf) {
         options.print.dowels = false;  // bores are neither foam nor plastic
         const auto whole = mould_pack(design.view(), options);
         for (const std::string half : kHalves) {
-            const Heights& foam = foam_of(design.foams, half);
+            const Heights foam = foam_of(design.view(), half);
             if (greatest(foam) == 0) continue;
             const AssembledMould mould = test::assembled_mould(*whole, half);
             for (const auto& part : mould.parts) expect_drained(part);
@@ -251,7 +251,7 @@ void expect_moulds_of(const Mesh& mesh, const Design& design) {
     ASSERT_TRUE(object.has_value());
     const auto packing = pack(*object, design);
     ASSERT_TRUE(packing && packing->foams);
-    const FoamDesign foams{packing->space, packing->blocks, *packing->foams, "object"};
+    const FoamDesign foams{packing->space, packing->blocks, *packing->foams, packing->available, "object"};
     WorkshopOptions options;
     expect_moulds_of(foams, options);
     const auto pack = mould_pack(foams, options);

@@ -69,8 +69,8 @@ TEST(PrintPack, AnLIsNotMirroredInEitherHalf) {
     EXPECT_EQ(items[1].name, "lid-01");
     test::expect_on_bed(items, PrintOptions{}.bed_mm);
     for (const auto& item : items) test::expect_closed(item);
-    expect_blocks(items[0], design.foams.lower, space, false);
-    expect_blocks(items[1], design.foams.upper, space, true);
+    expect_blocks(items[0], lower, space, false);
+    expect_blocks(items[1], upper, space, true);
 }
 
 double cubic_mm(const std::vector<test::PrintedItem>& items, const std::string& prefix) {
@@ -88,7 +88,7 @@ TEST(PrintPack, AnyFoamOnAnyBedIsClosedOnTheBedAndWhole) {
         test::PrintDesign design = test::random_print_design(random);
         const PrintOptions options = test::random_print_options(random);
         const int nx = design.space.blocks.x;
-        if (seed >= 60) test::shorten(design.foams, test::random_available(random, design.space.blocks), nx);
+        if (seed >= 60) design.shorten(test::random_available(random, design.space.blocks));
         const auto pack = print_pack(design.view(), options);
         if (!pack) {
             EXPECT_FALSE(text(pack.error().message).empty());
@@ -180,16 +180,16 @@ TEST(PrintPack, ThePartsPutTogetherAgainAreTheFoam) {
         PrintOptions options = test::random_print_options(random);
         options.dowels = false;
         const int nx = design.space.blocks.x;
-        if (seed >= 40) test::shorten(design.foams, test::random_available(random, design.space.blocks), nx);
+        if (seed >= 40) design.shorten(test::random_available(random, design.space.blocks));
         const auto pack = print_pack(design.view(), options);
         if (!pack) continue;
         std::map<std::string, test::PrintedItem> items;
         for (const PackContainer& container : pack->containers)
             for (test::PrintedItem& item : test::read_printed(container)) items[item.name] = item;
-        Grid<snug::Run> lower(design.foams.lower.ny(), design.foams.lower.nz()), upper = lower;
+        Grid<snug::Run> lower(design.space.blocks.y, design.space.blocks.z), upper = lower;
         for (const ListedPart& part : listed_parts(*pack)) {
             const bool lid = part.name.rfind("lid", 0) == 0;
-            const Heights& heights = lid ? design.foams.upper : design.foams.lower;
+            const Heights heights = test::heights_of(design.foams, lid ? Half::lid : Half::lower, nx);
             const int levels = *std::max_element(heights.begin(), heights.end());
             const bool turned =
                 print_cuts({levels, heights.ny(), heights.nz()}, design.space.block_mm, options.bed_mm)

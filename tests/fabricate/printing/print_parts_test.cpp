@@ -65,7 +65,7 @@ TEST(PrintJoints, DowelsFitTheirBoresAndBoresStayInsideTheFoam) {
         const test::PrintDesign design = test::random_print_design(random);
         const PrintOptions options = test::random_print_options(random);
         if (!holds_block(options.bed_mm, design.space.block_mm)) continue;
-        const Heights& heights = design.foams.lower;
+        const Heights heights = test::lower_heights(design.foams);
         const int levels = *std::max_element(heights.begin(), heights.end());
         const PrintLayout layout = print_layout(
             heights, print_cuts({levels, heights.ny(), heights.nz()}, design.space.block_mm, options.bed_mm));
@@ -101,7 +101,7 @@ TEST(PrintSolid, PartsAreClosedAndHaveTheVolumeOfTheirBlocksLessTheirBores) {
         const test::PrintDesign design = test::random_print_design(random);
         const PrintOptions options = test::random_print_options(random);
         if (!holds_block(options.bed_mm, design.space.block_mm)) continue;
-        const Heights& heights = design.foams.lower;
+        const Heights heights = test::lower_heights(design.foams);
         const int levels = *std::max_element(heights.begin(), heights.end());
         const PrintLayout layout = print_layout(
             heights, print_cuts({levels, heights.ny(), heights.nz()}, design.space.block_mm, options.bed_mm));

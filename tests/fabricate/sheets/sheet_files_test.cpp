@@ -16,6 +16,7 @@
 #include "snug/samples/samples.h"
 #include "snug/words/words.h"
 
+#include "tests/support/heights.h"
 #include "tests/support/models.h"
 #include "tests/support/sheet_foams.h"
 
@@ -36,11 +37,11 @@ CutFoams packed(Mesh mesh) {
     design.object.longest_mm = 200;
     const auto object = prepare(std::move(mesh), design);
     const auto packing = pack(*object, design);
-    return {packing->space, packing->blocks, *packing->foams};
+    return {packing->space, packing->blocks, *packing->foams, packing->available};
 }
 
 int highest(const CutFoams& foam, Half half) {
-    const auto& heights = foam.foams.heights(half);
+    const test::Heights heights = test::heights_of(foam.foams, half, foam.space.blocks.x);
     return *std::max_element(heights.begin(), heights.end());
 }
 
@@ -91,11 +92,11 @@ class SheetFiles : public testing::Test {
             std::ifstream in(folder_ / std::to_string(i) / "rebuilt.csv");
             std::string half, j, k, first, end;
             std::size_t columns = 0;
+            const auto lower = kept_runs(cases_[i].foams, Half::lower, cases_[i].nx),
+                       lid = kept_runs(cases_[i].foams, Half::lid, cases_[i].nx);
             while (std::getline(in, half, ',') && std::getline(in, j, ',') && std::getline(in, k, ',') &&
                    std::getline(in, first, ',') && std::getline(in, end)) {
-                const FoamPair& foams = cases_[i].foams;
-                const auto kept = kept_run(foams, half == "lower" ? Half::lower : Half::lid,
-                                           foams.lower.index(std::stoi(j), std::stoi(k)), cases_[i].nx);
+                const snug::Run kept = (half == "lower" ? lower : lid)(std::stoi(j), std::stoi(k));
                 const double levels = cases_[i].levels;
                 const int many = static_cast<int>((levels >= 1 ? levels : 1 / levels) + 0.5);
                 const int wanted_first = levels >= 1 ? (kept.first + many - 1) / many : kept.first * many;
@@ -105,13 +106,13 @@ class SheetFiles : public testing::Test {
                 ASSERT_EQ(std::stoi(end), none ? 0 : wanted_end) << half << " " << j << " " << k;
                 ++columns;
             }
-            EXPECT_EQ(columns, cases_[i].foams.lower.size() + cases_[i].foams.upper.size());
+            EXPECT_EQ(columns, lower.size() + lid.size());
         }
     }
 
   private:
     struct Case {
-        FoamPair foams;
+        Foams foams;
         double levels;
         int nx;
     };

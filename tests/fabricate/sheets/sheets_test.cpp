@@ -197,7 +197,7 @@ TEST(Sheets, SayWhatThickSheetsLose) {
     const auto pack = sheets_pack(foam.design(), options);
     ASSERT_TRUE(pack);
     long long lost = 0;
-    for (const auto blocks : foam.foams.lower) lost += blocks % 2;
+    for (const snug::Run kept : foam.foams.piece(Half::lower)) lost += kept.end % 2;
     bool named = false;
     for (const Finding& finding : pack->findings)
         named = named ||
