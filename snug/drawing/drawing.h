@@ -9,9 +9,10 @@
 #include "snug/base/vec2.h"
 #include "snug/words/words.h"
 
-// One display list for everything that is drawn for the workshop: maps on paper, outlines for a cutter.
-// Written as SVG and DXF by the library and as PDF by what stands around it. Lengths in mm on the sheet: x to
-// the right, y downward, (0, 0) the sheet's upper left corner.
+// One display list for everything that is drawn: maps on paper, outlines for a cutter, the preview on a
+// screen. Written as SVG and DXF by the library and as PDF by what stands around it. Lengths in mm on the
+// sheet: x to the right, y downward, (0, 0) the sheet's upper left corner. What is marked "screen" only
+// pictures for the screen have: SVG shows it, paper and cutters go without.
 
 namespace snug {
 
@@ -20,25 +21,51 @@ struct Pen {
     Color color;
     double width_mm = 0.2;
     std::vector<double> dashes_mm;  ///< drawn and left out in turn; empty: drawn through
+    bool round_joins = false;       ///< screen
+    bool round_ends = false;        ///< screen
+    double opacity = 1;             ///< screen: 0 to 1
 };
+
+/// Where loops of one path overlap: filled where an odd number of them lies, or wherever their ways round do
+/// not cancel (screen), so that a path may hold many polygons of one colour.
+enum class FillRule { even_odd, nonzero };
+
+// g++ 12 takes the path for read where a circle is put into the variant below.
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
 
 /// Straight lines through `points`.
 struct PathItem {
-    /// Several loops fill together by the even-odd rule. Open ones are not filled.
+    /// Several loops fill together. Open ones are not filled.
     std::vector<std::vector<Vec2d>> lines;
     bool closed = true;
     std::optional<Color> fill;
     std::optional<Pen> pen;
+    FillRule rule = FillRule::even_odd;
+    double fill_opacity = 1;  ///< screen: 0 to 1
 };
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif
 
 struct CircleItem {
     Vec2d centre;
     double radius_mm = 0;
     std::optional<Color> fill;
     std::optional<Pen> pen;
+    double fill_opacity = 1;  ///< screen: 0 to 1
 };
 
 enum class TextAnchor { start, middle, end };
+
+/// Text that lies in a plane of space: where the drawing shows a step along the line that is read, and one
+/// from the letters' heads to their feet.
+struct TextPlane {
+    Vec2d along{1, 0}, down{0, 1};
+};
 
 /// One line of text (UTF-8), for readers only: cutters leave text out, see stroke_text.h for what they
 /// engrave.
@@ -50,6 +77,11 @@ struct TextItem {
     double turn_deg = 0;  ///< clockwise as seen by the reader: 0, 90, 180 or 270
     bool bold = false;
     Color color;
+    std::string lead{};                ///< screen: bold words that stand before the text, with a space
+    double spacing_mm = 0;             ///< screen: between letters
+    double opacity = 1;                ///< screen: 0 to 1
+    std::optional<Pen> halo{};         ///< screen: around the letters, beneath them
+    std::optional<TextPlane> plane{};  ///< screen: instead of `turn_deg`
 };
 
 struct DrawingItem {
@@ -61,6 +93,9 @@ struct DrawingItem {
 struct DrawingLayer {
     std::string name;
     Color color;  ///< by which cutters' programs tell operations apart
+    /// Above 0 for a layer of thousands of small paths: SVG counts their corners in whole steps of this and
+    /// keeps the text short. 0: every corner to 0.0001 mm.
+    double step_mm = 0;
 };
 
 /// One sheet of paper or stock; later items lie above earlier ones.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <utility>
 
 #include "snug/base/text.h"
 #include "snug/base/utf8.h"
@@ -48,36 +47,6 @@ std::size_t last_break(std::string_view text, std::size_t end) {
         at += blank ? 1 : unbroken(text.substr(at)).size();
     }
     return found;
-}
-
-/// In tenths of a px.
-struct Tenths {
-    long long x = 0, y = 0;
-};
-Tenths tenths(Vec2d point) {
-    return {static_cast<long long>(std::floor(point.x * 10 + 0.5)),
-            static_cast<long long>(std::floor(point.y * 10 + 0.5))};
-}
-
-void append_pair(std::string& text, long long x, long long y, bool first) {
-    if (!first && x >= 0) text += ' ';
-    text += std::to_string(x);
-    if (y >= 0) text += ' ';
-    text += std::to_string(y);
-}
-
-/// M and l with whole numbers: differences of rounded corners, so that errors do not add up.
-void append_subpath(std::string& text, const std::vector<Vec2d>& corners, bool closed) {
-    Tenths last = tenths(corners.front());
-    text += 'M';
-    append_pair(text, last.x, last.y, true);
-    text += 'l';
-    for (std::size_t i = 1; i < corners.size(); ++i) {
-        const Tenths next = tenths(corners[i]);
-        append_pair(text, next.x - last.x, next.y - last.y, i == 1);
-        last = next;
-    }
-    if (closed) text += 'z';
 }
 
 /// As wrapped(), each line as full as it can be.
@@ -164,40 +133,6 @@ std::vector<std::string> wrapped(std::string_view text, std::size_t longest, std
         lines = std::move(narrower);
     }
     return lines;
-}
-
-std::string path_data(const std::vector<std::vector<Vec2d>>& loops) {
-    std::string text;
-    for (const std::vector<Vec2d>& loop : loops) {
-        for (std::size_t i = 0; i < loop.size(); ++i)
-            text += (i == 0 ? "M" : i == 1 ? "L" : " ") + number(loop[i].x) + " " + number(loop[i].y);
-        if (!loop.empty()) text += "Z";
-    }
-    return text;
-}
-
-void PathWriter::use(Color color) {
-    std::string wanted = hex(color);
-    if (wanted == color_) return;
-    if (!color_.empty()) text_ += "\"/>\n";
-    text_ += "<path fill=\"" + wanted + "\" stroke=\"" + wanted + "\" d=\"";
-    color_ = std::move(wanted);
-}
-
-void PathWriter::polygon(Color color, const std::vector<Vec2d>& corners) {
-    use(color);
-    append_subpath(text_, corners, true);
-}
-
-void PathWriter::line(Color color, Vec2d from, Vec2d to) {
-    use(color);
-    append_subpath(text_, {from, to}, false);
-}
-
-std::string PathWriter::finish() {
-    if (!color_.empty()) text_ += "\"/>\n";
-    color_.clear();
-    return std::exchange(text_, {});
 }
 
 }  // namespace snug

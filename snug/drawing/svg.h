@@ -6,10 +6,9 @@
 #include <vector>
 
 #include "snug/base/color.h"
-#include "snug/base/vec2.h"
 #include "snug/words/words.h"
 
-// Small pieces of SVG text that drawings are made of. Page coordinates: px of the viewBox, y downward.
+// Small pieces of SVG text that drawings are made of.
 
 namespace snug {
 
@@ -32,24 +31,5 @@ namespace snug {
 /// would follow.
 [[nodiscard]] std::vector<std::string> wrapped(std::string_view text, std::size_t longest,
                                                std::size_t most_lines);
-
-/// d="..." of closed outlines on the page, in px.
-[[nodiscard]] std::string path_data(const std::vector<std::vector<Vec2d>>& loops);
-
-/// Writes many small filled polygons and lines compactly: whole numbers in tenths of a px, and one <path> for
-/// as long as the colour stays. Later ones cover earlier ones; strokes in the fill's colour close the seams
-/// between neighbours. The text belongs into a group that is scaled by 0.1 and sets the stroke's width.
-class PathWriter {
-  public:
-    void polygon(Color color, const std::vector<Vec2d>& corners);
-    void line(Color color, Vec2d from, Vec2d to);
-    [[nodiscard]] std::string finish();
-
-  private:
-    void use(Color color);
-
-    std::string text_;
-    std::string color_;
-};
 
 }  // namespace snug

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "snug/drawing/svg.h"
 #include "snug/picture/foam_tones.h"
 
 namespace snug {
@@ -11,11 +12,13 @@ namespace {
 constexpr double kLeastBlock = 5;   // px, to draw a block's edges
 constexpr double kClearBlock = 16;  // px, from which on edges are drawn at full strength
 constexpr double kEdgeShare = 0.2;  // of black in an edge's colour
+constexpr double kSeam = 0.9;       // px: lines, and what closes the seams between faces
 constexpr Color kBlack{0, 0, 0};
 
 class FoamPainter {
   public:
-    FoamPainter(const Page& page, const Relief& relief, Color foam) : page_(page), tones_(relief, foam) {
+    FoamPainter(Canvas& canvas, const Page& page, const Relief& relief, Color foam)
+        : canvas_(canvas), page_(page), tones_(relief, foam) {
         const bool whole_blocks = relief.blocks_per_cell == 1;
         const auto strength = [&](double px) {
             return whole_blocks && px >= kLeastBlock
@@ -37,14 +40,12 @@ class FoamPainter {
                                    page_.at(face.origin + face.along)};
         // All faces run the same way round, so that overlapping ones of one path cannot cancel.
         if (face.side == FaceSide::right) std::reverse(corners.begin(), corners.end());
-        path_.polygon(color, corners);
+        canvas_.facet(color, corners, kSeam);
         const double across_edge = face.side == FaceSide::right ? row_edge_ : column_edge_;
         const double along_edge = face.side == FaceSide::top ? row_edge_ : layer_edge_;
         edges(color, across_edge, face.origin, face.across, face.cells_across, face.along);
         edges(color, along_edge, face.origin, face.along, face.cells_along, face.across);
     }
-
-    std::string finish() { return path_.finish(); }
 
   private:
     double size_of(Vec3d mm) const { return length(project(mm).at) * page_.scale; }
@@ -56,23 +57,22 @@ class FoamPainter {
         const Color edge = mixed(color, kBlack, strength);
         for (int i = 0; i < count; ++i) {
             const Vec3d from = origin + way * (static_cast<double>(i) / count);
-            path_.line(edge, page_.at(from), page_.at(from + line));
+            canvas_.facet_line(edge, page_.at(from), page_.at(from + line), kSeam);
         }
     }
 
+    Canvas& canvas_;
     const Page& page_;
     FoamTones tones_;
     double column_edge_ = 0, row_edge_ = 0, layer_edge_ = 0;
-    PathWriter path_;
 };
 
 }  // namespace
 
-std::string foam_drawing(const Page& page, const Relief& relief, std::span<const Face> faces, Color foam) {
-    FoamPainter painter(page, relief, foam);
+void draw_foam(Canvas& canvas, const Page& page, const Relief& relief, std::span<const Face> faces,
+               Color foam) {
+    FoamPainter painter(canvas, page, relief, foam);
     for (const Face& face : faces) painter.paint(face);
-    return "<g transform=\"scale(.1)\" stroke-width=\"9\" stroke-linejoin=\"round\">\n" + painter.finish() +
-           "</g>\n";
 }
 
 }  // namespace snug

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <string_view>
+#include <string>
 #include <vector>
 
 #include "snug/base/text.h"
@@ -21,6 +21,8 @@ constexpr double kHeading = 74;          // px above the maps
 constexpr double kLegend = 74;           // px below them
 constexpr int kMostCells = 120;          // along an axis
 constexpr int kShades = 24;              // of a colour
+constexpr double kSeam = 0.4;            // px, between cells
+constexpr double kMapStep = 0.1;         // px
 constexpr Color kFoam{232, 235, 239};
 constexpr Color kPale{255, 250, 240};
 constexpr Color kSteps{214, 140, 20};
@@ -66,11 +68,6 @@ Color color_of(const Cell& cell, double deepest) {
     return mixed(kPale, mixed(kSteps, kUndercuts, undercut), 0.12 + 0.88 * std::min(share, 1.0));
 }
 
-std::string text_at(double x, double y, double size, std::string_view style, const std::string& words) {
-    return "<text x=\"" + number(x, 1) + "\" y=\"" + number(y, 1) + "\" font-size=\"" + number(size) + "\" " +
-           std::string(style) + ">" + xml_text(words) + "</text>\n";
-}
-
 /// One half's map.
 class HalfMap {
   public:
@@ -94,19 +91,29 @@ class HalfMap {
         return deepest;
     }
 
-    [[nodiscard]] std::string svg(double deepest) const {
-        PathWriter writer;
+    void draw_cells(Canvas& canvas, double deepest) const {
         for (int j = 0; j < map_.ny(); ++j)
             for (int k = 0; k < map_.nz();) {
                 const Color color = color_of(map_(j, k), deepest);
                 int end = k + 1;
                 while (end < map_.nz() && color_of(map_(j, end), deepest) == color) ++end;
                 const Vec2d a = corner(j, k), b = corner(j + 1, end);
-                writer.polygon(color, {a, {b.x, a.y}, b, {a.x, b.y}});
+                canvas.facet(color, {a, {b.x, a.y}, b, {a.x, b.y}}, kSeam);
                 k = end;
             }
-        return "<g transform=\"scale(.1)\" stroke-width=\"4\">\n" + writer.finish() + "</g>\n" + frame() +
-               ring() + words();
+    }
+
+    /// The frame, where the largest ball of the half is, and what is said beside it.
+    void draw_marks(Canvas& canvas) const {
+        const Vec2d size = Vec2d{space_.size().z, space_.size().y} * scale_;
+        canvas.rectangle(at_, size, {}, kDimensionStroke);
+        draw_ring(canvas);
+        std::vector<Message> ring;
+        if (half_.widest_mm > 0) ring.push_back(say("gap.ring", {{"mm", number(half_.widest_mm, 1)}}));
+        canvas.text({at_.x, at_.y - 28}, 17, kLegendText,
+                    text(say(lower_ ? "gap.lower" : "gap.lid", {{"ring", ring}}), language_));
+        canvas.text({at_.x + size.x / 2, lower_ ? at_.y - 8 : at_.y + size.y + 18}, 12,
+                    anchored(kBackText, TextAnchor::middle), "BACK");
     }
 
   private:
@@ -119,31 +126,11 @@ class HalfMap {
         return page(std::min(j * cell_mm_.y, space_.size().y), std::min(k * cell_mm_.x, space_.size().z));
     }
 
-    [[nodiscard]] std::string frame() const {
-        return "<rect x=\"" + number(at_.x, 1) + "\" y=\"" + number(at_.y, 1) + "\" width=\"" +
-               number(space_.size().z * scale_, 1) + "\" height=\"" + number(space_.size().y * scale_, 1) +
-               "\" fill=\"none\" " + std::string(kDimensionStroke) + "/>\n";
-    }
-
-    /// Where the largest ball of the half is.
-    [[nodiscard]] std::string ring() const {
-        if (half_.widest_mm <= 0) return "";
+    void draw_ring(Canvas& canvas) const {
+        if (half_.widest_mm <= 0) return;
         const Vec3d half_size = space_.size() * 0.5;
-        const Vec2d centre = page(half_.widest_at.y + half_size.y, half_.widest_at.z + half_size.z);
-        const double radius = std::max(half_.widest_mm / 2 * scale_, 2.0);
-        return "<circle cx=\"" + number(centre.x, 1) + "\" cy=\"" + number(centre.y, 1) + "\" r=\"" +
-               number(radius, 1) + "\" fill=\"#ffffff\" fill-opacity=\".35\" stroke=\"#1c2530\" " +
-               "stroke-width=\"1.6\"/>\n";
-    }
-
-    [[nodiscard]] std::string words() const {
-        const double back = lower_ ? at_.y - 8 : at_.y + space_.size().y * scale_ + 18;
-        std::vector<Message> ring;
-        if (half_.widest_mm > 0) ring.push_back(say("gap.ring", {{"mm", number(half_.widest_mm, 1)}}));
-        return text_at(at_.x, at_.y - 28, 17, kLegendText,
-                       text(say(lower_ ? "gap.lower" : "gap.lid", {{"ring", ring}}), language_)) +
-               text_at(at_.x + space_.size().z * scale_ / 2, back, 12,
-                       std::string(kBackText) + " text-anchor=\"middle\"", "BACK");
+        canvas.circle(page(half_.widest_at.y + half_size.y, half_.widest_at.z + half_size.z),
+                      std::max(half_.widest_mm / 2 * scale_, 2.0), {kWhite, .35}, {kObjectInk, 1.6});
     }
 
     const HalfGap& half_;
@@ -157,19 +144,18 @@ class HalfMap {
 };
 
 /// A ramp from nothing to the deepest, and what it means.
-std::string ramp(double x, double y, Color color, const std::string& words) {
+void draw_ramp(Canvas& canvas, Vec2d at, Color color, const std::string& words) {
     constexpr double kStep = 7;
-    std::string drawn;
     for (int i = 1; i <= kShades; i += 2)
-        drawn += "<rect x=\"" + number(x + kStep * (i - 1) / 2, 1) + "\" y=\"" + number(y, 1) +
-                 "\" width=\"" + number(kStep + 0.3, 1) + "\" height=\"12\" fill=\"" +
-                 hex(mixed(kPale, color, 0.12 + 0.88 * i / kShades)) + "\"/>\n";
-    return drawn + text_at(x + kStep * kShades / 2 + 8, y + 11, 14, kLegendText, words);
+        canvas.rectangle({at.x + kStep * (i - 1) / 2, at.y}, {kStep + 0.3, 12},
+                         Fill{mixed(kPale, color, 0.12 + 0.88 * i / kShades)});
+    canvas.text(at + Vec2d{kStep * kShades / 2 + 8, 11}, 14, kLegendText, words);
 }
 
 }  // namespace
 
-GapMaps gap_maps(const GapReport& gap, const DesignSpace& space, double top, Language language) {
+double draw_gap_maps(Canvas& canvas, const GapReport& gap, const DesignSpace& space, double top,
+                     Language language) {
     const double width = (kPageWidth - 2 * kSide - kBetween) / 2;
     const Vec3d size = space.size();
     const double scale = std::min(width / size.z, kGreatestHeight / size.y);
@@ -177,15 +163,22 @@ GapMaps gap_maps(const GapReport& gap, const DesignSpace& space, double top, Lan
     const HalfMap lower(gap, space, true, {left, top + kHeading}, scale, language);
     const HalfMap lid(gap, space, false, {left + width + kBetween, top + kHeading}, scale, language);
     const double deepest = std::max(lower.deepest(), lid.deepest());
-    const double legend_y = top + kHeading + size.y * scale + 36;
+    for (const HalfMap* map : {&lower, &lid}) {
+        canvas.layer(map == &lower ? "gap-lower" : "gap-lid", kMapStep);
+        map->draw_cells(canvas, deepest);
+    }
+    canvas.layer("gap");
+    lower.draw_marks(canvas);
+    lid.draw_marks(canvas);
+    const Vec2d legend{kSide, top + kHeading + size.y * scale + 36};
+    const Vec2d second{kPageWidth / 2 + kBetween / 2, legend.y};
     const std::string mm = number(deepest, 1);
-    std::string svg = "<g id=\"gap\">\n" + lower.svg(deepest) + lid.svg(deepest) +
-                      ramp(kSide, legend_y, kSteps, text(say("gap.steps", {{"mm", mm}}), language));
-    svg += gap.undercut_mm3 ? ramp(kPageWidth / 2 + kBetween / 2, legend_y, kUndercuts,
-                                   text(say("gap.undercut", {{"mm", mm}}), language))
-                            : text_at(kPageWidth / 2 + kBetween / 2, legend_y + 11, 14, kLegendText,
-                                      text(say("gap.undercut_unknown"), language));
-    return {svg + "</g>\n", kHeading + size.y * scale + kLegend};
+    draw_ramp(canvas, legend, kSteps, text(say("gap.steps", {{"mm", mm}}), language));
+    if (gap.undercut_mm3)
+        draw_ramp(canvas, second, kUndercuts, text(say("gap.undercut", {{"mm", mm}}), language));
+    else
+        canvas.text(second + Vec2d{0, 11}, 14, kLegendText, text(say("gap.undercut_unknown"), language));
+    return kHeading + size.y * scale + kLegend;
 }
 
 }  // namespace snug

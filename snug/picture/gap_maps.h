@@ -1,8 +1,7 @@
 #pragma once
 
-#include <string>
-
 #include "snug/check/gap.h"
+#include "snug/picture/canvas.h"
 #include "snug/space/design_space.h"
 #include "snug/words/words.h"
 
@@ -11,12 +10,8 @@ namespace snug {
 /// Two maps of the gap, side by side under a drawing of kPageWidth: the lower foam as it is seen from above
 /// (k to the right, j downward) and the lid seen into its cavity (k to the right, j upward). Colours say how
 /// deep the gap is in each column, on average, and whether steps or undercuts make it; a ring shows where the
-/// half's largest ball fits. At most 120 cells an axis.
-struct GapMaps {
-    std::string svg;
-    double height = 0;  ///< px that it takes from `top` on
-};
-[[nodiscard]] GapMaps gap_maps(const GapReport& gap, const DesignSpace& space, double top,
-                               Language language = Language::english);
+/// half's largest ball fits. At most 120 cells an axis. Gives the px that they take from `top` on.
+double draw_gap_maps(Canvas& canvas, const GapReport& gap, const DesignSpace& space, double top,
+                     Language language = Language::english);
 
 }  // namespace snug

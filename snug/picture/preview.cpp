@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <span>
-#include <string_view>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "snug/base/text.h"
+#include "snug/drawing/drawing_svg.h"
 #include "snug/drawing/svg.h"
 #include "snug/formats/mesh_files.h"
 #include "snug/picture/foam_drawing.h"
@@ -29,6 +31,8 @@ constexpr double kCaptionLine = 27;
 constexpr std::size_t kCaptionCharacters = 108;  // a line
 constexpr std::size_t kCaptionLines = 4;
 constexpr double kFinestOutline = 0.35;  // px
+constexpr double kFoamStep = 0.1;        // px, to which corners of the foam are rounded
+constexpr double kOutlineStep = 0.01;    // px
 
 /// One half, ready to be drawn.
 struct HalfScene {
@@ -86,14 +90,23 @@ double room_above(const Page& page, const HalfScene& lower, const HalfScene& lid
 }
 
 /// Where there is no foam at all, the table shows.
-std::string table(const Page& page, const Relief& relief) {
-    if (relief.fewest_layers() > 0) return "";
+void draw_table(Canvas& canvas, const Page& page, const Relief& relief) {
+    if (relief.fewest_layers() > 0) return;
     const double left = relief.right_faces.front(), right = relief.right_faces.back();
     const double back = relief.front_faces.front(), front = relief.front_faces.back(), z = relief.bottom;
-    return "<path " + std::string(kTableStyle) + " d=\"" +
-           path_data({{page.at(Vec3d{left, back, z}), page.at(Vec3d{right, back, z}),
-                       page.at(Vec3d{right, front, z}), page.at(Vec3d{left, front, z})}}) +
-           "\"/>\n";
+    canvas.loops({{page.at(Vec3d{left, back, z}), page.at(Vec3d{right, back, z}),
+                   page.at(Vec3d{right, front, z}), page.at(Vec3d{left, front, z})}},
+                 kTableFill, kTableStroke);
+}
+
+void draw_half(Canvas& canvas, const Page& page, const HalfScene& scene, Half half) {
+    const bool lower = half == Half::lower;
+    canvas.layer("marks");
+    draw_table(canvas, page, scene.relief);
+    canvas.layer(lower ? "lower" : "lid", kFoamStep);
+    draw_foam(canvas, page, scene.relief, scene.faces, lower ? kLowerBlue : kUpperOrange);
+    canvas.layer("marks");
+    draw_half_name(canvas, page, scene.relief, half);
 }
 
 std::vector<Projected> projected(const Mesh& mesh, const Placement& placement, const OpenedPair& pair) {
@@ -103,39 +116,29 @@ std::vector<Projected> projected(const Mesh& mesh, const Placement& placement, c
     return points;
 }
 
-std::string outline_path(const Page& page, std::vector<Loop> loops, std::string_view style) {
-    if (loops.empty()) return "";
-    for (Loop& loop : loops)
-        for (Vec2d& point : loop) point = page.at(point);
-    return "<path " + std::string(style) + " d=\"" + path_data(loops) + "\"/>\n";
+void draw_object(Canvas& canvas, const Page& page, const ObjectOutlines& outlines) {
+    const auto draw = [&](std::vector<Loop> loops, const std::optional<Fill>& fill,
+                          const std::optional<Stroke>& stroke) {
+        for (Loop& loop : loops)
+            for (Vec2d& point : loop) point = page.at(point);
+        canvas.loops(std::move(loops), fill, stroke);
+    };
+    canvas.layer("object", kOutlineStep);
+    draw(outlines.visible, kObjectFill, {});
+    for (const std::vector<Loop>& shade : outlines.shades) draw(shade, kObjectShade, {});
+    draw(outlines.whole, {}, kObjectHiddenStroke);
+    draw(outlines.visible, {}, kObjectStroke);
 }
 
-std::string object_drawing(const Page& page, const ObjectOutlines& outlines) {
-    std::string text = outline_path(page, outlines.visible, kObjectFill);
-    for (const std::vector<Loop>& shade : outlines.shades) text += outline_path(page, shade, kObjectShade);
-    return text + outline_path(page, outlines.whole, kObjectHiddenStroke) +
-           outline_path(page, outlines.visible, kObjectStroke);
-}
-
-std::string opening_tag(double height, Language language) {
-    return "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " + number(kPageWidth) + " " +
-           number(height) + "\" width=\"" + number(kPageWidth) + "\" height=\"" + number(height) +
-           "\" role=\"img\" font-family=\"" + std::string(kFontFamilies) + more_fonts(language) + "\">\n";
-}
-
-std::string caption_lines(const std::vector<std::string>& lines, double first_baseline) {
-    std::string text;
+void draw_caption(Canvas& canvas, const std::vector<std::string>& lines, double first_baseline) {
     for (std::size_t i = 0; i < lines.size(); ++i)
-        text += "<text x=\"" + number(kPageWidth / 2) + "\" y=\"" +
-                number(first_baseline + kCaptionLine * static_cast<double>(i)) + "\" font-size=\"" +
-                number(kCaptionSize) + "\" " + std::string(kCaptionText) + ">" + xml_text(lines[i]) +
-                "</text>\n";
-    return text;
+        canvas.text({kPageWidth / 2, first_baseline + kCaptionLine * static_cast<double>(i)}, kCaptionSize,
+                    anchored(kLegendText, TextAnchor::middle), lines[i]);
 }
 
 }  // namespace
 
-std::string preview_svg(const Foams& foams, const DesignSpace& space, const Mesh& mesh,
+Drawing preview_drawing(const Foams& foams, const DesignSpace& space, const Mesh& mesh,
                         const Placement& placement, const std::string& caption, const GapReport* gap,
                         Language language) {
     const OpenedPair pair = opened(space, foams.parting.front());
@@ -160,17 +163,27 @@ std::string preview_svg(const Foams& foams, const DesignSpace& space, const Mesh
     const bool long_front = space.size().z > 4 * space.size().y;
     const Vec2d axes{long_front ? 70 : kPageWidth - 90, drawing_end - 60};
     const double caption_end = drawing_end + kCaptionLine * static_cast<double>(lines.size()) + 24;
-    const GapMaps maps = gap ? gap_maps(*gap, space, caption_end, language) : GapMaps{};
-    const double height = caption_end + maps.height;
-    return opening_tag(height, language) + "<title>" + xml_text(caption) + "</title>\n" +
-           "<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n" + table(page, lid.relief) +
-           foam_drawing(page, lid.relief, lid.faces, kUpperOrange) + half_name(page, lid.relief, Half::lid) +
-           hinge_line(page, space) + table(page, lower.relief) +
-           foam_drawing(page, lower.relief, lower.faces, kLowerBlue) +
-           half_name(page, lower.relief, Half::lower) + size_marks(page, lid.relief, Half::lid, space) +
-           size_marks(page, lower.relief, Half::lower, space) + back_label(page, space) +
-           object_drawing(page, outlines) + legend(kLegendAt, space, !outlines.whole.empty(), language) +
-           axis_hint(axes) + caption_lines(lines, drawing_end + 18) + maps.svg + "</svg>\n";
+
+    Canvas canvas(caption, language);
+    draw_half(canvas, page, lid, Half::lid);
+    draw_hinge(canvas, page, space);
+    draw_half(canvas, page, lower, Half::lower);
+    draw_sizes(canvas, page, lid.relief, Half::lid, space);
+    draw_sizes(canvas, page, lower.relief, Half::lower, space);
+    draw_back_label(canvas, page, space);
+    draw_object(canvas, page, outlines);
+    canvas.layer("legend");
+    draw_legend(canvas, kLegendAt, space, !outlines.whole.empty(), language);
+    draw_axes(canvas, axes);
+    draw_caption(canvas, lines, drawing_end + 18);
+    const double height = caption_end + (gap ? draw_gap_maps(canvas, *gap, space, caption_end, language) : 0);
+    return canvas.finish({kPageWidth, height});
+}
+
+std::string preview_svg(const Foams& foams, const DesignSpace& space, const Mesh& mesh,
+                        const Placement& placement, const std::string& caption, const GapReport* gap,
+                        Language language) {
+    return drawing_svg(preview_drawing(foams, space, mesh, placement, caption, gap, language));
 }
 
 }  // namespace snug

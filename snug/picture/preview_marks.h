@@ -1,15 +1,12 @@
 #pragma once
 
-#include <string>
-#include <string_view>
-
-#include "snug/drawing/svg.h"
+#include "snug/picture/canvas.h"
 #include "snug/picture/isometric.h"
 #include "snug/picture/relief.h"
 #include "snug/space/design_space.h"
 #include "snug/words/words.h"
 
-// What the preview says besides the foam: names, sizes, the hinge, axes, legend. All return SVG elements.
+// What the preview says besides the foam: names, sizes, the hinge, axes, legend.
 
 namespace snug {
 
@@ -17,25 +14,24 @@ constexpr double kPageWidth = 1200;  // px
 
 /// LOWER or LID: on the half's front wall (lower) or right wall (lid) where there is room, else on the table
 /// beside.
-[[nodiscard]] std::string half_name(const Page& page, const Relief& relief, Half half);
+void draw_half_name(Canvas& canvas, const Page& page, const Relief& relief, Half half);
 
 /// Sizes along the edges: the columns' two directions and the height at the left corner of the lower half,
 /// and the height of the lid.
-[[nodiscard]] std::string size_marks(const Page& page, const Relief& relief, Half half,
-                                     const DesignSpace& space);
+void draw_sizes(Canvas& canvas, const Page& page, const Relief& relief, Half half, const DesignSpace& space);
 
 /// The line about which the lid was turned, to be drawn between the halves, and BACK at its end.
-[[nodiscard]] std::string hinge_line(const Page& page, const DesignSpace& space);
+void draw_hinge(Canvas& canvas, const Page& page, const DesignSpace& space);
 [[nodiscard]] Vec2d back_label_centre(const Page& page, const DesignSpace& space);
-[[nodiscard]] std::string back_label(const Page& page, const DesignSpace& space);
+void draw_back_label(Canvas& canvas, const Page& page, const DesignSpace& space);
 
 /// The design axes as the lower half has them.
-[[nodiscard]] std::string axis_hint(Vec2d at);
+void draw_axes(Canvas& canvas, Vec2d at);
 
 /// What the legend may cover from `at`.
 constexpr Vec2d kLegendSize{380, 130};  // px
 
 /// What the colours mean and the closed box's size; `at` is its upper left corner.
-[[nodiscard]] std::string legend(Vec2d at, const DesignSpace& space, bool with_object, Language language);
+void draw_legend(Canvas& canvas, Vec2d at, const DesignSpace& space, bool with_object, Language language);
 
 }  // namespace snug

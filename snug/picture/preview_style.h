@@ -1,37 +1,36 @@
 #pragma once
 
-#include <string_view>
+#include "snug/picture/canvas.h"
 
-// The preview's look besides its foam colours: SVG presentation attributes.
+// The preview's look besides its foam colours.
 
 namespace snug {
 
-constexpr std::string_view kFontFamilies =  // and those of more_fonts()
-    "'Helvetica Neue', Helvetica, Arial, 'Liberation Sans', 'DejaVu Sans'";
-constexpr std::string_view kDimensionStroke = "stroke=\"#8a94a3\" stroke-width=\"1\"";
-constexpr std::string_view kDimensionText =
-    "fill=\"#4b5665\" stroke=\"#ffffff\" stroke-opacity=\".8\" stroke-width=\"4\" stroke-linejoin=\"round\" "
-    "paint-order=\"stroke\"";
-constexpr std::string_view kAxisStroke = "stroke=\"#6b7686\" stroke-width=\"1.4\" stroke-linecap=\"round\"";
-constexpr std::string_view kAxisText = "fill=\"#6b7686\"";
-constexpr std::string_view kLegendText = "fill=\"#2c3642\"";
-constexpr std::string_view kHingeStroke =
-    "stroke=\"#2c3642\" stroke-width=\"1.4\" stroke-dasharray=\"14 4 2.5 4\"";
-constexpr std::string_view kBackText = "fill=\"#2c3642\" font-weight=\"600\" letter-spacing=\"1\"";
-constexpr std::string_view kWallText =
-    "fill=\"#ffffff\" fill-opacity=\".92\" font-weight=\"700\" letter-spacing=\"2\"";
-constexpr std::string_view kLowerTableText = "fill=\"#2f6bb3\" font-weight=\"700\" letter-spacing=\"1\"";
-constexpr std::string_view kLidTableText = "fill=\"#c26a12\" font-weight=\"700\" letter-spacing=\"1\"";
-constexpr std::string_view kTableStyle =
-    "fill=\"#f4f5f7\" stroke=\"#c5cbd3\" stroke-width=\"1\" stroke-dasharray=\"5 4\"";
-constexpr std::string_view kObjectSwatch = "fill=\"#ffffff\" stroke=\"#1c2530\" stroke-width=\"1.8\"";
-constexpr std::string_view kObjectFill = "fill=\"#ffffff\" fill-opacity=\".42\" fill-rule=\"evenodd\"";
-constexpr std::string_view kObjectShade = "fill=\"#14202e\" fill-opacity=\".09\" fill-rule=\"evenodd\"";
-constexpr std::string_view kObjectStroke =
-    "fill=\"none\" stroke=\"#1c2530\" stroke-width=\"1.9\" stroke-linejoin=\"round\"";
-constexpr std::string_view kObjectHiddenStroke =
-    "fill=\"none\" stroke=\"#1c2530\" stroke-width=\"1.2\" stroke-opacity=\".75\" stroke-dasharray=\"5 4\" "
-    "stroke-linejoin=\"round\"";
-constexpr std::string_view kCaptionText = "fill=\"#2c3642\" text-anchor=\"middle\"";
+constexpr Color kPreviewInk{44, 54, 66}, kObjectInk{28, 37, 48}, kWhite{255, 255, 255},
+    kAxisInk{107, 118, 134};
+
+inline const Stroke kDimensionStroke{{138, 148, 163}};
+inline const Lettering kDimensionText{{75, 86, 101}, false, 0, 1, Stroke{kWhite, 4, {}, .8, true}};
+inline const Stroke kAxisStroke{kAxisInk, 1.4, {}, 1, false, true};
+inline const Lettering kAxisText{kAxisInk};
+inline const Lettering kLegendText{kPreviewInk};
+inline const Stroke kHingeStroke{kPreviewInk, 1.4, {14, 4, 2.5, 4}};
+inline const Lettering kBackText{kPreviewInk, true, 1};
+inline const Lettering kWallText{kWhite, true, 2, .92};
+inline const Lettering kLowerTableText{{47, 107, 179}, true, 1};
+inline const Lettering kLidTableText{{194, 106, 18}, true, 1};
+constexpr Fill kTableFill{{244, 245, 247}};
+inline const Stroke kTableStroke{{197, 203, 211}, 1, {5, 4}};
+constexpr Fill kObjectFill{kWhite, .42};
+constexpr Fill kObjectShade{{20, 32, 46}, .09};
+inline const Stroke kObjectStroke{kObjectInk, 1.9, {}, 1, true};
+inline const Stroke kObjectSwatchStroke{kObjectInk, 1.8};
+inline const Stroke kObjectHiddenStroke{kObjectInk, 1.2, {5, 4}, .75, true};
+
+/// The same, centred or ending where it stands.
+[[nodiscard]] inline Lettering anchored(Lettering look, TextAnchor anchor) {
+    look.anchor = anchor;
+    return look;
+}
 
 }  // namespace snug
