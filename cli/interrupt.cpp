@@ -12,12 +12,12 @@ namespace {
 // A signal handler can reach nothing but globals.
 volatile std::sig_atomic_t deferred = 0;
 volatile std::sig_atomic_t raised = 0;
-volatile std::sig_atomic_t done = 0;
+volatile std::sig_atomic_t ended = 0;
 std::string cancelled;  // what an interrupt says; made before there can be one
 
 void on_interrupt(int) {
     raised = 1;
-    if (deferred || done) return;
+    if (deferred || ended) return;
     (void)!write(STDERR_FILENO, cancelled.data(), cancelled.size());
     _exit(kCancelled);
 }
@@ -45,7 +45,7 @@ InterruptGuard::~InterruptGuard() {
     deferred = 0;
 }
 void InterruptGuard::finished() {
-    done = 1;
+    ended = 1;
 }
 void InterruptGuard::forget() {
     raised = 0;

@@ -121,7 +121,7 @@ std::string counted(unsigned long long count, std::string_view one, std::string_
     return grouped(count) + " " + std::string(count == 1 ? one : many);
 }
 
-std::string quoted(std::string_view text, std::size_t longest) {
+std::string Quoted::operator()(std::string_view text, std::size_t longest) const {
     std::size_t end = std::min(text.size(), longest);
     // Never half a character: the bytes behind its first have the upper bits 10.
     for (int back = 0; back < 3 && end > 0 && end < text.size() && (text[end] & 0xC0) == 0x80; ++back) --end;

@@ -23,8 +23,11 @@ namespace snug {
 /// "1 block", "3 blocks"
 [[nodiscard]] std::string counted(unsigned long long count, std::string_view one, std::string_view many);
 
+struct Quoted {
+    [[nodiscard]] std::string operator()(std::string_view text, std::size_t longest = 40) const;
+};
 /// What stands in a file, made safe to show: as one_line() has it, cut off behind the last character within
-/// `longest` bytes.
-[[nodiscard]] std::string quoted(std::string_view text, std::size_t longest = 40);
+/// `longest` bytes. No function, since std::quoted would be found beside it wherever a string is given.
+inline constexpr Quoted quoted;
 
 }  // namespace snug

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 
 namespace snug {
@@ -32,6 +33,10 @@ constexpr T dot(Vec3<T> a, Vec3<T> b) {
 template <class T>
 constexpr Vec3<T> cross(Vec3<T> a, Vec3<T> b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+[[nodiscard]] inline double length(Vec3d v) {
+    return std::sqrt(dot(v, v));
 }
 
 template <class To, class From>

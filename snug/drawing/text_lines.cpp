@@ -14,7 +14,7 @@ constexpr std::array<short, 95> kWidths{
     611, 778, 722, 278, 500, 667, 556, 833, 722, 778, 667, 778, 722, 667,  611, 722, 667, 944, 667,
     667, 611, 278, 278, 278, 469, 556, 333, 556, 556, 500, 556, 556, 278,  556, 556, 222, 222, 500,
     222, 833, 556, 556, 556, 556, 333, 500, 278, 556, 500, 722, 500, 500,  500, 334, 260, 334, 584};
-constexpr int kOther = 560, kWide = 1000;
+constexpr int kOther = 560, kFullWidth = 1000;
 constexpr double kBoldWider = 1.07;
 
 /// Beyond Latin letters and the marks of sentences a letter may be as wide as it is high: fonts for Japanese
@@ -22,7 +22,7 @@ constexpr double kBoldWider = 1.07;
 int thousandths_of(char32_t c) {
     if (c >= ' ' && c <= '~') return kWidths[c - ' '];
     const bool latin = c < 0x250 || (c >= 0x2010 && c < 0x2100) || c == 0x2122 || c == 0xfffd;
-    return latin && !is_wide(c) ? kOther : kWide;
+    return latin && !is_wide(c) ? kOther : kFullWidth;
 }
 
 /// The bytes of `text` that fit into the width, at least one character.

@@ -19,7 +19,7 @@ constexpr std::array<std::string_view, 9> kEndings = {".stl",  ".obj", ".ply", "
 constexpr std::string_view kProjectEnding = ".snug.json";
 constexpr std::uint64_t kMostProjectBytes = 4'000'000;  // of all together: a pack has one, of a few thousand
 
-bool has_ending(std::string_view name, std::string_view lower) {
+bool is_longer_with_ending(std::string_view name, std::string_view lower) {
     return name.size() > lower.size() && same_word(name.substr(name.size() - lower.size()), lower);
 }
 
@@ -40,8 +40,9 @@ bool is_hidden(std::string_view name) {
 }
 
 bool is_object(std::string_view name) {
-    return !is_hidden(name) && std::any_of(kEndings.begin(), kEndings.end(),
-                                           [&](std::string_view ending) { return has_ending(name, ending); });
+    return !is_hidden(name) && std::any_of(kEndings.begin(), kEndings.end(), [&](std::string_view ending) {
+        return is_longer_with_ending(name, ending);
+    });
 }
 
 /// The member of that name; of equal names the last counts.
@@ -67,7 +68,7 @@ std::optional<std::string> object_in_project(const FileBytes& text) {
 Result<const ZipMember*> find_packed(ZipReader& zip) {
     std::uint64_t read = 0;
     for (const ZipMember& member : zip.members()) {
-        if (is_hidden(member.name) || !has_ending(member.name, kProjectEnding)) continue;
+        if (is_hidden(member.name) || !is_longer_with_ending(member.name, kProjectEnding)) continue;
         if (member.size > kMostProjectBytes - read) continue;
         read += member.size;
         const auto text = zip.unpack(member);

@@ -6,8 +6,8 @@
 namespace snug::gltf {
 namespace {
 
-constexpr std::string_view kMagic = "DRACO";
-constexpr std::size_t kHeader = 11;  // magic, version, kind, method, flags
+constexpr std::string_view kDracoMagic = "DRACO";
+constexpr std::size_t kDracoHeader = 11;  // magic, version, kind, method, flags
 constexpr std::uint64_t kMostTrianglesPerByte = 1000;
 
 std::uint8_t byte_at(Bytes bytes, std::size_t at) {
@@ -28,14 +28,15 @@ std::uint64_t variable_length(Bytes bytes, std::size_t& at) {
 
 Result<void> check_draco(Bytes packed) {
     const std::string_view text(reinterpret_cast<const char*>(packed.data()), packed.size());
-    if (text.size() < kHeader || text.substr(0, kMagic.size()) != kMagic) return refuse(say("draco.damaged"));
+    if (text.size() < kDracoHeader || text.substr(0, kDracoMagic.size()) != kDracoMagic)
+        return refuse(say("draco.damaged"));
     const int version = byte_at(packed, 5) * 256 + byte_at(packed, 6);
     if (byte_at(packed, 7) != 1) return refuse(say("draco.points"));
     const bool metadata = (byte_at(packed, 10) & 0x80) != 0;
     // glTF wants version 2.2, whose counts are of variable length; where they stand otherwise the decoder
     // looks.
     if (version != 0x202 || metadata) return {};
-    std::size_t at = kHeader;
+    std::size_t at = kDracoHeader;
     if (byte_at(packed, 8) == 1) {  // edgebreaker: its variant, then vertices before faces
         ++at;
         (void)variable_length(packed, at);

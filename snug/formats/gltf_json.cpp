@@ -8,7 +8,7 @@
 namespace snug::gltf {
 namespace {
 
-constexpr int kMostDepth = 128;
+constexpr int kMostNesting = 128;
 /// About 16 bytes of memory each, and some more for lists and names.
 constexpr std::size_t kMostValues = 40'000'000;
 constexpr double kMostWhole = 9007199254740992;  // 2^53
@@ -20,18 +20,18 @@ const Json kNothing;
 Result<void> check_size(std::string_view text) {
     int depth = 0;
     std::size_t values = 1;
-    bool quoted = false, escaped = false;
+    bool in_text = false, escaped = false;
     for (const char c : text) {
-        if (quoted) {
-            quoted = escaped || c != '"';
+        if (in_text) {
+            in_text = escaped || c != '"';
             escaped = !escaped && c == '\\';
             continue;
         }
-        if (c == '"') quoted = true;
+        if (c == '"') in_text = true;
         if (c == ',' || c == '[' || c == '{') ++values;
         if (c == '[' || c == '{') ++depth;
         if (c == ']' || c == '}') --depth;
-        if (depth > kMostDepth) return refuse(say("gltf.deep_json"));
+        if (depth > kMostNesting) return refuse(say("gltf.deep_json"));
     }
     if (values > kMostValues) return refuse(say("gltf.long_json", {{"most", kMostValues}}));
     return {};

@@ -9,7 +9,7 @@
 namespace snug {
 namespace {
 
-constexpr int kMostDepth = 64;  // of components within components
+constexpr int kMostComponentDepth = 64;  // of components within components
 constexpr std::uint64_t kMostUses = ThreeMfTotals::kMostUses;
 constexpr std::uint64_t kMostRepeated = 10'000'000;  // triangles, where the file itself has fewer
 constexpr std::uint64_t kMore = 1'000'000'000'000;   // counting ends here
@@ -111,15 +111,15 @@ Result<void> ThreeMfScene::add_children(std::size_t number, const std::string& p
     std::vector<Child> children;
     int height = 0;
     for (const ThreeMfUse& use : object.components) {
-        if (depth == kMostDepth) break;  // too high, as the height says
+        if (depth == kMostComponentDepth) break;  // too high, as the height says
         const auto child = add(use, part, role, depth + 1);
         if (!child) return tl::unexpected(child.error());
         children.push_back({*child, use.place});
         for (std::size_t i = 0; i < count.size(); ++i) add_to(count[i], nodes_[*child].count[i]);
         height = std::max(height, nodes_[*child].height + 1);
     }
-    if (height > kMostDepth || (depth == kMostDepth && !object.components.empty()))
-        return fail(ErrorKind::input, say("threemf.deep", {{"most", std::to_string(kMostDepth)}}));
+    if (height > kMostComponentDepth || (depth == kMostComponentDepth && !object.components.empty()))
+        return fail(ErrorKind::input, say("threemf.deep", {{"most", std::to_string(kMostComponentDepth)}}));
     Node& node = nodes_[number];
     node.count = count;
     node.children = std::move(children);

@@ -16,7 +16,7 @@ namespace snug {
 namespace {
 
 /// Whether the count's place holds text, as in an ASCII STL or any other file of text.
-bool is_text(std::span<const std::byte> bytes) {
+bool is_all_text(std::span<const std::byte> bytes) {
     return std::all_of(bytes.begin(), bytes.end(),
                        [](std::byte b) { return b >= std::byte{9} && b < std::byte{127}; });
 }
@@ -45,7 +45,7 @@ Result<TriangleStream> open_stl(ByteSource source) {
     const std::uint64_t count = read_u32(header.data() + 80);
     const std::uint64_t held = (source.size - kStlHeader) / kStlFacet;
     if (held < count) {
-        if (is_text(header.last(4))) return tl::unexpected(not_in_pieces(header));
+        if (is_all_text(header.last(4))) return tl::unexpected(not_in_pieces(header));
         return tl::unexpected(stl_cut_off(count, held));
     }
     const auto text = is_read_as_text(source, count);

@@ -10,9 +10,9 @@
 namespace snug {
 namespace {
 
-constexpr std::size_t kMostDepth = 256;        // of elements within elements
-constexpr std::size_t kMostAttributes = 1024;  // of an element
-constexpr std::size_t kMostBindings = 256;     // namespaces that hold at one place
+constexpr std::size_t kMostElementDepth = 256;  // of elements within elements
+constexpr std::size_t kMostAttributes = 1024;   // of an element
+constexpr std::size_t kMostBindings = 256;      // namespaces that hold at one place
 
 std::string_view text_of(Bytes bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
@@ -110,7 +110,8 @@ Result<XmlEvent> XmlReader::start_tag() {
     ++at_;
     const std::string_view name = word();
     if (name.empty()) return wrong(say("xml.no_name"));
-    if (open_.size() == kMostDepth) return wrong(say("xml.deep", {{"most", std::to_string(kMostDepth)}}));
+    if (open_.size() == kMostElementDepth)
+        return wrong(say("xml.deep", {{"most", std::to_string(kMostElementDepth)}}));
     open_.push_back({name, bindings_.size()});
     const auto over = attributes();
     if (!over) return tl::unexpected(over.error());

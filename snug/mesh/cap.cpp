@@ -18,10 +18,6 @@ constexpr double kNear = 0.1;        // how far beyond the loop the object's end
 constexpr double kNoArea = 1e-6;     // of a loop's longest side squared: the normal is noise
 constexpr double kSmallLoop = 0.01;  // of the object's diagonal: its base is not looked for
 
-double length(Vec3d v) {
-    return std::sqrt(dot(v, v));
-}
-
 Points points_of(const Mesh& mesh, const Loop& loop) {
     Points points;
     for (const std::uint32_t v : loop) points.push_back(vec_cast<double>(mesh.vertices[v]));

@@ -9,7 +9,7 @@
 namespace snug {
 namespace {
 
-constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t kNowhere = std::numeric_limits<std::size_t>::max();
 
 /// A triangle's use of the edge between `smaller` and a larger vertex, as one number that sorts by the
 /// larger.
@@ -70,7 +70,7 @@ class LoopTracer {
         for (std::size_t e = 0; e < boundary.size(); ++e) at_.edges[at_.start[boundary[e].from + 1]++] = e;
         for (std::size_t e = 0; e < boundary.size(); ++e) at_.edges[at_.start[boundary[e].to + 1]++] = e;
         next_.assign(at_.start.begin(), at_.start.end());
-        place_on_path_.assign(vertices, kNone);
+        place_on_path_.assign(vertices, kNowhere);
     }
 
     std::vector<std::vector<std::uint32_t>> loops() {
@@ -82,18 +82,18 @@ class LoopTracer {
   private:
     void walk_from(std::uint32_t start) {
         step_onto(start, false);
-        for (std::size_t e = unused_edge_at(start); e != kNone; e = unused_edge_at(path_.back())) {
+        for (std::size_t e = unused_edge_at(start); e != kNowhere; e = unused_edge_at(path_.back())) {
             used_[e] = true;
             const bool with_edge = boundary_[e].from == path_.back();
             const std::uint32_t next = with_edge ? boundary_[e].to : boundary_[e].from;
-            if (place_on_path_[next] == kNone)
+            if (place_on_path_[next] == kNowhere)
                 step_onto(next, with_edge);
             else
                 cut_off_loop(place_on_path_[next], with_edge);
         }
         assert(path_.size() ==
                1);  // an even number of edges at every vertex: a walk can end at its start only
-        place_on_path_[start] = kNone;
+        place_on_path_[start] = kNowhere;
         path_.clear();
         along_.clear();
     }
@@ -101,7 +101,7 @@ class LoopTracer {
     std::size_t unused_edge_at(std::uint32_t vertex) {
         for (std::size_t& next = next_[vertex]; next < at_.start[vertex + 1]; ++next)
             if (!used_[at_.edges[next]]) return at_.edges[next];
-        return kNone;
+        return kNowhere;
     }
 
     void step_onto(std::uint32_t vertex, bool with_edge) {
@@ -116,7 +116,7 @@ class LoopTracer {
         long long with_edges = last_with_edge ? 1 : -1;
         for (std::size_t i = first + 1; i < path_.size(); ++i) {
             with_edges += along_[i];
-            place_on_path_[path_[i]] = kNone;
+            place_on_path_[path_[i]] = kNowhere;
         }
         if (with_edges < 0) std::reverse(loop.begin() + 1, loop.end());
         path_.resize(first + 1);

@@ -11,7 +11,7 @@
 namespace snug {
 namespace {
 
-constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint32_t kNoPart = std::numeric_limits<std::uint32_t>::max();
 
 /// Union-find over vertices.
 class Connections {
@@ -43,11 +43,11 @@ void find_parts_of(const Mesh& mesh, const std::vector<std::uint32_t>& weld, Mes
         connections.join(t[0], t[1]);
         connections.join(t[1], t[2]);
     }
-    std::vector<std::uint32_t> part_of_root(mesh.vertices.size(), kNone);
+    std::vector<std::uint32_t> part_of_root(mesh.vertices.size(), kNoPart);
     result.part_of_triangle.resize(mesh.triangles.size());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         std::uint32_t& part = part_of_root[connections.root(mesh.triangles[t][0])];
-        if (part == kNone) {
+        if (part == kNoPart) {
             part = static_cast<std::uint32_t>(result.parts.size());
             result.parts.push_back({0, {}, static_cast<std::uint32_t>(t)});
         }

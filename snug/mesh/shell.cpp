@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t kWord = 64;
 /// Empty cubes around all others: room for the neighbours and for the surface around those.
 constexpr int kMargin = 2;
-constexpr std::uint32_t kNone = 0xffff'ffff;
+constexpr std::uint32_t kNoCorner = 0xffff'ffff;
 
 /// A grid of bits, rows of whole words along k.
 struct Bits {
@@ -54,13 +54,13 @@ class Net {
     explicit Net(const Bits& inside)
         : inside_(inside),
           nk_(inside.words * kWord),
-          below_(inside.nj * nk_, kNone),
-          here_(inside.nj * nk_, kNone) {}
+          below_(inside.nj * nk_, kNoCorner),
+          here_(inside.nj * nk_, kNoCorner) {}
 
     Mesh take() && {
         for (std::size_t i = 0; i + 1 < inside_.ni; ++i) {
             std::swap(below_, here_);
-            std::fill(here_.begin(), here_.end(), kNone);
+            std::fill(here_.begin(), here_.end(), kNoCorner);
             for (std::size_t j = 0; j + 1 < inside_.nj; ++j) add_row(i, j);
         }
         return std::move(mesh_);

@@ -106,14 +106,14 @@ double farthest_move(const Mesh& mesh, const Clusters& clusters, const std::vect
 
 /// Without the places that no triangle uses any more.
 Mesh compacted(const std::vector<Vec3f>& places, std::vector<Triangle> triangles, Vec3d origin) {
-    constexpr std::uint32_t kUnused = 0xffff'ffff;
-    std::vector<std::uint32_t> number(places.size(), kUnused);
+    constexpr std::uint32_t kNotMet = 0xffff'ffff;
+    std::vector<std::uint32_t> number(places.size(), kNotMet);
     Mesh mesh;
     mesh.origin = origin;
     for (Triangle& triangle : triangles) {
         for (std::uint32_t& corner : triangle) {
             std::uint32_t& place = number[corner];
-            if (place == kUnused) {
+            if (place == kNotMet) {
                 place = static_cast<std::uint32_t>(mesh.vertices.size());
                 mesh.vertices.push_back(places[corner]);
             }

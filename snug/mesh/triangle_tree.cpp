@@ -9,7 +9,7 @@
 namespace snug {
 namespace {
 
-constexpr int kBitsPerAxis = 16;
+constexpr int kMortonBits = 16;
 constexpr int kBitsPerPass = 12;
 
 struct CurvePlace {
@@ -31,7 +31,7 @@ std::vector<CurvePlace> places_on_curve(std::span<const Vec3d> vertices,
                                         std::span<const Triangle> triangles) {
     Box3d bounds;
     for (const Vec3d& v : vertices) bounds.include(v);
-    constexpr double kCells = 1 << kBitsPerAxis;
+    constexpr double kCells = 1 << kMortonBits;
     // One scale for all axes keeps the curve's cells cubes.
     const double longest = bounds.longest_side();
     const double cells_per_unit = longest > 0 ? (kCells - 1) / longest : 0;
@@ -109,7 +109,7 @@ Result<TriangleTree> TriangleTree::build(std::span<const Vec3d> vertices, std::s
     std::vector<CurvePlace> places = places_on_curve(vertices, triangles);
     if (cancelled()) return failure();
     std::vector<CurvePlace> sorted(places.size());
-    for (int shift = 0; shift < 3 * kBitsPerAxis; shift += kBitsPerPass) {
+    for (int shift = 0; shift < 3 * kMortonBits; shift += kBitsPerPass) {
         sort_by_digit(places, sorted, shift);
         places.swap(sorted);
         if (cancelled()) return failure();

@@ -14,7 +14,7 @@
 namespace snug {
 namespace {
 
-constexpr std::size_t kNeighbours = CloudPlaces::kMostNeighbours;
+constexpr std::size_t kRimNeighbours = CloudPlaces::kMostNeighbours;
 constexpr std::size_t kChunk = 4096;   // points that one task treats
 constexpr double kCosineOfGap = -0.5;  // 120 degrees
 /// Below this share of the longest extent squared the neighbours lie in a line, such as a wire's, and say
@@ -55,8 +55,8 @@ bool has_gap(std::vector<std::pair<double, Vec2d>>& around) {
 
 /// The squared distance to the farthest neighbour of a place on a rim; 0 for any other.
 double rim_width(const CloudPlaces& places, std::size_t place) {
-    const CloudPlaces::Neighbours nearest = places.nearest(place, kNeighbours);
-    if (nearest.count < kNeighbours) return 0;
+    const CloudPlaces::Neighbours nearest = places.nearest(place, kRimNeighbours);
+    if (nearest.count < kRimNeighbours) return 0;
     const Vec3d own = places.position(place);
     Vec3d middle;
     for (std::size_t n = 0; n < nearest.count; ++n) middle = middle + places.position(nearest.place[n]);
@@ -72,7 +72,7 @@ double rim_width(const CloudPlaces& places, std::size_t place) {
         const Vec2d seen = seen_along(places.position(nearest.place[n]) - own, axes);
         if (seen.x != 0 || seen.y != 0) around.push_back({angle_order(seen), seen});
     }
-    return has_gap(around) ? nearest.squared[kNeighbours - 1] : 0;
+    return has_gap(around) ? nearest.squared[kRimNeighbours - 1] : 0;
 }
 
 /// The places on rims alone, as a cloud, and what rim_width() says of each.
@@ -108,7 +108,7 @@ std::vector<std::vector<std::uint32_t>> rows_of(const RimPoints& rim) {
     };
     const CloudPlaces near(rim.cloud);
     for (std::uint32_t i = 0; i < parent.size(); ++i) {
-        const CloudPlaces::Neighbours nearest = near.nearest(near.of_vertex(i), kNeighbours);
+        const CloudPlaces::Neighbours nearest = near.nearest(near.of_vertex(i), kRimNeighbours);
         for (std::size_t n = 0; n < nearest.count; ++n) {
             if (nearest.squared[n] > kInARow * kInARow * rim.width[i]) continue;
             const std::uint32_t a = root(i), b = root(near.vertex_of(nearest.place[n]));

@@ -10,7 +10,7 @@
 namespace snug {
 namespace {
 
-constexpr std::size_t kChunk = std::size_t{1} << 15;  // triangles that one task treats
+constexpr std::size_t kKeysATask = std::size_t{1} << 15;  // that one task treats
 
 /// A place on the curve above the number of a triangle.
 using Key = std::uint64_t;
@@ -20,8 +20,8 @@ constexpr double kCellsPerAxis = 1 << kBitsPerAxis;
 
 template <class Work>
 void for_each_chunk(std::size_t count, Work work) {
-    parallel_for((count + kChunk - 1) / kChunk, [&](std::size_t chunk) {
-        work(chunk, chunk * kChunk, std::min(count, (chunk + 1) * kChunk));
+    parallel_for((count + kKeysATask - 1) / kKeysATask, [&](std::size_t chunk) {
+        work(chunk, chunk * kKeysATask, std::min(count, (chunk + 1) * kKeysATask));
     });
 }
 
@@ -61,7 +61,7 @@ std::vector<Key> sorted(std::vector<Key> keys) {
     constexpr int kDigitBits = 10;
     constexpr std::size_t kDigits = std::size_t{1} << kDigitBits;
     std::vector<Key> other(keys.size());
-    std::vector<std::array<std::uint32_t, kDigits>> places((keys.size() + kChunk - 1) / kChunk);
+    std::vector<std::array<std::uint32_t, kDigits>> places((keys.size() + kKeysATask - 1) / kKeysATask);
     for (int shift = kPlaceShift; shift < kPlaceShift + 3 * kBitsPerAxis; shift += kDigitBits) {
         const auto digit = [shift](Key key) {
             return static_cast<std::size_t>(key >> shift) & (kDigits - 1);

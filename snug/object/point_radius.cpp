@@ -12,13 +12,13 @@ namespace {
 
 constexpr std::size_t kNeighbours = 6;
 constexpr double kMostMedians = 4;
-constexpr std::size_t kChunk = 4096;  // points that one task treats
+constexpr std::size_t kPointsATask = 4096;  // points that one task treats
 
 std::vector<double> spacing_of(const CloudPlaces& places) {
     std::vector<double> spacing(places.size());
-    parallel_for((spacing.size() + kChunk - 1) / kChunk, [&](std::size_t chunk) {
-        const std::size_t end = std::min(spacing.size(), (chunk + 1) * kChunk);
-        for (std::size_t i = chunk * kChunk; i < end; ++i) {
+    parallel_for((spacing.size() + kPointsATask - 1) / kPointsATask, [&](std::size_t chunk) {
+        const std::size_t end = std::min(spacing.size(), (chunk + 1) * kPointsATask);
+        for (std::size_t i = chunk * kPointsATask; i < end; ++i) {
             const CloudPlaces::Neighbours nearest = places.nearest(i, kNeighbours);
             spacing[i] = std::sqrt(nearest.squared[nearest.count - 1]);
         }

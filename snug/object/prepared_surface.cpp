@@ -12,7 +12,7 @@
 namespace snug {
 namespace {
 
-constexpr std::size_t kChunk = std::size_t{1} << 15;  // triangles that one task treats
+constexpr std::size_t kTrianglesATask = std::size_t{1} << 15;  // triangles that one task treats
 constexpr std::size_t kClustersPerSample = 4;
 
 /// Gives the vertices of one cluster their numbers within it, in the order of first use.
@@ -150,13 +150,13 @@ void add_samples(SurfaceClusters& all) {
 }
 
 SurfaceClusters make_clusters(const Mesh& mesh, std::span<const std::uint32_t> triangles) {
-    static_assert(kChunk % SurfaceClusters::kTriangles == 0);
+    static_assert(kTrianglesATask % SurfaceClusters::kTriangles == 0);
     const std::vector<std::uint32_t> order = curve_order(mesh, triangles);
-    std::vector<Part> parts((order.size() + kChunk - 1) / kChunk);
+    std::vector<Part> parts((order.size() + kTrianglesATask - 1) / kTrianglesATask);
     parallel_for(parts.size(), [&](std::size_t chunk) {
-        const std::size_t first = chunk * kChunk;
+        const std::size_t first = chunk * kTrianglesATask;
         parts[chunk] =
-            make_part(mesh, std::span(order).subspan(first, std::min(kChunk, order.size() - first)));
+            make_part(mesh, std::span(order).subspan(first, std::min(kTrianglesATask, order.size() - first)));
     });
     SurfaceClusters all;
     std::vector<FloatBox> boxes;

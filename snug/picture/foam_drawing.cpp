@@ -12,8 +12,7 @@ namespace {
 constexpr double kLeastBlock = 5;   // px, to draw a block's edges
 constexpr double kClearBlock = 16;  // px, from which on edges are drawn at full strength
 constexpr double kEdgeShare = 0.2;  // of black in an edge's colour
-constexpr double kSeam = 0.9;       // px: lines, and what closes the seams between faces
-constexpr Color kBlack{0, 0, 0};
+constexpr double kFaceSeam = 0.9;   // px: lines, and what closes the seams between faces
 
 class FoamPainter {
   public:
@@ -40,7 +39,7 @@ class FoamPainter {
                                    page_.at(face.origin + face.along)};
         // All faces run the same way round, so that overlapping ones of one path cannot cancel.
         if (face.side == FaceSide::right) std::reverse(corners.begin(), corners.end());
-        canvas_.facet(color, corners, kSeam);
+        canvas_.facet(color, corners, kFaceSeam);
         const double across_edge = face.side == FaceSide::right ? row_edge_ : column_edge_;
         const double along_edge = face.side == FaceSide::top ? row_edge_ : layer_edge_;
         edges(color, across_edge, face.origin, face.across, face.cells_across, face.along);
@@ -57,7 +56,7 @@ class FoamPainter {
         const Color edge = mixed(color, kBlack, strength);
         for (int i = 0; i < count; ++i) {
             const Vec3d from = origin + way * (static_cast<double>(i) / count);
-            canvas_.facet_line(edge, page_.at(from), page_.at(from + line), kSeam);
+            canvas_.facet_line(edge, page_.at(from), page_.at(from + line), kFaceSeam);
         }
     }
 

@@ -9,7 +9,6 @@ namespace snug {
 namespace {
 
 constexpr int kDepthTones = 12;
-constexpr Color kWhite{255, 255, 255}, kBlack{0, 0, 0};
 
 /// The darkest tone of a foam: its own hue, richer, never grey.
 Color deepened(Color foam) {

@@ -14,15 +14,15 @@
 namespace snug {
 namespace {
 
-constexpr double kSide = 60;             // px left of the first map and right of the second
-constexpr double kBetween = 60;          // px
-constexpr double kGreatestHeight = 300;  // px of a map
-constexpr double kHeading = 74;          // px above the maps
-constexpr double kLegend = 74;           // px below them
-constexpr int kMostCells = 120;          // along an axis
-constexpr int kShades = 24;              // of a colour
-constexpr double kSeam = 0.4;            // px, between cells
-constexpr double kMapStep = 0.1;         // px
+constexpr double kSide = 60;                // px left of the first map and right of the second
+constexpr double kBetween = 60;             // px
+constexpr double kGreatestMapHeight = 300;  // px of a map
+constexpr double kHeading = 74;             // px above the maps
+constexpr double kLegend = 74;              // px below them
+constexpr int kMostMapCells = 120;          // along an axis
+constexpr int kShades = 24;                 // of a colour
+constexpr double kCellSeam = 0.4;           // px, between cells
+constexpr double kMapStep = 0.1;            // px
 constexpr Color kFoam{232, 235, 239};
 constexpr Color kPale{255, 250, 240};
 constexpr Color kSteps{214, 140, 20};
@@ -79,8 +79,8 @@ class HalfMap {
           at_(at),
           scale_(scale),
           language_(language) {
-        const int per_y = (space.blocks.y + kMostCells - 1) / kMostCells;
-        const int per_z = (space.blocks.z + kMostCells - 1) / kMostCells;
+        const int per_y = (space.blocks.y + kMostMapCells - 1) / kMostMapCells;
+        const int per_z = (space.blocks.z + kMostMapCells - 1) / kMostMapCells;
         cell_mm_ = {space.block_mm.z * per_z, space.block_mm.y * per_y};
         map_ = cells(gap.columns, lower, per_y, per_z);
     }
@@ -98,7 +98,7 @@ class HalfMap {
                 int end = k + 1;
                 while (end < map_.nz() && color_of(map_(j, end), deepest) == color) ++end;
                 const Vec2d a = corner(j, k), b = corner(j + 1, end);
-                canvas.facet(color, {a, {b.x, a.y}, b, {a.x, b.y}}, kSeam);
+                canvas.facet(color, {a, {b.x, a.y}, b, {a.x, b.y}}, kCellSeam);
                 k = end;
             }
     }
@@ -158,7 +158,7 @@ double draw_gap_maps(Canvas& canvas, const GapReport& gap, const DesignSpace& sp
                      Language language) {
     const double width = (kPageWidth - 2 * kSide - kBetween) / 2;
     const Vec3d size = space.size();
-    const double scale = std::min(width / size.z, kGreatestHeight / size.y);
+    const double scale = std::min(width / size.z, kGreatestMapHeight / size.y);
     const double left = kSide + (width - size.z * scale) / 2;
     const HalfMap lower(gap, space, true, {left, top + kHeading}, scale, language);
     const HalfMap lid(gap, space, false, {left + width + kBetween, top + kHeading}, scale, language);

@@ -10,8 +10,8 @@ namespace snug {
 namespace {
 
 constexpr double kLongestSideCells = 900;
-constexpr double kMostCells = 1 << 28;  // that are drawn, over each other
-constexpr int kMarginCells = 3;         // one more than the slope looks aside
+constexpr double kMostCoveredCells = 1 << 28;  // that are drawn, over each other
+constexpr int kMarginCells = 3;                // one more than the slope looks aside
 constexpr double kLeastCellsWhole = 16;
 constexpr double kLeastCellsVisible = 40;  // slivers between the steps of a cavity say nothing
 constexpr double kLeastCellsShade = 60;
@@ -41,7 +41,7 @@ ImageFrame frame_around(std::span<const Projected> vertices, std::span<const Tri
     const Vec2d size = greatest - least;
     ImageFrame frame;
     frame.cell = std::max({finest_mm, std::max(size.x, size.y) / kLongestSideCells,
-                           std::sqrt(covered_area(vertices, triangles) / kMostCells)});
+                           std::sqrt(covered_area(vertices, triangles) / kMostCoveredCells)});
     frame.corner = least - Vec2d{frame.cell, frame.cell} * kMarginCells;
     frame.width = static_cast<int>(size.x / frame.cell) + 1 + 2 * kMarginCells;
     frame.height = static_cast<int>(size.y / frame.cell) + 1 + 2 * kMarginCells;

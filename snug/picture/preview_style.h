@@ -6,8 +6,7 @@
 
 namespace snug {
 
-constexpr Color kPreviewInk{44, 54, 66}, kObjectInk{28, 37, 48}, kWhite{255, 255, 255},
-    kAxisInk{107, 118, 134};
+constexpr Color kPreviewInk{44, 54, 66}, kObjectInk{28, 37, 48}, kAxisInk{107, 118, 134};
 
 inline const Stroke kDimensionStroke{{138, 148, 163}};
 inline const Lettering kDimensionText{{75, 86, 101}, false, 0, 1, Stroke{kWhite, 4, {}, .8, true}};

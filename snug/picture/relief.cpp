@@ -8,10 +8,10 @@ namespace snug {
 namespace {
 
 // A drawing about 1000 px wide cannot show more columns than this along one axis.
-constexpr int kMostCells = 120;
+constexpr int kMostReliefCells = 120;
 
 int blocks_per_cell(int blocks) {
-    return (blocks + kMostCells - 1) / kMostCells;
+    return (blocks + kMostReliefCells - 1) / kMostReliefCells;
 }
 int cells(int blocks, int per_cell) {
     return (blocks + per_cell - 1) / per_cell;

@@ -13,10 +13,6 @@ namespace {
 // The figure as it stands: x to its front, y to its left, z upward. It is symmetric: parts with y > 0 stand
 // for both sides.
 
-double length(Vec3d v) {
-    return std::sqrt(dot(v, v));
-}
-
 /// About the distance to an ellipsoid.
 double ellipsoid(Vec3d p, Vec3d middle, Vec3d radii) {
     p = p - middle;

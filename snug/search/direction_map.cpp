@@ -15,7 +15,7 @@ namespace snug {
 namespace {
 
 constexpr double kPoints = 5000;
-constexpr std::size_t kBatch = 64, kTask = 16;
+constexpr std::size_t kDirectionsABatch = 64, kTask = 16;
 /// Offsets of one spin that are looked at exactly, at most: the points may promise too much.
 constexpr std::size_t kMostExact = 4;
 
@@ -88,7 +88,7 @@ DirectionMap::DirectionMap(const Mesh& mesh, const PreparedSurface& surface, con
 }
 
 void DirectionMap::step() {
-    const std::size_t end = std::min(cuts_.size(), next_ + kBatch);
+    const std::size_t end = std::min(cuts_.size(), next_ + kDirectionsABatch);
     const double spin = 180 * spread_fraction(passes_);  // half a turn more cuts the same
     parallel_for((end - next_ + kTask - 1) / kTask, [&](std::size_t task) {
         QuickCut quick(space_, design_.cut, least_wall_, longest_, 4, 8);

@@ -157,14 +157,15 @@ Cost cost(Vec3d blocks, const Design& design) {
     return {std::ceil(2 * cm3 / design.search.billed_divisor - 1e-9) / 2, volume};
 }
 
-struct Candidate {
+struct CaseCandidate {
     Vec3d blocks;  ///< without walls
     double excess;
     Cost price;
 };
 
 /// Every case that costs less than the best so far and that some sample nearly fits, nearest first.
-std::vector<Candidate> cheaper_cases(const CaseSearch& search, const Design& design, Vec3d walls, Cost best) {
+std::vector<CaseCandidate> cheaper_cases(const CaseSearch& search, const Design& design, Vec3d walls,
+                                         Cost best) {
     Vec3d least{1e9, 1e9, 1e9}, most{1, 1, 1};
     for (const Sample& sample : search.samples()) {
         const Vec3d blocks = search.blocks(sample.lengths);
@@ -179,19 +180,19 @@ std::vector<Candidate> cheaper_cases(const CaseSearch& search, const Design& des
     Vec3d step;
     for (int axis = 0; axis < 3; ++axis)
         step[axis] = std::max(1.0, std::floor((most[axis] - least[axis]) / 24));
-    std::vector<Candidate> cases;
+    std::vector<CaseCandidate> cases;
     for (double x = least.x; x <= most.x; x += step.x)
         for (double y = least.y; y <= most.y; y += step.y)
             for (double z = least.z; z <= most.z; z += step.z)
                 if (const Cost price = cost(Vec3d{x, y, z} + walls, design); price < best)
                     cases.push_back({{x, y, z}, std::numeric_limits<double>::infinity(), price});
-    for (Candidate& candidate : cases) {
+    for (CaseCandidate& candidate : cases) {
         const Vec3d room = search.room(candidate.blocks);
         for (const Sample& sample : search.samples())
             candidate.excess = std::min(candidate.excess, CaseSearch::excess(sample.lengths, room));
     }
     std::stable_sort(cases.begin(), cases.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.excess < b.excess; });
+                     [](const CaseCandidate& a, const CaseCandidate& b) { return a.excess < b.excess; });
     if (cases.size() > kMostCases) cases.resize(kMostCases);
     return cases;
 }
@@ -214,7 +215,7 @@ Result<FittedCase> fit_case(const Mesh& mesh, const Design& design, std::uint64_
     // Samples know some vertices only: each that seems better is looked at with all of them.
     for (const Sample& sample : search.samples())
         if (cost(search.blocks(sample.lengths) + walls, design) < least) offer(search.measured(sample));
-    const std::vector<Candidate> cases = cheaper_cases(search, design, walls, least);
+    const std::vector<CaseCandidate> cases = cheaper_cases(search, design, walls, least);
     std::vector<Vec3d> refused;
     long long looked_at = std::ssize(search.samples());
     for (std::size_t i = 0; i < cases.size(); ++i) {

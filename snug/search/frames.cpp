@@ -13,10 +13,6 @@ using Matrix = std::array<Vec3d, 3>;
 constexpr std::size_t kFlats = 8;      ///< directions of flat faces that are tried with each other
 constexpr double kSameFlat = 0.99985;  ///< cosine of one degree
 
-double length(Vec3d v) {
-    return std::sqrt(dot(v, v));
-}
-
 /// Axes of a symmetric matrix by Jacobi's rotations, as rows.
 Matrix principal_axes(Matrix m) {
     Matrix axes{Vec3d{1, 0, 0}, Vec3d{0, 1, 0}, Vec3d{0, 0, 1}};

@@ -24,7 +24,7 @@ namespace {
 constexpr double kFewPoints = 5000, kManyPoints = 40000;
 constexpr std::size_t kFirstSpread = 384;  ///< rotations of the first round; each round has twice as many
 constexpr std::size_t kMostSpread = 12288;
-constexpr std::size_t kBatch = 64;
+constexpr std::size_t kTurnsABatch = 64;
 constexpr std::size_t kChain = 48;      ///< turns that a coarse climb tries
 constexpr std::size_t kFineChain = 48;  ///< and a fine one
 constexpr std::size_t kKept = 32;       ///< candidates that are kept from round to round
@@ -159,7 +159,7 @@ std::vector<Turn> State::next_spread() {
         turns.swap(first);
         return turns;
     }
-    const std::size_t wanted = std::min(kBatch, left_in_round);
+    const std::size_t wanted = std::min(kTurnsABatch, left_in_round);
     while (turns.size() < wanted) {
         const Turn turn = allowed.spread(spread++, seed);
         if (closeness(symmetry->least_turned(turn), turn) > 1 - 1e-9) turns.push_back(turn);

@@ -12,10 +12,6 @@ namespace {
 /// Samples of one triangle, its corners included.
 constexpr int kMostRows = 1024;
 
-double length(Vec3d v) {
-    return std::sqrt(dot(v, v));
-}
-
 class PointThinner {
   public:
     PointThinner(double spacing, Vec3d centre, Vec3d low) : spacing_(spacing), centre_(centre), low_(low) {}

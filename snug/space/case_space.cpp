@@ -12,8 +12,8 @@
 namespace snug {
 namespace {
 
-constexpr double kRounding = 1e-6;   // mm: faces that coincide with the case's are inside
-constexpr double kLeastRest = 0.01;  // mm: what is thinner is no strip
+constexpr double kCaseRounding = 1e-6;  // mm: faces that coincide with the case's are inside
+constexpr double kLeastRest = 0.01;     // mm: what is thinner is no strip
 
 bool divided_freely(Division division, int axis) {
     return division == Division::all || (division == Division::across && axis > 0);
@@ -47,10 +47,10 @@ bool holds(const CaseSpace& fitted, double x, double far_y, double far_z) {
     const CaseOptions& options = fitted.options;
     const CrossSection section = section_at(options, x - fitted.free.min.x + options.play_mm);
     const double half_width = section.width / 2, half_length = section.length / 2;
-    if (far_y > half_width + kRounding || far_z > half_length + kRounding) return false;
+    if (far_y > half_width + kCaseRounding || far_z > half_length + kCaseRounding) return false;
     const double radius = std::max(0.0, options.corner_radius_mm - options.play_mm);
     const double y = far_y - (half_width - radius), z = far_z - (half_length - radius);
-    const double most = radius + kRounding;
+    const double most = radius + kCaseRounding;
     return y <= 0 || z <= 0 || y * y + z * z <= most * most;
 }
 
@@ -93,7 +93,7 @@ void meet_lid(CaseSpace& fitted) {
         const int level =
             static_cast<int>(std::clamp(std::floor((line - begin) / size + 0.5), 0.0, 1.0 * blocks));
         const double off = begin + level * size - line;
-        if (!under && std::fabs(off) > nearest - kRounding) continue;
+        if (!under && std::fabs(off) > nearest - kCaseRounding) continue;
         nearest = std::fabs(off);
         fitted.rest_under = under;
         fitted.lid_level = level;
@@ -111,7 +111,7 @@ Result<CaseSpace> case_space(const CaseOptions& options, Vec3d block_mm) {
         const double length = free[axis];
         const bool freely = divided_freely(options.division, axis);
         double count = freely ? std::max(1.0, std::floor(length / block_mm[axis] + 0.5))
-                              : std::floor((length + kRounding) / block_mm[axis]);
+                              : std::floor((length + kCaseRounding) / block_mm[axis]);
         if (count < 1 || (freely && length < kLeastBlockSize))
             return fail(ErrorKind::does_not_fit,
                         say("case.too_small", {{"inside", dimensions({free.z, free.y, free.x})},
@@ -163,7 +163,7 @@ Grid<Run> available_blocks(const CaseSpace& fitted) {
 
 bool lies_inside(const CaseSpace& fitted, Vec3d low, Vec3d high) {
     const Vec3d middle = fitted.free.centre();
-    if (low.x < fitted.free.min.x - kRounding || high.x > fitted.free.max.x + kRounding) return false;
+    if (low.x < fitted.free.min.x - kCaseRounding || high.x > fitted.free.max.x + kCaseRounding) return false;
     const double far_y = farthest(low.y, high.y, middle.y), far_z = farthest(low.z, high.z, middle.z);
     return holds(fitted, low.x, far_y, far_z) && holds(fitted, high.x, far_y, far_z);
 }

@@ -6,10 +6,10 @@
 namespace snug {
 namespace {
 
-constexpr double kRounding = 1e-9;
+constexpr double kBlockRounding = 1e-9;
 
 double wall_blocks(const Walls& walls, int side, Vec3d block_mm) {
-    return std::ceil((walls[static_cast<std::size_t>(side)] - kRounding) / block_mm[side / 2]);
+    return std::ceil((walls[static_cast<std::size_t>(side)] - kBlockRounding) / block_mm[side / 2]);
 }
 
 }  // namespace
@@ -18,7 +18,7 @@ Vec3d fitted_blocks(const Box3d& grown, Vec3d block_mm, const Walls& walls) {
     Vec3d counts;
     for (int axis = 0; axis < 3; ++axis) {
         const double length = 2 * std::max(grown.max[axis], -grown.min[axis]) - 0.02;
-        const double inside = std::max(1.0, std::ceil((length - kRounding) / block_mm[axis]));
+        const double inside = std::max(1.0, std::ceil((length - kBlockRounding) / block_mm[axis]));
         counts[axis] =
             inside + wall_blocks(walls, 2 * axis, block_mm) + wall_blocks(walls, 2 * axis + 1, block_mm);
     }

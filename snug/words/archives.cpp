@@ -5,7 +5,7 @@
 namespace snug {
 namespace {
 
-constexpr Wording kRows[] = {
+constexpr Wording kWordsOfArchives[] = {
     {"bundle.member", "{name} in the zip archive: {problem}", "zip の中の {name}：{problem}"},
     {"bundle.geometry_elsewhere",
      "its geometry lies in {name}, which is not in the zip archive: pack both into one",
@@ -136,7 +136,7 @@ constexpr Wording kRows[] = {
 }  // namespace
 
 std::span<const Wording> words_of_archives() {
-    return kRows;
+    return kWordsOfArchives;
 }
 
 }  // namespace snug

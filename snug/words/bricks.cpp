@@ -5,7 +5,7 @@
 namespace snug {
 namespace {
 
-constexpr Wording kRows[] = {
+constexpr Wording kWordsOfBricks[] = {
     {"brick_pieces",
      "the bricks of the {half} hold together in {pieces} pieces: foam that is one layer thick, or islands "
      "of it, cannot be joined by studs. Glue it, take plates (--brick-unit plate) or more walls",
@@ -105,7 +105,7 @@ constexpr Wording kRows[] = {
 }  // namespace
 
 std::span<const Wording> words_of_bricks() {
-    return kRows;
+    return kWordsOfBricks;
 }
 
 }  // namespace snug

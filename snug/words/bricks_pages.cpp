@@ -5,7 +5,7 @@
 namespace snug {
 namespace {
 
-constexpr Wording kRows[] = {
+constexpr Wording kWordsOfBricksPages[] = {
     {"bricks.title", "{name}: bricks", "{name}：ブロック"},
     {"bricks.heading", "Bricks", "ブロック"},
     {"bricks.subtitle", "{name} · what to gather, and how to build it", "{name} · 集める部品と組み立て方"},
@@ -70,7 +70,7 @@ constexpr Wording kRows[] = {
 }  // namespace
 
 std::span<const Wording> words_of_bricks_pages() {
-    return kRows;
+    return kWordsOfBricksPages;
 }
 
 }  // namespace snug

@@ -5,7 +5,7 @@
 namespace snug {
 namespace {
 
-constexpr Wording kRows[] = {
+constexpr Wording kWordsOfDesign[] = {
     {"clearance.most", "the clearance must be at most {most} mm", "すきまは {most} mm 以下にしてください。"},
     {"clearance.least",
      "the clearance must be {least} mm or more for these blocks (-0.4 of the smallest side), not {found}",
@@ -86,7 +86,7 @@ constexpr Wording kRows[] = {
 }  // namespace
 
 std::span<const Wording> words_of_design() {
-    return kRows;
+    return kWordsOfDesign;
 }
 
 }  // namespace snug

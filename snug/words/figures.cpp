@@ -5,7 +5,7 @@
 namespace snug {
 namespace {
 
-constexpr Wording kRows[] = {
+constexpr Wording kWordsOfFigures[] = {
     {"figure.none", "none", "なし"},
     {"figure.litres", "{litres} litres", "{litres} リットル"},
     {"figure.material", "Material", "材料の量"},
@@ -76,7 +76,7 @@ constexpr Wording kRows[] = {
 }  // namespace
 
 std::span<const Wording> words_of_figures() {
-    return kRows;
+    return kWordsOfFigures;
 }
 
 }  // namespace snug

@@ -5,7 +5,7 @@
 namespace snug {
 namespace {
 
-constexpr Wording kRows[] = {
+constexpr Wording kWordsOfFiles[] = {
     {"console.no_output", "standard output cannot be written", "標準出力に書き込めません。"},
     {"file.shrank", "the file became shorter while it was read", "読み込み中にファイルが短くなりました。"},
     {"file.not_regular", "only a regular file can be read in pieces",
@@ -71,7 +71,7 @@ constexpr Wording kRows[] = {
 }  // namespace
 
 std::span<const Wording> words_of_files() {
-    return kRows;
+    return kWordsOfFiles;
 }
 
 }  // namespace snug

@@ -5,7 +5,7 @@
 namespace snug {
 namespace {
 
-constexpr Wording kRows[] = {
+constexpr Wording kWordsOfFit[] = {
     {"outside",
      "the object needs {needed} mm{clearance} and leaves the design space of {space} mm ({space_blocks} "
      "blocks). The smallest that would do here is {least_blocks} blocks ({least} mm) without any wall; "
@@ -84,7 +84,7 @@ constexpr Wording kRows[] = {
 }  // namespace
 
 std::span<const Wording> words_of_fit() {
-    return kRows;
+    return kWordsOfFit;
 }
 
 }  // namespace snug

@@ -5,7 +5,7 @@
 namespace snug {
 namespace {
 
-constexpr Wording kRows[] = {
+constexpr Wording kWordsOfFolder[] = {
     {"earlier_unknown",
      "the list of what earlier runs made in the folder ({list}) is damaged or of another version, so "
      "nothing of theirs was taken away: look for files that do not belong to this design",
@@ -64,7 +64,7 @@ constexpr Wording kRows[] = {
 }  // namespace
 
 std::span<const Wording> words_of_folder() {
-    return kRows;
+    return kWordsOfFolder;
 }
 
 }  // namespace snug

@@ -5,7 +5,7 @@
 namespace snug {
 namespace {
 
-constexpr Wording kRows[] = {
+constexpr Wording kWordsOfForeign[] = {
     {"foreign", "this is {what}: {advice}", "これは{what}です。{advice}。"},
     {"foreign.export", "export it as STL, OBJ or PLY instead", "STL、OBJ、PLY で書き出してください"},
     {"foreign.export_cloud", "export it as PLY or XYZ instead", "PLY か XYZ で書き出してください"},
@@ -50,7 +50,7 @@ constexpr Wording kRows[] = {
 }  // namespace
 
 std::span<const Wording> words_of_foreign() {
-    return kRows;
+    return kWordsOfForeign;
 }
 
 }  // namespace snug

@@ -5,7 +5,7 @@
 namespace snug {
 namespace {
 
-constexpr Wording kRows[] = {
+constexpr Wording kWordsOfGeneral[] = {
     {"in_both", "{english}", "{japanese}"},  // the one that has values of its own in each
     {"cancelled", "cancelled", "中止しました。"},
     {"drawing.small_paper", "the paper is too small for drawings at true size: take A4 or larger",
@@ -26,7 +26,7 @@ constexpr Wording kRows[] = {
 }  // namespace
 
 std::span<const Wording> words_of_general() {
-    return kRows;
+    return kWordsOfGeneral;
 }
 
 }  // namespace snug

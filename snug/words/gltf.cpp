@@ -5,7 +5,7 @@
 namespace snug {
 namespace {
 
-constexpr Wording kRows[] = {
+constexpr Wording kWordsOfGltf[] = {
     {"gltf.sparse", "a sparse accessor replaces element {at} of {count}: it is damaged; export it again",
      "疎なアクセサーが {count} 要素のうち {at} 番目を置き換えています。壊れているので、もう一度書き出して"
      "ください。"},
@@ -144,7 +144,7 @@ constexpr Wording kRows[] = {
 }  // namespace
 
 std::span<const Wording> words_of_gltf() {
-    return kRows;
+    return kWordsOfGltf;
 }
 
 }  // namespace snug

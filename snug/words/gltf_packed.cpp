@@ -5,7 +5,7 @@
 namespace snug {
 namespace {
 
-constexpr Wording kRows[] = {
+constexpr Wording kWordsOfGltfPacked[] = {
     {"meshopt.repeats_parts",
      "its parts packed by meshopt repeat each other to more than its size allows: save it without "
      "compression",
@@ -61,7 +61,7 @@ constexpr Wording kRows[] = {
 }  // namespace
 
 std::span<const Wording> words_of_gltf_packed() {
-    return kRows;
+    return kWordsOfGltfPacked;
 }
 
 }  // namespace snug

@@ -5,7 +5,7 @@
 namespace snug {
 namespace {
 
-constexpr Wording kRows[] = {
+constexpr Wording kWordsOfHelp[] = {
     {"help.default", "{help} ({usual})", "{help}（{usual}）"},
     {"help.set", "Any option by its name in a project file, after all others: {example}",
      "プロジェクトファイルでの名前による任意の設定。ほかのすべての指定の後に効きます：{example}"},
@@ -108,7 +108,7 @@ constexpr Wording kRows[] = {
 }  // namespace
 
 std::span<const Wording> words_of_help() {
-    return kRows;
+    return kWordsOfHelp;
 }
 
 }  // namespace snug

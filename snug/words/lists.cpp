@@ -5,7 +5,7 @@
 namespace snug {
 namespace {
 
-constexpr Wording kRows[] = {
+constexpr Wording kWordsOfLists[] = {
     {"status.percent", "{work} {percent} %", "{work} {percent} %"},
     {"status.reading", "Reading", "読み込み中"},
     {"status.reading_file", "Reading {file}", "{file} を読み込み中"},
@@ -112,7 +112,7 @@ constexpr Wording kRows[] = {
 }  // namespace
 
 std::span<const Wording> words_of_lists() {
-    return kRows;
+    return kWordsOfLists;
 }
 
 }  // namespace snug

@@ -5,7 +5,7 @@
 namespace snug {
 namespace {
 
-constexpr Wording kRows[] = {
+constexpr Wording kWordsOfMeshes[] = {
     {"mesh.too_many_vertices", "there are more than 2^32 - 2 vertices", "頂点が 2^32 - 2 個を超えています。"},
     {"mesh.no_number", "a vertex needs three numbers, not {word}",
      "頂点には三つの数値が必要ですが、{word} となっています。"},
@@ -110,7 +110,7 @@ constexpr Wording kRows[] = {
 }  // namespace
 
 std::span<const Wording> words_of_meshes() {
-    return kRows;
+    return kWordsOfMeshes;
 }
 
 }  // namespace snug

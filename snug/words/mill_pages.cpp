@@ -5,7 +5,7 @@
 namespace snug {
 namespace {
 
-constexpr Wording kRows[] = {
+constexpr Wording kWordsOfMillPages[] = {
     {"mill.title", "{name}: milling", "{name}：切削"},
     {"mill.heading", "Milling", "切削"},
     {"mill.subtitle", "{name} · set-up sheet", "{name} · 段取り書"},
@@ -79,7 +79,7 @@ constexpr Wording kRows[] = {
 }  // namespace
 
 std::span<const Wording> words_of_mill_pages() {
-    return kRows;
+    return kWordsOfMillPages;
 }
 
 }  // namespace snug

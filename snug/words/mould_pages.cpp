@@ -5,7 +5,7 @@
 namespace snug {
 namespace {
 
-constexpr Wording kRows[] = {
+constexpr Wording kWordsOfMouldPages[] = {
     {"mould.title", "{name}: mould guide", "{name}：型の手引き"},
     {"mould.subtitle",
      "Moulds to pour foam or silicone into · walls {wall} mm · rim {rim} mm · draft {draft} degrees",
@@ -110,7 +110,7 @@ constexpr Wording kRows[] = {
 }  // namespace
 
 std::span<const Wording> words_of_mould_pages() {
-    return kRows;
+    return kWordsOfMouldPages;
 }
 
 }  // namespace snug

@@ -5,7 +5,7 @@
 namespace snug {
 namespace {
 
-constexpr Wording kRows[] = {
+constexpr Wording kWordsOfObjects[] = {
     {"left_out/faces",
      "{left_out} of {faces} {faces|face|faces} of the file were left out: they have fewer than three "
      "corners, or a corner whose place is no number. Look whether the object is whole, or repair it and "
@@ -117,7 +117,7 @@ constexpr Wording kRows[] = {
 }  // namespace
 
 std::span<const Wording> words_of_objects() {
-    return kRows;
+    return kWordsOfObjects;
 }
 
 }  // namespace snug

@@ -5,7 +5,7 @@
 namespace snug {
 namespace {
 
-constexpr Wording kRows[] = {
+constexpr Wording kWordsOfOptions[] = {
     {"option.with_unit", "{value} {unit}", "{value} {unit}"},
     {"option.out_of_range", "{label} is {value}, but must be {bounds}",
      "{label}が {value} になっています。使える範囲は{bounds}です。"},
@@ -104,7 +104,7 @@ constexpr Wording kRows[] = {
 }  // namespace
 
 std::span<const Wording> words_of_options() {
-    return kRows;
+    return kWordsOfOptions;
 }
 
 }  // namespace snug

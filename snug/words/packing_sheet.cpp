@@ -5,7 +5,7 @@
 namespace snug {
 namespace {
 
-constexpr Wording kRows[] = {
+constexpr Wording kWordsOfPackingSheet[] = {
     {"packing.title", "{name}: packing sheet", "{name}：梱包指示書"},
     {"packing.subtitle", "Packing sheet · travels with the box · {size} mm",
      "梱包指示書 · 箱に添えてください · {size} mm"},
@@ -82,7 +82,7 @@ constexpr Wording kRows[] = {
 }  // namespace
 
 std::span<const Wording> words_of_packing_sheet() {
-    return kRows;
+    return kWordsOfPackingSheet;
 }
 
 }  // namespace snug

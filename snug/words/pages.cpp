@@ -5,7 +5,7 @@
 namespace snug {
 namespace {
 
-constexpr Wording kRows[] = {
+constexpr Wording kWordsOfPages[] = {
     {"page.bar", "100 mm at 100 %", "100 % 印刷で 100 mm"},
     {"page.tile", "Tile {tile} of {tiles}", "{tiles} 枚中 {tile} 枚目"},
     {"page.check_first", "Drawings at true size. This page first.",
@@ -33,7 +33,7 @@ constexpr Wording kRows[] = {
 }  // namespace
 
 std::span<const Wording> words_of_pages() {
-    return kRows;
+    return kWordsOfPages;
 }
 
 }  // namespace snug

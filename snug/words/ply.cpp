@@ -5,7 +5,7 @@
 namespace snug {
 namespace {
 
-constexpr Wording kRows[] = {
+constexpr Wording kWordsOfPly[] = {
     {"ply.wrong_index",
      "{noun} {number} wants vertex {vertex}, but there are {vertices} {vertices|vertex|vertices}, counted "
      "from 0",
@@ -74,7 +74,7 @@ constexpr Wording kRows[] = {
 }  // namespace
 
 std::span<const Wording> words_of_ply() {
-    return kRows;
+    return kWordsOfPly;
 }
 
 }  // namespace snug

@@ -5,7 +5,7 @@
 namespace snug {
 namespace {
 
-constexpr Wording kRows[] = {
+constexpr Wording kWordsOfPreview[] = {
     {"mark.lower", "LOWER", "下（LOWER）"},
     {"mark.lid", "LID", "ふた（LID）"},
     {"preview.caption",
@@ -29,7 +29,7 @@ constexpr Wording kRows[] = {
 }  // namespace
 
 std::span<const Wording> words_of_preview() {
-    return kRows;
+    return kWordsOfPreview;
 }
 
 }  // namespace snug

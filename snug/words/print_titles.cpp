@@ -5,7 +5,7 @@
 namespace snug {
 namespace {
 
-constexpr Wording kRows[] = {
+constexpr Wording kWordsOfPrintTitles[] = {
     {"print.title", "{name}: foams", "{name}：フォーム"},
     {"print.fit_title", "{name}: fit test", "{name}：試験片"},
     {"print.mould_title", "{name}: moulds", "{name}：型"},
@@ -14,7 +14,7 @@ constexpr Wording kRows[] = {
 }  // namespace
 
 std::span<const Wording> words_of_print_titles() {
-    return kRows;
+    return kWordsOfPrintTitles;
 }
 
 }  // namespace snug

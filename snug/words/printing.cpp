@@ -5,7 +5,7 @@
 namespace snug {
 namespace {
 
-constexpr Wording kRows[] = {
+constexpr Wording kWordsOfPrinting[] = {
     {"no_dowel/foam",
      "dowels of {diameter_mm} x {length_mm} mm find too little foam around them where {pairs} "
      "{pairs|pair|pairs} of parts meet: glue them face to face, or take smaller dowels or a larger bed",
@@ -73,7 +73,7 @@ constexpr Wording kRows[] = {
 }  // namespace
 
 std::span<const Wording> words_of_printing() {
-    return kRows;
+    return kWordsOfPrinting;
 }
 
 }  // namespace snug

@@ -5,7 +5,7 @@
 namespace snug {
 namespace {
 
-constexpr Wording kRows[] = {
+constexpr Wording kWordsOfSession[] = {
     {"session.changed", "the object changed while it was turned", "回している間に対象物が変わりました。"},
     {"session.no_foams", "there are no foams yet that could be measured", "測るフォームがまだありません。"},
     {"session.cloud", "gaps, undercuts and what the object lies on are not known of a point cloud",
@@ -17,7 +17,7 @@ constexpr Wording kRows[] = {
 }  // namespace
 
 std::span<const Wording> words_of_session() {
-    return kRows;
+    return kWordsOfSession;
 }
 
 }  // namespace snug

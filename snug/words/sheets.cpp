@@ -5,7 +5,7 @@
 namespace snug {
 namespace {
 
-constexpr Wording kRows[] = {
+constexpr Wording kWordsOfSheets[] = {
     {"sheets-lost",
      "Sheets as thick as {levels} blocks take {blocks} {blocks|block|blocks} more from the {foam} than "
      "the design: {mm3} mm3, {litres} litres. The object fits with more room.{lower}",
@@ -82,7 +82,7 @@ constexpr Wording kRows[] = {
 }  // namespace
 
 std::span<const Wording> words_of_sheets() {
-    return kRows;
+    return kWordsOfSheets;
 }
 
 }  // namespace snug

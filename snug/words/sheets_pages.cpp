@@ -5,7 +5,7 @@
 namespace snug {
 namespace {
 
-constexpr Wording kRows[] = {
+constexpr Wording kWordsOfSheetsPages[] = {
     {"sheets.title", "{name}: how to glue the sheets", "{name}：シートの貼り合わせ方"},
     {"sheets.page_order", "{half}, order of work", "{half}、作業の手順"},
     {"sheets.page_pictures", "{half}, sheets in their order", "{half}、シートの順番"},
@@ -81,7 +81,7 @@ constexpr Wording kRows[] = {
 }  // namespace
 
 std::span<const Wording> words_of_sheets_pages() {
-    return kRows;
+    return kWordsOfSheetsPages;
 }
 
 }  // namespace snug

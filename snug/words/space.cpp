@@ -5,7 +5,7 @@
 namespace snug {
 namespace {
 
-constexpr Wording kRows[] = {
+constexpr Wording kWordsOfSpace[] = {
     {"space.too_many_blocks",
      "the object and its walls would need {blocks} blocks, more than 4096 on an axis: choose larger blocks",
      "対象物と壁には {blocks} ブロックが必要で、1 軸 4096 個を超えます。ブロックを大きくしてください。"},
@@ -48,7 +48,7 @@ constexpr Wording kRows[] = {
 }  // namespace
 
 std::span<const Wording> words_of_space() {
-    return kRows;
+    return kWordsOfSpace;
 }
 
 }  // namespace snug

@@ -5,7 +5,7 @@
 namespace snug {
 namespace {
 
-constexpr Wording kRows[] = {
+constexpr Wording kWordsOfSpongeAndMill[] = {
     {"many_maps",
      "the maps at true size would fill more than {pages} pages, so sponge-maps.pdf leaves the layers out: "
      "print the files in sponge/ on a plotter, work by the overview, or take larger blocks",
@@ -73,7 +73,7 @@ constexpr Wording kRows[] = {
 }  // namespace
 
 std::span<const Wording> words_of_sponge_and_mill() {
-    return kRows;
+    return kWordsOfSpongeAndMill;
 }
 
 }  // namespace snug

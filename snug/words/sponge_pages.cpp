@@ -5,7 +5,7 @@
 namespace snug {
 namespace {
 
-constexpr Wording kRows[] = {
+constexpr Wording kWordsOfSpongePages[] = {
     {"sponge.title", "{name}: plan", "{name}：作業計画"},
     {"sponge.maps_title", "{name}: maps at true size", "{name}：原寸の図"},
     {"sponge.subtitle",
@@ -126,7 +126,7 @@ constexpr Wording kRows[] = {
 }  // namespace
 
 std::span<const Wording> words_of_sponge_pages() {
-    return kRows;
+    return kWordsOfSpongePages;
 }
 
 }  // namespace snug

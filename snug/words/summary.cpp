@@ -5,7 +5,7 @@
 namespace snug {
 namespace {
 
-constexpr Wording kRows[] = {
+constexpr Wording kWordsOfSummary[] = {
     {"severity.danger", "DANGER", "危険"},
     {"severity.warning", "Warning", "警告"},
     {"severity.note", "Note", "参考"},
@@ -77,7 +77,7 @@ constexpr Wording kRows[] = {
 }  // namespace
 
 std::span<const Wording> words_of_summary() {
-    return kRows;
+    return kWordsOfSummary;
 }
 
 }  // namespace snug

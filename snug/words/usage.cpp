@@ -5,7 +5,7 @@
 namespace snug {
 namespace {
 
-constexpr Wording kRows[] = {
+constexpr Wording kWordsOfUsage[] = {
     {"usage.required", "{name} is required", "{name} が必要です。"},
     {"usage.no_command", "A subcommand is required", "コマンドを指定してください。"},
     {"usage.not_expected", "The following {count|argument was|arguments were} not expected: {names}",
@@ -35,7 +35,7 @@ constexpr Wording kRows[] = {
 }  // namespace
 
 std::span<const Wording> words_of_usage() {
-    return kRows;
+    return kWordsOfUsage;
 }
 
 }  // namespace snug

@@ -5,7 +5,7 @@
 namespace snug {
 namespace {
 
-constexpr Wording kRows[] = {
+constexpr Wording kWordsOfWalls[] = {
     {"no_floor", "no foam is left {side}: the object would touch the case; {advice}",
      "{side}にフォームが残らず、対象物がケースに触れます。{advice}。"},
     {"no_roof", "no foam is left {side}: the object would touch the case; {advice}",
@@ -72,7 +72,7 @@ constexpr Wording kRows[] = {
 }  // namespace
 
 std::span<const Wording> words_of_walls() {
-    return kRows;
+    return kWordsOfWalls;
 }
 
 }  // namespace snug

@@ -15,11 +15,7 @@
 namespace snug {
 namespace {
 
-double length(Vec3d v) {
-    return std::sqrt(dot(v, v));
-}
-
-GapReport report(const test::RandomCase& c, bool closed) {
+GapReport report_of_case(const test::RandomCase& c, bool closed) {
     const auto result = gap_report(c.mesh, c.placement, c.space, c.blocks, c.space.blocks.x / 2, closed);
     EXPECT_TRUE(result);
     return *result;
@@ -29,7 +25,7 @@ TEST(LargestBall, NoBallOnAGridOfPointsBeatsTheLargestBall) {
     for (std::uint64_t seed = 200; seed < 212; ++seed) {
         SCOPED_TRACE(seed);
         const test::RandomCase c = test::random_case(seed);
-        const GapReport r = report(c, true);
+        const GapReport r = report_of_case(c, true);
         EXPECT_NEAR(test::room_in_gap(c, r.widest_at), r.widest_mm / 2, 1e-6);
         EXPECT_LE(r.widest_error_mm, std::max(0.02 * r.widest_mm, 0.25) + 1e-9);
         constexpr double kStep = 4;
@@ -138,7 +134,7 @@ TEST(LargestBall, TheLargestBallOfAnOpenObjectMeetsNeitherFoamNorSurfaceNorHull)
         test::RandomCase c = test::random_case(seed);
         test::Random random(seed);
         std::erase_if(c.mesh.triangles, [&](const Triangle&) { return random.chance(0.3); });
-        const GapReport r = report(c, false);
+        const GapReport r = report_of_case(c, false);
         const double radius = r.widest_mm / 2;
         ASSERT_GT(radius, 0);
         EXPECT_GE(test::distance_to_foam(c, r.widest_at), radius - 1e-6);

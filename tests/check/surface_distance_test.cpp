@@ -13,11 +13,9 @@
 namespace snug {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 /// Over every triangle, in design coordinates.
 double nearest_of_all(const Mesh& mesh, const Placement& placement, Vec3d place) {
-    double nearest = kInfinity;
+    double nearest = std::numeric_limits<double>::infinity();
     for (const Triangle& t : mesh.triangles) {
         const Vec3d point =
             nearest_on_triangle(placement(mesh.vertices[t[0]]), placement(mesh.vertices[t[1]]),

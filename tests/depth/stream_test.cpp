@@ -52,7 +52,7 @@ Result<Streamed> pack_stream(TriangleStream stream, const Design& design, const 
     return Streamed{std::move(*object), std::move(*packing)};
 }
 
-void expect_same(const FileBytes& bytes, const Design& design) {
+void expect_the_same_streamed(const FileBytes& bytes, const Design& design) {
     auto mesh = read_mesh(bytes, "object");
     ASSERT_TRUE(mesh) << snug::text(mesh.error().message);
     const auto object = prepare(std::move(*mesh), design);
@@ -106,7 +106,7 @@ TEST(Stream, RandomSoupsHaveTheFoamsThatTheyHaveInMemory) {
         // Survey coordinates are recentred, half of the time.
         if (seed % 2 == 0)
             for (Vec3f& v : soup.mesh.vertices) v = v + Vec3f{5e4f, -3e4f, 2e4f};
-        expect_same(stl_of(soup.mesh), random_design_for(random));
+        expect_the_same_streamed(stl_of(soup.mesh), random_design_for(random));
     }
 }
 
@@ -175,7 +175,7 @@ TEST(Stream, RandomPlyFilesHaveTheFoamsThatTheyHaveInMemory) {
         const PlyStyle style{random.chance(0.5), random.chance(0.3), random.chance(0.5),
                              random.chance(0.3) ? 2 : 4};
         const Vec3d far = random.chance(0.5) ? Vec3d{} : Vec3d{5e5, -3e5, 2e3};
-        expect_same(PlyBytes(style).of(mesh, far), random_design_for(random));
+        expect_the_same_streamed(PlyBytes(style).of(mesh, far), random_design_for(random));
     }
 }
 
@@ -223,7 +223,7 @@ TEST(Stream, SamplesAndSharedObjectsHaveTheFoamsThatTheyHaveInMemory) {
     for (const FileBytes& bytes : objects)
         for (int turn = 0; turn < 4; ++turn) {
             SCOPED_TRACE(turn);
-            expect_same(bytes, random_design_for(random));
+            expect_the_same_streamed(bytes, random_design_for(random));
         }
 }
 
@@ -332,7 +332,7 @@ TEST(Stream, WhatIsLeftOutInPiecesIsLeftOutInMemory) {
                 EXPECT_EQ(snug::text(streamed.error().message), snug::text(whole.error().message));
                 continue;
             }
-            expect_same(bytes, design);
+            expect_the_same_streamed(bytes, design);
             if (!streamed) continue;
             EXPECT_EQ(streamed->object.mesh.read.faces, whole->read.faces);
             EXPECT_EQ(streamed->object.mesh.read.left_out_faces, whole->read.left_out_faces);

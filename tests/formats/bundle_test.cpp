@@ -14,7 +14,7 @@
 namespace snug::test {
 namespace {
 
-Result<Mesh> read(const std::string& zip) {
+Result<Mesh> read_bundle(const std::string& zip) {
     SceneTools tools;
     tools.inflate = cli::inflate;
     return read_zip(bytes_of(zip), tools, [](Bytes file, std::string_view name, const SceneTools& beside) {
@@ -31,26 +31,27 @@ const std::string kObj = square_obj("f 1 2 3 4\n");
 const std::string kOther = square_obj("f 1 2 3\n");
 
 TEST(Bundle, TheObjectIsFoundAndTheRestIsPassedOver) {
-    const Mesh mesh = good(read(zip_of({{"bust/", ""},
-                                        {"__MACOSX/bust/._bust.obj", "fork"},
-                                        {"bust/bust.mtl", "newmtl a"},
-                                        {"bust/bust.jpg", "picture"},
-                                        {"bust/bust.obj", kObj, true}})));
+    const Mesh mesh = good(read_bundle(zip_of({{"bust/", ""},
+                                               {"__MACOSX/bust/._bust.obj", "fork"},
+                                               {"bust/bust.mtl", "newmtl a"},
+                                               {"bust/bust.jpg", "picture"},
+                                               {"bust/bust.obj", kObj, true}})));
     EXPECT_EQ(mesh.triangles.size(), 2u);
     EXPECT_TRUE(mesh.read.left_out_objects.empty());
     EXPECT_FALSE(mesh.read.in_mm);
 }
 
 TEST(Bundle, ASecondObjectIsLeftOutByName) {
-    const Mesh mesh = good(read(zip_of({{"parts/lid.stl", "x"}, {"a.obj", kObj}, {"b.OBJ", kOther}})));
+    const Mesh mesh = good(read_bundle(zip_of({{"parts/lid.stl", "x"}, {"a.obj", kObj}, {"b.OBJ", kOther}})));
     EXPECT_EQ(mesh.triangles.size(), 2u);
     EXPECT_EQ(mesh.read.left_out_objects, (std::vector<std::string>{"parts/lid.stl", "b.OBJ"}));
 }
 
 TEST(Bundle, ASceneTakesWhatLiesBesideItInTheZip) {
-    const Mesh mesh = good(read(zip_of({{"a b.bin", "x"}, {"s/scene.gltf", "{}"}, {"s/a b.bin", kObj}})));
+    const Mesh mesh =
+        good(read_bundle(zip_of({{"a b.bin", "x"}, {"s/scene.gltf", "{}"}, {"s/a b.bin", kObj}})));
     EXPECT_EQ(mesh.triangles.size(), 2u);
-    const auto alone = read(zip_of({{"s/scene.gltf", "{}"}}));
+    const auto alone = read_bundle(zip_of({{"s/scene.gltf", "{}"}}));
     ASSERT_FALSE(alone);
     expect_holds(snug::text(alone.error().message), "a b.bin");
 }
@@ -59,12 +60,12 @@ TEST(Bundle, OurOwnPackGivesItsObjectAndNeverAFoam) {
     const std::string project = R"({"snug": 1, "object": {"name": "vase.obj", "bytes": 1, "sha256": ""}})";
     const std::vector<ZipPart> pack = {
         {"lower.obj", kOther}, {"project.snug.json", project}, {"upper.obj", kOther}};
-    const auto without = read(zip_of(pack));
+    const auto without = read_bundle(zip_of(pack));
     ASSERT_FALSE(without);
     expect_holds(snug::text(without.error().message), "not their object \"vase.obj\"");
     std::vector<ZipPart> with = pack;
     with.push_back({"vase.obj", kObj});
-    const Mesh mesh = good(read(zip_of(with)));
+    const Mesh mesh = good(read_bundle(zip_of(with)));
     EXPECT_EQ(mesh.triangles.size(), 2u);
     EXPECT_TRUE(mesh.read.left_out_objects.empty());
 }
@@ -72,7 +73,7 @@ TEST(Bundle, OurOwnPackGivesItsObjectAndNeverAFoam) {
 TEST(Bundle, WhatIsNoProjectBesideAnObjectIsPassedOverAtOnce) {
     const std::string named = R"({"snug": 1, "object": {"name": "lower.obj"}})";
     const auto with = [&](const std::string& project) {
-        return good(read(zip_of({{"a.obj", kObj}, {"a.snug.json", project, true}}))).triangles.size();
+        return good(read_bundle(zip_of({{"a.obj", kObj}, {"a.snug.json", project, true}}))).triangles.size();
     };
     for (const std::string text : {"", "[]", "{\"snug\": 1}", R"({"snug": 1, "object": {"name": 3}})"})
         EXPECT_EQ(with(text), 2u) << text;
@@ -83,17 +84,18 @@ TEST(Bundle, WhatIsNoProjectBesideAnObjectIsPassedOverAtOnce) {
 TEST(Bundle, A3mfInAZipIsReadAndAZipInAZipIsNot) {
     const std::string threemf =
         threemf_of(model_of(object_of(1, tetrahedron_mesh("3")), "<item objectid=\"1\"/>"));
-    EXPECT_EQ(good(read(zip_of({{"a.3mf", threemf}}))).triangles.size(), 4u);
-    EXPECT_EQ(good(read(threemf)).triangles.size(), 4u);
+    EXPECT_EQ(good(read_bundle(zip_of({{"a.3mf", threemf}}))).triangles.size(), 4u);
+    EXPECT_EQ(good(read_bundle(threemf)).triangles.size(), 4u);
     const std::string zip = zip_of({{"a.obj", kObj}});
-    for (const char* name : {"a.zip", "a.3mf", "a.stl"}) EXPECT_FALSE(read(zip_of({{name, zip}}))) << name;
-    const auto nothing = read(zip_of({{"readme.txt", "x"}}));
+    for (const char* name : {"a.zip", "a.3mf", "a.stl"})
+        EXPECT_FALSE(read_bundle(zip_of({{name, zip}}))) << name;
+    const auto nothing = read_bundle(zip_of({{"readme.txt", "x"}}));
     ASSERT_FALSE(nothing);
     expect_holds(snug::text(nothing.error().message), "no object in it");
 }
 
 TEST(Bundle, AnErrorNamesTheFileInTheZip) {
-    const auto wrong = read(zip_of({{"folder/a.obj", "v 0 0 0\nf 1 2 3\n"}}));
+    const auto wrong = read_bundle(zip_of({{"folder/a.obj", "v 0 0 0\nf 1 2 3\n"}}));
     ASSERT_FALSE(wrong);
     expect_holds(snug::text(wrong.error().message), "\"folder/a.obj\" in the zip archive: line 2");
 }

@@ -22,9 +22,9 @@ struct Surface {
 };
 
 /// Reads numbers byte by byte, so that the test holds on any machine.
-class Bytes {
+class FileReader {
   public:
-    explicit Bytes(const FileBytes& file) : file_(file) {}
+    explicit FileReader(const FileBytes& file) : file_(file) {}
 
     [[nodiscard]] std::size_t left() const { return file_.size() - at_; }
     unsigned byte() { return at_ < file_.size() ? std::to_integer<unsigned>(file_[at_++]) : 0; }
@@ -103,7 +103,7 @@ TEST(MeshFiles, StlHoldsEveryTriangleWithItsNormal) {
     const Surface s = tetrahedron();
     const FileBytes file = write_stl(s.vertices, s.triangles, "Snug lower half");
     ASSERT_EQ(file.size(), 84 + 50 * 4u);
-    Bytes bytes(file);
+    FileReader bytes(file);
     EXPECT_EQ(bytes.text(80), "Snug lower half" + std::string(65, ' '));
     EXPECT_EQ(bytes.integer(), 4u);
     const Vec3f normals[] = {{0, 0, 1}, {0, -1, 0}, {-1, 0, 0}};
@@ -126,7 +126,7 @@ TEST(MeshFiles, StlNormalsStandOnTheirTriangles) {
         };
         const std::vector<Vec3f> v{point(), point(), point()};
         const FileBytes file = write_stl(v, std::vector<Triangle>{{0, 1, 2}}, "");
-        Bytes bytes(file);
+        FileReader bytes(file);
         bytes.text(84);
         const Vec3d n = vec_cast<double>(bytes.vector());
         const Vec3d a = vec_cast<double>(v[1] - v[0]), b = vec_cast<double>(v[2] - v[0]);
@@ -139,7 +139,7 @@ TEST(MeshFiles, StlNormalsStandOnTheirTriangles) {
 TEST(MeshFiles, StlGivesATriangleWithoutAreaNoNormal) {
     const std::vector<Vec3f> line{{0, 0, 0}, {1, 1, 1}, {2, 2, 2}};
     const FileBytes file = write_stl(line, std::vector<Triangle>{{0, 1, 2}}, "");
-    Bytes bytes(file);
+    FileReader bytes(file);
     bytes.text(84);
     expect_same_bits(bytes.vector(), {0, 0, 0});
 }
@@ -148,19 +148,19 @@ TEST(MeshFiles, StlIsNeverTakenForText) {
     for (const char* title : {"solid", "Solid foam", "  SOLID", "solidarity"}) {
         const FileBytes file = write_stl({}, {}, title);
         ASSERT_EQ(file.size(), 84u);
-        Bytes bytes(file);
+        FileReader bytes(file);
         EXPECT_EQ(bytes.text(80).substr(0, 7), "binary ");
     }
     const FileBytes file = write_stl({}, {}, std::string(200, 'x'));
     ASSERT_EQ(file.size(), 84u);
-    Bytes bytes(file);
+    FileReader bytes(file);
     EXPECT_EQ(bytes.text(80), std::string(80, 'x'));
     EXPECT_EQ(bytes.integer(), 0u);
 }
 
 void expect_ply(const Surface& s, std::optional<Color> color) {
     const FileBytes file = write_ply(s.vertices, s.triangles, color);
-    Bytes bytes(file);
+    FileReader bytes(file);
     std::vector<std::string> header;
     do {
         header.push_back(bytes.line());
@@ -193,7 +193,7 @@ void expect_ply(const Surface& s, std::optional<Color> color) {
 /// The vertices and triangles of a text file, whose lines begin with `vertex` and `face`.
 void expect_text(const FileBytes& file, const Surface& s, const std::string& vertex, const std::string& face,
                  std::uint32_t first) {
-    Bytes bytes(file);
+    FileReader bytes(file);
     while (bytes.left() > 0 && file[file.size() - bytes.left()] == std::byte{'#'}) bytes.line();
     if (vertex.empty()) {
         ASSERT_EQ(bytes.line(), "OFF");

@@ -22,7 +22,7 @@ Result<Mesh> read(const std::string& file) {
     return read_3mf(bytes_of(file), tools);
 }
 
-Vec3d size_of(const Mesh& mesh) {
+Vec3d extent_of(const Mesh& mesh) {
     return bounds(mesh).size();
 }
 
@@ -97,7 +97,7 @@ TEST(ThreeMfRead, LengthsAreInMillimetresWhateverTheUnitAndWhateverACommentSays)
             EXPECT_TRUE(mesh.read.in_mm);
         }
     }
-    EXPECT_EQ(size_of(good(read(
+    EXPECT_EQ(extent_of(good(read(
                   threemf_of(model_of(object_of(1, tetrahedron_mesh("2")), "<item objectid=\"1\"/>", ""))))),
               (Vec3d{2, 2, 2}));
     expect_holds(sentence(threemf_of(model_of("", "", "unit=\"cubit\""))), "cubit");
@@ -134,21 +134,21 @@ TEST(ThreeMfRead, MirroredPlacesStillFaceOutward) {
 
 TEST(ThreeMfRead, OnlyWhatTheBuildPlacesCounts) {
     const std::string two = object_of(1, tetrahedron_mesh("10")) + object_of(2, tetrahedron_mesh("50"));
-    EXPECT_EQ(size_of(good(read(with_body(two)))), (Vec3d{10, 10, 10}));
+    EXPECT_EQ(extent_of(good(read(with_body(two)))), (Vec3d{10, 10, 10}));
     EXPECT_EQ(good(read(with_body(two + object_of(3, "<mesh><vertices/><triangles/></mesh>"),
                                   "<item objectid=\"1\"/><item objectid=\"3\"/>")))
                   .triangles.size(),
               4u);
     // What no program prints is on the plate all the same.
     EXPECT_EQ(
-        size_of(good(read(with_body(two, "<item objectid=\"1\"/><item objectid=\"2\" printable=\"0\"/>")))),
+        extent_of(good(read(with_body(two, "<item objectid=\"1\"/><item objectid=\"2\" printable=\"0\"/>")))),
         (Vec3d{50, 50, 50}));
 }
 
 TEST(ThreeMfRead, AnEmptyBuildIsTakenForTheOneObjectThatThereIs) {
     const std::string body = object_of(1, tetrahedron_mesh("10"));
-    EXPECT_EQ(size_of(good(read(with_body(body, "")))), (Vec3d{10, 10, 10}));
-    EXPECT_EQ(size_of(good(read(with_body(
+    EXPECT_EQ(extent_of(good(read(with_body(body, "")))), (Vec3d{10, 10, 10}));
+    EXPECT_EQ(extent_of(good(read(with_body(
                   body + object_of(2, "<components><component objectid=\"1\"/></components>"), "")))),
               (Vec3d{10, 10, 10}));
     expect_holds(sentence(with_body(body + object_of(2, tetrahedron_mesh("50")), "")),
@@ -162,15 +162,15 @@ TEST(ThreeMfRead, SupportsCountWhereNothingElseIsPlacedAndOthersNever) {
         const std::string support =
             object_of(2, tetrahedron_mesh("50"), std::string("type=\"") + type + "\"");
         EXPECT_EQ(
-            size_of(good(read(with_body(thing + support, "<item objectid=\"2\"/><item objectid=\"1\"/>")))),
+            extent_of(good(read(with_body(thing + support, "<item objectid=\"2\"/><item objectid=\"1\"/>")))),
             (Vec3d{10, 10, 10}));
-        EXPECT_EQ(size_of(good(read(with_body(support, "<item objectid=\"2\"/>")))), (Vec3d{50, 50, 50}));
+        EXPECT_EQ(extent_of(good(read(with_body(support, "<item objectid=\"2\"/>")))), (Vec3d{50, 50, 50}));
     }
     // Slicers keep the shapes that only change how a part is printed beside it, as components of this type.
     const std::string other =
         object_of(2, tetrahedron_mesh("50"), "type=\"other\"") +
         object_of(3, "<components><component objectid=\"1\"/><component objectid=\"2\"/></components>");
-    EXPECT_EQ(size_of(good(read(with_body(thing + other, "<item objectid=\"3\"/>")))), (Vec3d{10, 10, 10}));
+    EXPECT_EQ(extent_of(good(read(with_body(thing + other, "<item objectid=\"3\"/>")))), (Vec3d{10, 10, 10}));
     expect_holds(sentence(with_body(other + thing, "<item objectid=\"2\"/>")), "no triangles");
     const std::string surface = object_of(1, tetrahedron_mesh("10"), "type=\"surface\"");
     EXPECT_EQ(good(read(with_body(surface))).triangles.size(), 4u);
@@ -206,12 +206,12 @@ TEST(ThreeMfRead, TheRootIsTheModelThatTheRelationshipsNameLast) {
         return zip_of(
             {{"3D/3dmodel.model", ten}, {"other/Part.xml", fifty}, {"_rels/.rels", relationships(targets)}});
     };
-    EXPECT_EQ(size_of(good(read(package({"/3D/3dmodel.model"})))).x, 10);
-    EXPECT_EQ(size_of(good(read(package({"other/part.xml"})))).x, 50);
-    EXPECT_EQ(size_of(good(read(package({"/3D/3dmodel.model", "/other/Part.xml"})))).x, 50);
-    EXPECT_EQ(size_of(good(read(package({"/other/Part.xml", "/3D/../3D/3dmodel.model"})))).x, 10);
-    EXPECT_EQ(size_of(good(read(package({})))).x, 10);  // as many programs take it
-    EXPECT_EQ(size_of(good(read(zip_of({{"3D/3dmodel.model", ten}})))).x, 10);
+    EXPECT_EQ(extent_of(good(read(package({"/3D/3dmodel.model"})))).x, 10);
+    EXPECT_EQ(extent_of(good(read(package({"other/part.xml"})))).x, 50);
+    EXPECT_EQ(extent_of(good(read(package({"/3D/3dmodel.model", "/other/Part.xml"})))).x, 50);
+    EXPECT_EQ(extent_of(good(read(package({"/other/Part.xml", "/3D/../3D/3dmodel.model"})))).x, 10);
+    EXPECT_EQ(extent_of(good(read(package({})))).x, 10);  // as many programs take it
+    EXPECT_EQ(extent_of(good(read(zip_of({{"3D/3dmodel.model", ten}})))).x, 10);
     expect_holds(sentence(zip_of({{"a.txt", "x"}})), "no 3MF");
 }
 
@@ -232,7 +232,7 @@ TEST(ThreeMfRead, PrefixesEncodingsAndPicturesChangeNothing) {
     for (const std::string& text : {prefixed, "\xef\xbb\xbf" + prefixed, utf16}) {
         const Mesh mesh = good(read(threemf_of(text, {{"Metadata/thumbnail.png", "\x89PNG\r\n\x1a\n"}})));
         EXPECT_EQ(mesh.triangles.size(), 1u);
-        EXPECT_NEAR(size_of(mesh).x, 25.4, 1e-5);
+        EXPECT_NEAR(extent_of(mesh).x, 25.4, 1e-5);
     }
     // A few programs leave the namespace out.
     EXPECT_TRUE(read(threemf_of("<model><resources>" + object_of(1, tetrahedron_mesh("1")) +

@@ -19,13 +19,9 @@ struct Soup {
     std::vector<Triangle> triangles;
 };
 
-double length(Vec3d v) {
-    return std::sqrt(dot(v, v));
-}
-
 /// Triangles of all sizes, some of them needles or points, some sharing vertices, far from the origin at
 /// times.
-Soup random_soup(test::Random& random) {
+Soup random_corners(test::Random& random) {
     Soup soup;
     const int vertices = random.integer(3, 300);
     const Vec3d origin = random.chance(0.3) ? Vec3d{1e5, -3e4, 7e4} : Vec3d{};
@@ -89,7 +85,7 @@ TEST(TriangleTree, DistanceEqualsBruteForceOnRandomSoups) {
     for (std::uint64_t seed = 0; seed < 60; ++seed) {
         SCOPED_TRACE(seed);
         test::Random random(seed);
-        const Soup soup = random_soup(random);
+        const Soup soup = random_corners(random);
         const auto tree = TriangleTree::build(soup.vertices, soup.triangles);
         ASSERT_TRUE(tree);
         for (int i = 0; i < 30; ++i) {
@@ -119,7 +115,7 @@ TEST(TriangleTree, EveryTriangleThatMeetsABoxIsVisitedOnce) {
     for (std::uint64_t seed = 100; seed < 160; ++seed) {
         SCOPED_TRACE(seed);
         test::Random random(seed);
-        Soup soup = random_soup(random);
+        Soup soup = random_corners(random);
         std::sort(soup.triangles.begin(), soup.triangles.end());
         soup.triangles.erase(std::unique(soup.triangles.begin(), soup.triangles.end()), soup.triangles.end());
         const auto tree = TriangleTree::build(soup.vertices, soup.triangles);

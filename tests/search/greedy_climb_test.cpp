@@ -30,7 +30,7 @@ Design cubes(int n, double size) {
 }
 
 /// What the method itself makes of a rotation.
-FitReport packed(const Mesh& mesh, Design design, const DesignSpace& space, Vec3d rotation_deg) {
+FitReport packed_turned(const Mesh& mesh, Design design, const DesignSpace& space, Vec3d rotation_deg) {
     design.space.blocks = space.blocks;
     design.placement.rotation_deg = rotation_deg;
     design.object.units = Unit::mm;
@@ -50,7 +50,7 @@ TEST(GreedyClimb, ABoxTurnedAFewDegreesComesBackToItsLeastCut) {
     for (const Vec3d tilt : {Vec3d{7, 0, 0}, Vec3d{0, -9, 0}, Vec3d{0, 0, 11}, Vec3d{4, -3, 2}}) {
         SCOPED_TRACE(testing::Message() << tilt.x << ", " << tilt.y << ", " << tilt.z);
         design.placement.rotation_deg = tilt;
-        const long long start = packed(box, design, space_of(design), tilt).cut_blocks;
+        const long long start = packed_turned(box, design, space_of(design), tilt).cut_blocks;
         const auto climb = greedy_climb(box, design, space_of(design));
         ASSERT_TRUE(climb);
         EXPECT_GT(start, 24 * 16 * 12);
@@ -98,8 +98,8 @@ TEST(GreedyClimb, IsNeverWorseThanTheStartKeepsTheWallsAndSaysWhatTheMethodSays)
             EXPECT_EQ(climb.error().kind, ErrorKind::does_not_fit);
             continue;
         }
-        const FitReport start = packed(mesh, design, space, design.placement.rotation_deg);
-        const FitReport end = packed(mesh, design, space, climb->rotation_deg);
+        const FitReport start = packed_turned(mesh, design, space, design.placement.rotation_deg);
+        const FitReport end = packed_turned(mesh, design, space, climb->rotation_deg);
         EXPECT_LE(end.cut_blocks, start.cut_blocks);
         EXPECT_GE(end.fill_ratio, start.fill_ratio);
         EXPECT_EQ(end.cut_blocks, climb->cut_blocks);
@@ -128,7 +128,7 @@ TEST(GreedyClimb, TakesTheBestOfTheSixNeighboursAndHalvesTheStepOnlyWhereNoneIsB
         for (int neighbour = 0; neighbour < 6; ++neighbour) {
             Vec3d rotation = before.rotation_deg;
             rotation[neighbour / 2] += neighbour % 2 == 0 ? before.step_deg : -before.step_deg;
-            best = std::min(best, packed(mesh, design, space, rotation).cut_blocks);
+            best = std::min(best, packed_turned(mesh, design, space, rotation).cut_blocks);
         }
         EXPECT_EQ(climb->cut_blocks, best);
         const bool moved = climb->rotation_deg != before.rotation_deg;
@@ -150,15 +150,15 @@ TEST(GreedyClimb, KeepsAWantedWallThatAFreeClimbGivesUp) {
         const DesignSpace space = space_of(design);
         const auto free = greedy_climb(mesh, design, space);
         if (!free) continue;
-        const FitReport start = packed(mesh, design, space, design.placement.rotation_deg);
-        const FitReport freely = packed(mesh, design, space, free->rotation_deg);
+        const FitReport start = packed_turned(mesh, design, space, design.placement.rotation_deg);
+        const FitReport freely = packed_turned(mesh, design, space, free->rotation_deg);
         const double thinnest = *std::min_element(start.wall_mm.begin(), start.wall_mm.end());
         design.space.wall_mm = equal_walls(thinnest);
         if (*std::min_element(freely.wall_mm.begin(), freely.wall_mm.end()) >= thinnest) continue;
         ++given_up;
         const auto kept = greedy_climb(mesh, design, space);
         ASSERT_TRUE(kept);
-        for (const double wall : packed(mesh, design, space, kept->rotation_deg).wall_mm)
+        for (const double wall : packed_turned(mesh, design, space, kept->rotation_deg).wall_mm)
             EXPECT_GE(wall, thinnest);
         improved_all_the_same += kept->cut_blocks < start.cut_blocks;
     }
@@ -186,7 +186,7 @@ TEST(GreedyClimb, CancelledItStandsAtTheBestOfWhatItLookedAt) {
         EXPECT_EQ(calls, after);
         EXPECT_EQ(climb->evaluations, after + 1);
         EXPECT_EQ(climb->cut_blocks, last);
-        EXPECT_EQ(packed(box, design, space, climb->rotation_deg).cut_blocks, last);
+        EXPECT_EQ(packed_turned(box, design, space, climb->rotation_deg).cut_blocks, last);
     }
 }
 

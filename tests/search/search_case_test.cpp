@@ -16,7 +16,7 @@ namespace {
 using test::Random;
 
 /// The camera askew in a real hard case with leaning walls and round corners.
-Design case_design(Random& random) {
+Design random_case_design(Random& random) {
     Design design;
     design.object.units = Unit::mm;
     design.space.block_mm = {20, 10, 10};
@@ -35,7 +35,7 @@ TEST(SearchInACase, NeverCutsMoreKeepsTheWallsAndStaysAmongTheBlocksThatExist) {
     for (std::uint64_t seed = 0; seed < 6; ++seed) {
         SCOPED_TRACE(seed);
         Random random(seed);
-        Design design = case_design(random);
+        Design design = random_case_design(random);
         auto object = prepare(*sample("camera"), design);
         ASSERT_TRUE(object);
         prepare_for_many(*object);
@@ -64,7 +64,7 @@ TEST(SearchInACase, NeverCutsMoreKeepsTheWallsAndStaysAmongTheBlocksThatExist) {
 
 TEST(SearchInACase, FitsNoCaseWhereOneIsGiven) {
     Random random(1);
-    Design design = case_design(random);
+    Design design = random_case_design(random);
     auto object = prepare(*sample("camera"), design);
     prepare_for_many(*object);
     SearchTask task;

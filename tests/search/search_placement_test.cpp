@@ -26,7 +26,7 @@ using test::roomy_design;
 using test::space_of;
 
 /// What the method itself makes of a placement.
-FitReport packed(const Mesh& mesh, Design design, const FoundPlacement& at) {
+FitReport packed_as_found(const Mesh& mesh, Design design, const FoundPlacement& at) {
     design.placement.rotation_deg = at.rotation_deg;
     design.placement.offset_mm = at.offset_mm;
     const auto object = prepare(mesh, design);
@@ -52,7 +52,7 @@ TEST(PlacementSearch, ABoxTurnedAtRandomCutsOnlyItsOwnBlocksAgain) {
         const Design design = roomy_design(box, {15, 15, 22});
         const FoundPlacement best = found(box, design, seed, 600);
         EXPECT_EQ(best.cut_blocks, 4 * 3 * 3);
-        EXPECT_EQ(packed(box, design, best).cut_blocks, 4 * 3 * 3);
+        EXPECT_EQ(packed_as_found(box, design, best).cut_blocks, 4 * 3 * 3);
     }
 }
 
@@ -133,10 +133,10 @@ TEST(PlacementSearch, NeverCutsMoreThanTheStartKeepsItsWallsAndIsWhatThePipeline
         const auto started = PlacementSearch::start(soup.mesh, surface, design, space_of(design), seed,
                                                     all_blocks(space_of(design).blocks));
         if (!started) continue;
-        const FitReport before = packed(soup.mesh, design, started->origin());
+        const FitReport before = packed_as_found(soup.mesh, design, started->origin());
         EXPECT_EQ(before.cut_blocks, started->origin().cut_blocks);
         const FoundPlacement best = found(soup.mesh, design, seed, 400);
-        const FitReport after = packed(soup.mesh, design, best);
+        const FitReport after = packed_as_found(soup.mesh, design, best);
         EXPECT_EQ(after.cut_blocks, best.cut_blocks);
         EXPECT_LE(best.cut_blocks, before.cut_blocks);
         improved += best.cut_blocks < before.cut_blocks;

@@ -23,7 +23,7 @@ Column run(int first, int end) {
     return {static_cast<std::int16_t>(first), static_cast<std::int16_t>(end)};
 }
 
-Grid<Column> literal(std::initializer_list<std::initializer_list<Column>> rows) {
+Grid<Column> runs_literal(std::initializer_list<std::initializer_list<Column>> rows) {
     Grid<Column> runs(static_cast<int>(rows.size()), static_cast<int>(rows.begin()->size()));
     std::size_t column = 0;
     for (const auto& row : rows)
@@ -42,7 +42,7 @@ std::string text_of(const Grid<Column>& runs) {
 }
 
 /// As a lower half and as a lid.
-void expect_sound(const Grid<Column>& runs) {
+void expect_sound_runs(const Grid<Column>& runs) {
     SCOPED_TRACE(text_of(runs));
     int levels = 1;
     bool any = false;
@@ -60,55 +60,55 @@ void expect_sound(const Grid<Column>& runs) {
     }
 }
 
-struct Count {
+struct RunCount {
     Grid<Column> runs;
     std::size_t vertices, triangles;
 };
 
 TEST(SolidRuns, SmallRunsHaveTheirCornersAndNoMore) {
     const Column none{};
-    const Count cases[] = {
-        {literal({{run(2, 5)}}), 8, 12},
-        {literal({{run(3, 9), run(3, 9)}, {run(3, 9), run(3, 9)}}), 8, 12},
+    const RunCount cases[] = {
+        {runs_literal({{run(2, 5)}}), 8, 12},
+        {runs_literal({{run(3, 9), run(3, 9)}, {run(3, 9), run(3, 9)}}), 8, 12},
         // A step below, a step above, both.
-        {literal({{run(0, 4), run(2, 4)}}), 12, 20},
-        {literal({{run(1, 4), run(1, 3)}}), 12, 20},
-        {literal({{run(0, 4), run(1, 3)}}), 16, 28},
+        {runs_literal({{run(0, 4), run(2, 4)}}), 12, 20},
+        {runs_literal({{run(1, 4), run(1, 3)}}), 12, 20},
+        {runs_literal({{run(0, 4), run(1, 3)}}), 16, 28},
         // Steps the same way: two corners less than apart.
-        {literal({{run(0, 2), run(1, 3)}}), 16, 28},
+        {runs_literal({{run(0, 2), run(1, 3)}}), 16, 28},
         // Apart: above one another, in one edge, in one corner.
-        {literal({{run(0, 1), run(2, 3)}}), 16, 24},
-        {literal({{run(0, 2), run(2, 4)}}), 16, 24},
-        {literal({{run(0, 2), none}, {none, run(2, 4)}}), 16, 24},
-        {literal({{run(0, 3), none}, {none, run(1, 4)}}), 18, 28},
+        {runs_literal({{run(0, 1), run(2, 3)}}), 16, 24},
+        {runs_literal({{run(0, 2), run(2, 4)}}), 16, 24},
+        {runs_literal({{run(0, 2), none}, {none, run(2, 4)}}), 16, 24},
+        {runs_literal({{run(0, 3), none}, {none, run(1, 4)}}), 18, 28},
         // A table on four legs, and a hole below a bridge.
-        {literal({{run(0, 3), run(2, 3), run(0, 3)},
-                  {run(2, 3), run(2, 3), run(2, 3)},
-                  {run(0, 3), run(2, 3), run(0, 3)}}),
+        {runs_literal({{run(0, 3), run(2, 3), run(0, 3)},
+                       {run(2, 3), run(2, 3), run(2, 3)},
+                       {run(0, 3), run(2, 3), run(0, 3)}}),
          32, 60},
-        {literal({{run(0, 3), run(2, 3), run(0, 3)}}), 16, 28},
+        {runs_literal({{run(0, 3), run(2, 3), run(0, 3)}}), 16, 28},
     };
-    for (const Count& c : cases) {
+    for (const RunCount& c : cases) {
         SCOPED_TRACE(text_of(c.runs));
         const Solid solid = solid_of(c.runs, whole_space(c.runs, 9), Half::lower);
         EXPECT_EQ(solid.vertices.size(), c.vertices);
         EXPECT_EQ(solid.triangles.size(), c.triangles);
-        expect_sound(c.runs);
+        expect_sound_runs(c.runs);
     }
 }
 
 /// Two tall columns meet in an edge; of the other two one joins them below and one above, so that at both
 /// ends of the edge the surface could hang together.
 TEST(SolidRuns, AnEdgeThatIsJoinedAtBothEndsHasTwoTrianglesASide) {
-    expect_sound(literal({{run(0, 3), run(0, 1)}, {run(2, 3), run(0, 3)}}));
-    expect_sound(literal({{run(0, 4), run(0, 2)}, {run(0, 4), run(2, 4)}, {run(0, 4), run(0, 4)}}));
-    expect_sound(literal({{run(0, 4), run(0, 2), run(0, 4)}, {run(0, 4), run(2, 4), run(0, 4)}}));
+    expect_sound_runs(runs_literal({{run(0, 3), run(0, 1)}, {run(2, 3), run(0, 3)}}));
+    expect_sound_runs(runs_literal({{run(0, 4), run(0, 2)}, {run(0, 4), run(2, 4)}, {run(0, 4), run(0, 4)}}));
+    expect_sound_runs(runs_literal({{run(0, 4), run(0, 2), run(0, 4)}, {run(0, 4), run(2, 4), run(0, 4)}}));
 }
 
 /// The lattice's own corner: six blocks around it, or two.
 TEST(SolidRuns, OppositeBlocksAroundACornerHaveVerticesOfTheirOwn) {
-    expect_sound(literal({{run(0, 1), run(0, 0)}, {run(0, 0), run(1, 2)}}));
-    expect_sound(literal({{run(1, 2), run(0, 2)}, {run(0, 2), run(0, 1)}}));
+    expect_sound_runs(runs_literal({{run(0, 1), run(0, 0)}, {run(0, 0), run(1, 2)}}));
+    expect_sound_runs(runs_literal({{run(1, 2), run(0, 2)}, {run(0, 2), run(0, 1)}}));
 }
 
 std::vector<Column> all_runs(int levels) {
@@ -122,8 +122,8 @@ TEST(SolidRuns, EveryTwoByTwoGridIsSound) {
     const std::vector<Column> all = all_runs(3);
     const std::size_t n = all.size();
     for (std::size_t code = 0; code < n * n * n * n; ++code) {
-        expect_sound(
-            literal({{all[code % n], all[code / n % n]}, {all[code / n / n % n], all[code / n / n / n]}}));
+        expect_sound_runs(runs_literal(
+            {{all[code % n], all[code / n % n]}, {all[code / n / n % n], all[code / n / n / n]}}));
         if (HasFatalFailure()) return;
     }
 }
@@ -135,33 +135,33 @@ TEST(SolidRuns, ThreeByThreeGridsOfTwoLevelsAreSound) {
     for (int code = 0; code < 1 << 18; code += 37) {
         Grid<Column> runs(3, 3);
         for (std::size_t i = 0; i < 9; ++i) runs[i] = all[static_cast<std::size_t>(code >> (2 * i) & 3)];
-        expect_sound(runs);
+        expect_sound_runs(runs);
         if (HasFatalFailure()) return;
     }
 }
 
-enum class Style { noise, checkerboard, corners, touching, lens, sparse, kCount };
+enum class RunStyle { noise, checkerboard, corners, touching, lens, sparse, kCount };
 
 Column random_run(Random& random, int levels) {
     const int a = random.integer(0, levels), b = random.integer(0, levels);
     return run(std::min(a, b), std::max(a, b));
 }
 
-Column random_column(Random& random, Style style, int j, int k, int levels) {
+Column random_column(Random& random, RunStyle style, int j, int k, int levels) {
     const int half = levels / 2;
     switch (style) {
-        case Style::checkerboard:  // columns that meet in edges
+        case RunStyle::checkerboard:  // columns that meet in edges
             return (j + k) % 2 == 0 ? random_run(random, levels) : Column{};
-        case Style::corners:  // blocks that meet in corners and edges
+        case RunStyle::corners:  // blocks that meet in corners and edges
             return (j + k) % 2 == 0 ? run(0, half) : run(half, random.chance(0.8) ? levels : half);
-        case Style::touching:  // all runs begin or end at one level
+        case RunStyle::touching:  // all runs begin or end at one level
             return random.chance(0.5) ? run(random.integer(0, half), half)
                                       : run(half, random.integer(half, levels));
-        case Style::lens: {
+        case RunStyle::lens: {
             const int miss = std::min(half, (j - 4) * (j - 4) / 8 + (k - 5) * (k - 5) / 8);
             return run(miss, levels - miss);
         }
-        case Style::sparse:
+        case RunStyle::sparse:
             return random.chance(0.2) ? random_run(random, levels) : Column{};
         default:
             return random_run(random, levels);
@@ -169,7 +169,7 @@ Column random_column(Random& random, Style style, int j, int k, int levels) {
 }
 
 Grid<Column> random_runs(Random& random, int longest) {
-    const auto style = static_cast<Style>(random.integer(0, static_cast<int>(Style::kCount) - 1));
+    const auto style = static_cast<RunStyle>(random.integer(0, static_cast<int>(RunStyle::kCount) - 1));
     const int levels = random.integer(1, 6);
     Grid<Column> runs(random.integer(1, longest), random.integer(1, longest));
     for (int j = 0; j < runs.ny(); ++j)
@@ -181,7 +181,7 @@ TEST(SolidRuns, RandomRunsAreClosedAndExact) {
     for (std::uint64_t seed = 0; seed < 2000; ++seed) {
         SCOPED_TRACE(seed);
         Random random(seed);
-        expect_sound(random_runs(random, seed % 50 == 0 ? 40 : seed % 3 == 0 ? 3 : 10));
+        expect_sound_runs(random_runs(random, seed % 50 == 0 ? 40 : seed % 3 == 0 ? 3 : 10));
         if (HasFatalFailure()) return;
     }
 }

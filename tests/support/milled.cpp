@@ -33,8 +33,8 @@ double away_from_pocket(const MillField& field, Vec2d at, double height, double 
             const auto away = [](double value, int cell, double mm) {
                 return std::max({cell * mm - value, value - (cell + 1) * mm, 0.0});
             };
-            least = std::min(least,
-                             length({away(at.x, column, field.cell_mm.x), away(at.y, row, field.cell_mm.y)}));
+            least = std::min(
+                least, length(Vec2d{away(at.x, column, field.cell_mm.x), away(at.y, row, field.cell_mm.y)}));
         }
     return least;
 }

@@ -14,12 +14,7 @@
 namespace snug::test {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-double length(Vec3d v) {
-    return std::sqrt(dot(v, v));
-}
 
 Mesh random_blob(Random& random) {
     const bool tube = random.chance(0.4);
@@ -27,8 +22,8 @@ Mesh random_blob(Random& random) {
     const Vec3d centre{random.between(-15, 15), random.between(-15, 15), random.between(-15, 15)};
     const double large = random.between(8, 22);
     Mesh blob = ringed_mesh(rings + 1, around, tube, [&](int ring, int step) {
-        const double a = (tube ? 2 : 1) * kPi * ring / (tube ? rings + 1 : rings),
-                     b = 2 * kPi * step / around;
+        const double a = (tube ? 2 : 1) * std::numbers::pi * ring / (tube ? rings + 1 : rings),
+                     b = 2 * std::numbers::pi * step / around;
         const double r = large * random.between(0.6, 1.1);
         if (tube) {
             const double out = r + large * 0.4 * std::cos(b);
@@ -68,7 +63,7 @@ int winding_number(const RandomCase& object, Vec3d p) {
         angle += 2 * std::atan2(dot(a, cross(b, c)),
                                 la * lb * lc + dot(a, b) * lc + dot(b, c) * la + dot(c, a) * lb);
     }
-    return static_cast<int>(std::lround(angle / (4 * kPi)));
+    return static_cast<int>(std::lround(angle / (4 * std::numbers::pi)));
 }
 
 bool in_hull(const RandomCase& object, Vec3d p) {

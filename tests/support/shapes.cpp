@@ -6,11 +6,6 @@
 #include <utility>
 
 namespace snug::test {
-namespace {
-
-constexpr double kPi = std::numbers::pi;
-
-}  // namespace
 
 void append(Mesh& mesh, const Mesh& other) {
     const auto base = static_cast<std::uint32_t>(mesh.vertices.size());
@@ -50,7 +45,7 @@ Mesh ringed_mesh(int rings, int around, bool rings_close, const std::function<Ve
 
 Mesh sphere_mesh(double radius, int rings) {
     return ringed_mesh(rings + 1, 2 * rings, false, [=](int ring, int step) {
-        const double latitude = kPi * ring / rings, longitude = kPi * step / rings;
+        const double latitude = std::numbers::pi * ring / rings, longitude = std::numbers::pi * step / rings;
         const double s = ring == 0 || ring == rings ? 0 : std::sin(latitude);
         return Vec3d{s * std::cos(longitude), s * std::sin(longitude), std::cos(latitude)} * radius;
     });
@@ -58,7 +53,7 @@ Mesh sphere_mesh(double radius, int rings) {
 
 Mesh torus_mesh(double large, double small) {
     return ringed_mesh(200, 100, true, [=](int ring, int step) {
-        const double a = 2 * kPi * ring / 200, b = 2 * kPi * step / 100;
+        const double a = 2 * std::numbers::pi * ring / 200, b = 2 * std::numbers::pi * step / 100;
         const double r = large + small * std::cos(b);
         return Vec3d{r * std::cos(a), r * std::sin(a), small * std::sin(b)};
     });

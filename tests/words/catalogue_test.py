@@ -40,7 +40,7 @@ def catalogue():
     """Each row as code, English, Japanese."""
     for path in sorted((ROOT / "snug" / "words").glob("*.cpp")):
         text = path.read_text()
-        found = tokens(text) if "Wording kRows[]" in text else []
+        found = tokens(text) if re.search(r"Wording kWordsOf\w+\[\]", text) else []
         for i in range(len(found) - 6):
             row = found[i:i + 7]
             if [t if isinstance(t, str) else "s" for t in row] == ["{", "s", ",", "s", ",", "s", "}"]:

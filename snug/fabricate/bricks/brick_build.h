@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "snug/base/half.h"
@@ -24,6 +25,11 @@ struct Brick {
     [[nodiscard]] bool has_studs() const { return kind != BrickKind::tile; }
     friend bool operator==(const Brick&, const Brick&) = default;
 };
+
+/// In a sentence.
+[[nodiscard]] inline std::string half_name(Half half) {
+    return half == Half::lower ? "lower half" : "lid";
+}
 
 /// One half, its bricks in the order of building: each rests on the table or on a brick before it.
 struct BrickBuild {

@@ -11,7 +11,7 @@
 namespace snug {
 namespace {
 
-constexpr Color kObject{240, 242, 245}, kBlack{0, 0, 0};
+constexpr Color kObject{240, 242, 245};
 constexpr double kShade = 0.1;           // of black, each shade of the object on the last
 constexpr double kFinestOutline = 0.15;  // mm on the page
 constexpr double kSeam = 0.12;           // mm, closes the seams between neighbours

@@ -10,17 +10,16 @@
 namespace snug {
 namespace {
 
-constexpr double kTouch = 1e-7;  // mm
-constexpr long long kMostCells = 8'000'000;
+constexpr long long kMostStockCells = 8'000'000;
 
 }  // namespace
 
 CarvedStock::CarvedStock(const MillField& field, double radius_mm, double finest_mm) : radius_(radius_mm) {
     const long long cells = static_cast<long long>(field.height.size());
     for (double finest = finest_mm;; finest *= 1.25) {
-        rows_ = std::max(1, static_cast<int>(std::ceil(field.cell_mm.y / finest - kTouch)));
-        columns_ = std::max(1, static_cast<int>(std::ceil(field.cell_mm.x / finest - kTouch)));
-        if (cells * rows_ * columns_ <= kMostCells || rows_ * columns_ == 1) break;
+        rows_ = std::max(1, static_cast<int>(std::ceil(field.cell_mm.y / finest - kCutterTouch)));
+        columns_ = std::max(1, static_cast<int>(std::ceil(field.cell_mm.x / finest - kCutterTouch)));
+        if (cells * rows_ * columns_ <= kMostStockCells || rows_ * columns_ == 1) break;
     }
     cell_ = {field.cell_mm.x / columns_, field.cell_mm.y / rows_};
     height_ = Grid<int>(field.height.ny() * rows_, field.height.nz() * columns_, field.top);
@@ -40,8 +39,8 @@ void CarvedStock::cut(const CutLine& line, int level) {
         const std::optional<Stretch> before = std::exchange(near, far);
         if (!before || !far) continue;
         const double begin = std::max(before->begin, far->begin), end = std::min(before->end, far->end);
-        const int from = std::max(0, static_cast<int>(std::ceil((begin - kTouch) / cell_.x)));
-        const int to = std::min(height_.nz(), static_cast<int>(std::floor((end + kTouch) / cell_.x)));
+        const int from = std::max(0, static_cast<int>(std::ceil((begin - kCutterTouch) / cell_.x)));
+        const int to = std::min(height_.nz(), static_cast<int>(std::floor((end + kCutterTouch) / cell_.x)));
         for (int column = from; column < to; ++column)
             height_(row, column) = std::min(height_(row, column), level);
     }

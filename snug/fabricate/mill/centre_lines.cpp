@@ -6,8 +6,6 @@
 namespace snug {
 namespace {
 
-constexpr double kTouch = 1e-7;  // mm by which a cutter may seem to enter what it only touches
-
 /// From a value to the range begin..end, 0 within.
 double outside(double value, double begin, double end) {
     return std::max({begin - value, value - end, 0.0});
@@ -29,7 +27,7 @@ double square_distance(Vec2d from, Vec2d to, Vec2d point) {
 
 /// Whether the segment comes nearer to the rectangle than `radius`.
 bool comes_near(Vec2d from, Vec2d to, Vec2d low, Vec2d high, double radius) {
-    const double limit = (radius - kTouch) * (radius - kTouch);
+    const double limit = (radius - kCutterTouch) * (radius - kCutterTouch);
     for (const Vec2d end : {from, to}) {
         const double dx = outside(end.x, low.x, high.x), dy = outside(end.y, low.y, high.y);
         if (dx * dx + dy * dy < limit) return true;
@@ -80,7 +78,7 @@ std::vector<Stretch> CentreLines::along(const Runs& runs, double at, const Axis&
     std::vector<Stretch> taken;
     for (int i = first; i <= last; ++i) {
         const double away = outside(at, i * across, (i + 1) * across);
-        if (away >= radius_ - kTouch) continue;
+        if (away >= radius_ - kCutterTouch) continue;
         const double reach = std::sqrt(radius_ * radius_ - away * away);
         for (const Run& run : runs[static_cast<std::size_t>(i)])
             taken.push_back({run.begin * axis.cell - reach, run.end * axis.cell + reach});
@@ -92,18 +90,18 @@ std::vector<Stretch> CentreLines::along(const Runs& runs, double at, const Axis&
     double from = -radius_;
     const double end = axis.length + radius_;
     for (const Stretch& stretch : taken) {
-        if (stretch.begin >= from - kTouch && from <= end)
+        if (stretch.begin >= from - kCutterTouch && from <= end)
             left.push_back({from, std::clamp(stretch.begin, from, end)});
         from = std::max(from, stretch.end);
     }
-    if (from <= end + kTouch) left.push_back({std::min(from, end), end});
+    if (from <= end + kCutterTouch) left.push_back({std::min(from, end), end});
     return left;
 }
 
 bool CentreLines::free(Vec2d from, Vec2d to) const {
     const Vec2d low{std::min(from.x, to.x), std::min(from.y, to.y)};
     const Vec2d high{std::max(from.x, to.x), std::max(from.y, to.y)};
-    const double beyond = radius_ + kTouch;
+    const double beyond = radius_ + kCutterTouch;
     if (std::min(low.x, low.y) < -beyond || high.x > x_.length + beyond || high.y > y_.length + beyond)
         return false;
     const int first = std::max(0, static_cast<int>(std::floor((low.y - radius_) / y_.cell)));

@@ -6,8 +6,6 @@
 namespace snug {
 namespace {
 
-constexpr double kTouch = 1e-7;  // mm
-
 /// Half the length that the disc has at this distance from its middle.
 double half_chord(double radius, double away) {
     return std::sqrt(std::max(0.0, radius * radius - away * away));
@@ -26,7 +24,7 @@ std::optional<Stretch> stretch_of_way(const CutLine& line, double radius, double
     std::optional<Stretch> stretch;
     for (const Vec2d end : {line.from, line.to}) {
         const double away = std::abs(y - end.y);
-        if (away > radius + kTouch) continue;
+        if (away > radius + kCutterTouch) continue;
         const double half = half_chord(radius, away);
         include(stretch, end.x - half, end.x + half);
     }

@@ -10,7 +10,7 @@
 namespace snug {
 namespace {
 
-constexpr double kRounding = 1e-6;  // of a step, for heights that are whole steps but for rounding
+constexpr double kHeightRounding = 1e-6;  // of a step, for heights that are whole steps but for rounding
 
 /// Steps of foam that may stand below the object, or above it seen from the lid.
 int steps_below(const DepthRange& range, const Reach& reach, const DesignSpace& space, Half half,
@@ -18,7 +18,8 @@ int steps_below(const DepthRange& range, const Reach& reach, const DesignSpace& 
     if (range.none()) return field.top;
     const double mm = half == Half::lower ? range.lowest - reach.mm.x - space.face(0, 0)
                                           : space.face(0, space.blocks.x) - (range.highest + reach.mm.x);
-    return static_cast<int>(std::clamp(std::floor(mm / field.step_mm + kRounding), 0.0, field.top * 1.0));
+    return static_cast<int>(
+        std::clamp(std::floor(mm / field.step_mm + kHeightRounding), 0.0, field.top * 1.0));
 }
 
 DesignSpace fine_space(DesignSpace space, const CarvedStock& stock) {

@@ -6,7 +6,7 @@
 namespace snug {
 namespace {
 
-constexpr double kRounding = 1e-9;  // of a step that divides a block but for rounding
+constexpr double kStepRounding = 1e-9;  // of a step that divides a block but for rounding
 
 /// All at the bottom, below a top where the highest of the kept runs ends.
 MillField empty_field(const FoamDesign& design, const Grid<Run>& kept, double step_down_mm) {
@@ -14,7 +14,7 @@ MillField empty_field(const FoamDesign& design, const Grid<Run>& kept, double st
     MillField field;
     field.height = Grid<int>(kept.ny(), kept.nz());
     field.cell_mm = {block.z, block.y};
-    field.steps_a_block = static_cast<int>(std::ceil(block.x / step_down_mm - kRounding));
+    field.steps_a_block = static_cast<int>(std::ceil(block.x / step_down_mm - kStepRounding));
     field.step_mm = block.x / field.steps_a_block;
     for (const Run run : kept) field.top = std::max(field.top, run.end * field.steps_a_block);
     return field;

@@ -11,6 +11,8 @@
 
 namespace snug {
 
+constexpr double kCutterTouch = 1e-7;  ///< mm by which a cutter may seem to enter what it only touches
+
 /// Heights that are to be left, as (row, column) of columns: row 0 is the nearest, column 0 the leftmost.
 struct MillField {
     Grid<int> height;    ///< in steps above the underside, 0 to `top`

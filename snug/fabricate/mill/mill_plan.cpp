@@ -11,9 +11,9 @@
 namespace snug {
 namespace {
 
-constexpr double kCellsInRadius = 4;  // fine cells that tell what the cutter leaves
-constexpr double kPinFit = 1e-6;      // mm
-constexpr double kRounding = 1e-6;    // mm
+constexpr double kCellsInRadius = 4;     // fine cells that tell what the cutter leaves
+constexpr double kPinFit = 1e-6;         // mm
+constexpr double kFluteRounding = 1e-6;  // mm
 
 Message name_of(const MillPlan& plan) {
     if (!plan.outside) return half_of(plan.half);
@@ -39,7 +39,7 @@ std::optional<Error> too_wide(const std::vector<MillPlan>& plans, const MillOpti
 std::optional<Error> too_deep(const std::vector<MillPlan>& plans, const MillOptions& options) {
     for (const MillPlan& plan : plans) {
         const double depth = plan.depth_mm();
-        if (depth <= options.flute_mm + kRounding) continue;
+        if (depth <= options.flute_mm + kFluteRounding) continue;
         return Error{ErrorKind::usage, say("mill.short_flute", {{"flute_mm", number(options.flute_mm)},
                                                                 {"half", name_of(plan)},
                                                                 {"depth_mm", number(depth, 1)}})};

@@ -93,7 +93,7 @@ double away_from_low_enough(const CarvedStock& stock, int row, int column, int l
         for (int c = std::max(0, column - columns); c <= std::min(stock.height().nz() - 1, column + columns);
              ++c)
             if (stock.height()(r, c) <= level)
-                least = std::min(least, length({(c - column) * cell.x, (r - row) * cell.y}));
+                least = std::min(least, length(Vec2d{(c - column) * cell.x, (r - row) * cell.y}));
     return least;
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kBesidePicture = 147;  // mm of the page's height
 constexpr double kNames = 7;            // mm around the picture
-constexpr int kMostCells = 220;
+constexpr int kMostDrawnCells = 220;
 
 bool back_is_far(const MillPlan& plan) {
     return (plan.half == Half::lower) != plan.outside;
@@ -50,7 +50,7 @@ class TopView {
     void depths() {
         const MillField& field = plan_.field;
         const int ny = field.height.ny(), nx = field.height.nz();
-        const int skip = std::max(1, (std::max(ny, nx) + kMostCells - 1) / kMostCells);
+        const int skip = std::max(1, (std::max(ny, nx) + kMostDrawnCells - 1) / kMostDrawnCells);
         for (int row = 0; row < ny; row += skip)
             for (int begin = 0; begin < nx;) {
                 int end = begin + skip;

@@ -132,8 +132,8 @@ class Measure {
                 const bool whole = std::abs(r - row) == ring;
                 for (int c = column - ring; c <= column + ring; c += whole ? 1 : std::max(1, 2 * ring)) {
                     if (!field_.height.contains(r, c) || field_.height(r, c) > level) continue;
-                    least = std::min(least, length({outside(at.x, c, field_.cell_mm.x),
-                                                    outside(at.y, r, field_.cell_mm.y)}));
+                    least = std::min(least, length(Vec2d{outside(at.x, c, field_.cell_mm.x),
+                                                         outside(at.y, r, field_.cell_mm.y)}));
                     if (least <= loss_.widest_mm) return least;
                 }
             }

@@ -5,7 +5,7 @@
 namespace snug {
 namespace {
 
-constexpr double kRounding = 1e-6;  // mm: what fits but for rounding
+constexpr double kBedRounding = 1e-6;  // mm: what fits but for rounding
 
 struct BedRow {
     int bed;
@@ -26,11 +26,11 @@ std::vector<BedPlace> places_on_beds(std::span<const Vec3d> sizes, Vec3d bed, do
     for (const std::size_t i : order) {
         const Vec3d size = sizes[i];
         auto row = std::find_if(rows.begin(), rows.end(), [&](const BedRow& r) {
-            return size.y <= r.depth + kRounding && r.used + gap + size.x <= bed.x + kRounding;
+            return size.y <= r.depth + kBedRounding && r.used + gap + size.x <= bed.x + kBedRounding;
         });
         if (row == rows.end()) {
             const auto free = std::find_if(filled.begin(), filled.end(), [&](double used) {
-                return used + gap + size.y <= bed.y + kRounding;
+                return used + gap + size.y <= bed.y + kBedRounding;
             });
             const double y = free == filled.end() ? 0 : *free + gap;
             const auto on = static_cast<std::size_t>(free - filled.begin());

@@ -11,10 +11,10 @@
 namespace snug {
 namespace {
 
-constexpr double kLeastWall = 2;       // mm of foam around a bore
-constexpr double kRounding = 1e-8;     // mm
-constexpr int kMostSamples = 48;       // of places along each side of a cut
-constexpr std::size_t kMostBores = 4;  // for two parts
+constexpr double kLeastWall = 2;         // mm of foam around a bore
+constexpr double kBlockRounding = 1e-8;  // mm
+constexpr int kMostSamples = 48;         // of places along each side of a cut
+constexpr std::size_t kMostBores = 4;    // for two parts
 
 using Pair = std::pair<int, int>;
 
@@ -162,8 +162,8 @@ class JointPlacer {
     /// Whether the box is all foam of this part and takes no other bore's room.
     [[nodiscard]] bool has_room(int index, const Box3d& box) const {
         const PrintPart& part = layout_.parts[static_cast<std::size_t>(index)];
-        const auto first = [&](int a) { return block_at(a, box.min[a], kRounding) - part.first[a]; };
-        const auto end = [&](int a) { return block_at(a, box.max[a], -kRounding) + 1 - part.first[a]; };
+        const auto first = [&](int a) { return block_at(a, box.min[a], kBlockRounding) - part.first[a]; };
+        const auto end = [&](int a) { return block_at(a, box.max[a], -kBlockRounding) + 1 - part.first[a]; };
         // No dowels in parts whose floor is no plane.
         if (first(0) < 0 || part.overhangs) return false;
         const int top = end(0);
