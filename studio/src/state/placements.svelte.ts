@@ -2,6 +2,7 @@ import type {Design} from '../design/design';
 import {walls, withPlacement, withSpace, withWalls} from '../design/edit';
 import type {DirectionMap, Engine, FoundPlacement} from '../engine/api';
 import {isFailure} from '../engine/failure';
+import type {Options} from './options.svelte';
 
 type Blocks = Design['space']['blocks'];
 
@@ -16,7 +17,7 @@ interface Found<T> {
 export interface Place {
   readonly engine: Engine;
   readonly design: Design;
-  readonly fittedWall: number;
+  readonly options: Options;
   /** Which object is on the screen. */
   readonly shown: string | null;
   change(edit: (design: Design) => Design, control: string): void;
@@ -70,7 +71,7 @@ export class Placements {
     const packing = await this.#place.engine.pack(design);
     const cut = isFailure(packing) ? null : (packing.fit?.cut_blocks ?? null);
     const asGood = cut !== null && (exactly ? cut === cut_blocks : cut <= cut_blocks);
-    const wanted = walls(design, this.#place.fittedWall);
+    const wanted = walls(design, this.#place.options.fittedWall);
     return asGood ? design : withWalls(withSpace(design, blocks), wanted.every((mm) => mm === wanted[0]) ? wanted[0]! : wanted);
   }
 
@@ -83,7 +84,7 @@ export class Placements {
   #inputs(design: Design, withWishes: boolean): string {
     const {object, space, cut, fit, search} = design;
     const wishes = withWishes ? [search.weights, search.upright] : [];
-    return JSON.stringify([this.#place.shown, object, space.block_mm, walls(design, this.#place.fittedWall), cut, design.case, fit.notches, wishes]);
+    return JSON.stringify([this.#place.shown, object, space.block_mm, walls(design, this.#place.options.fittedWall), cut, design.case, fit.notches, wishes]);
   }
 }
 
