@@ -77,13 +77,14 @@ void visit_options(Visit& visit, BrickOptions& bricks) {
                                 .unit = {"pieces", "個"},
                                 .range = {0, 10'000'000},
                                 .label = {"the stock of a brick", "ブロック玩具の手持ちの数"},
-                                .help = {"Bricks: pieces that there are", "ブロック玩具：手持ちの数"},
+                                .help = {"Bricks: how many pieces of each size there are",
+                                         "ブロック玩具：大きさごとの手持ちの数"},
                                 .usual = {"no limit", "制限なし"}});
     visit.option(bricks.rim, {.json = "rim",
                               .flag = "--brick-rim",
                               .takes = "studs|tiles",
                               .label = {"the rim", "合わせ面"},
-                              .help = {"Bricks: what the halves meet with",
+                              .help = {"Bricks: whether the halves meet with studs or with tiles",
                                        "ブロック玩具：合わせ面をポッチにするか、タイルにするか"}});
     visit.option(bricks.capacity_n,
                  {.json = "capacity_n",

@@ -170,7 +170,7 @@ void visit_options(Visit& visit, PlacementOptions& placement) {
                   .range = {-kGreatestLength, kGreatestLength},
                   .step = 1,
                   .label = {"an offset", "移動量"},
-                  .help = {"Shift from the centre of the space, mm", "空間の中心からの移動（mm）"},
+                  .help = {"Shift from the centre of the space in mm", "空間の中心からの移動（mm）"},
                   .separator = ',',
                   .scope = Scope::item});
 }
@@ -212,15 +212,16 @@ void visit_options(Visit& visit, CutOptions& cut) {
                   "の三つ、または下のフォームの X,Y,Z と上のフォームの X,Y,Z "
                   "の六つ。負の値は締めつけます（ブロックの最も短い辺の -0.4 倍まで）"},
          .scope = Scope::item});
-    visit.option(cut.liner_mm, {.json = "liner_mm",
-                                .flag = "--liner",
-                                .takes = "MM",
-                                .unit = "mm",
-                                .range = {0, kGreatestLength},
-                                .step = 0.1,
-                                .label = {"the liner", "内張りの厚さ"},
-                                .help = {"Thickness of a cloth between object and foam, on top",
-                                         "対象物とフォームの間の布の厚さ（すきまに加わります）"}});
+    visit.option(cut.liner_mm,
+                 {.json = "liner_mm",
+                  .flag = "--liner",
+                  .takes = "MM",
+                  .unit = "mm",
+                  .range = {0, kGreatestLength},
+                  .step = 0.1,
+                  .label = {"the liner", "内張りの厚さ"},
+                  .help = {"Thickness of a cloth between object and foam, on top of the clearance",
+                           "対象物とフォームの間の布の厚さ（すきまに加わります）"}});
     visit.option(cut.cut_on_touch, {.json = "cut_on_touch",
                                     .flag = "--cut-on-touch",
                                     .label = {"the cut on touch", "触れるだけのブロックの切り取り"},

@@ -59,16 +59,16 @@ void visit_options(Visit& visit, MillOptions& mill) {
                   .step = 0.5,
                   .label = {"the depth of a pass", "切込み"},
                   .help = {"Mill: the most that a pass goes down", "切削：一回に下がる最大の深さ"},
-                  .usual = {"half the cutter", "刃の半分"}});
-    visit.option(
-        mill.stepover,
-        {.json = "stepover",
-         .flag = "--stepover",
-         .takes = "SHARE",
-         .range = {0.05, 0.9},
-         .step = 0.05,
-         .label = {"the stepover (a share of the cutter's diameter)", "経路の間隔（刃の直径に対する割合）"},
-         .help = {"Mill: between paths, in diameters", "切削：経路の間隔（直径に対する割合）"}});
+                  .usual = {"half the cutter's diameter", "刃の直径の半分"}});
+    visit.option(mill.stepover, {.json = "stepover",
+                                 .flag = "--stepover",
+                                 .takes = "SHARE",
+                                 .range = {0.05, 0.9},
+                                 .step = 0.05,
+                                 .label = {"the stepover (a share of the cutter's diameter)",
+                                           "経路の間隔（刃の直径に対する割合）"},
+                                 .help = {"Mill: distance between paths, as a share of the cutter's diameter",
+                                          "切削：経路の間隔（刃の直径に対する割合）"}});
     visit.option(mill.feed_mm_min, {.json = "feed_mm_min",
                                     .flag = "--feed",
                                     .takes = "MM/MIN",
@@ -76,7 +76,7 @@ void visit_options(Visit& visit, MillOptions& mill) {
                                     .range = {1, 50000},
                                     .step = 50,
                                     .label = {"the feed", "送り"},
-                                    .help = {"Mill: feed", "切削：送り"}});
+                                    .help = {"Mill: feed sideways", "切削：横方向の送り"}});
     visit.option(mill.plunge_mm_min, {.json = "plunge_mm_min",
                                       .flag = "--plunge",
                                       .takes = "MM/MIN",
@@ -93,15 +93,15 @@ void visit_options(Visit& visit, MillOptions& mill) {
                                     .step = 500,
                                     .label = {"the spindle's speed", "主軸の回転数"},
                                     .help = {"Mill: the spindle's speed", "切削：主軸の回転数"}});
-    visit.option(mill.safe_mm,
-                 {.json = "safe_mm",
-                  .flag = "--safe-height",
-                  .takes = "MM",
-                  .unit = "mm",
-                  .range = {0.5, 200},
-                  .step = 0.5,
-                  .label = {"the safe height above the stock", "材料の上の安全高さ"},
-                  .help = {"Mill: of rapid moves above the stock", "切削：早送りで材料の上を通る高さ"}});
+    visit.option(mill.safe_mm, {.json = "safe_mm",
+                                .flag = "--safe-height",
+                                .takes = "MM",
+                                .unit = "mm",
+                                .range = {0.5, 200},
+                                .step = 0.5,
+                                .label = {"the safe height above the stock", "材料の上の安全高さ"},
+                                .help = {"Mill: height of rapid moves above the stock",
+                                         "切削：早送りで材料の上を通る高さ"}});
     visit.option(mill.pin_mm, {.json = "pin_mm",
                                .flag = "--pin",
                                .takes = "MM",

@@ -1,5 +1,9 @@
 #include "snug/design/options_page.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include <nlohmann/json.hpp>
 
 #include "snug/base/text.h"
@@ -11,26 +15,17 @@
 namespace snug {
 namespace {
 
-constexpr std::string_view kIntroduction =
-    "# The options of a design\n\n"
-    "Everything that a person chooses, by the stage of the method that it belongs to. Each option has a name "
-    "in "
-    "a project file\n"
-    "(`project.snug.json`, below `design`), and most have a flag of `snug make`. Where several options share "
-    "a "
-    "flag, the flag\n"
-    "says them together, and `snug make --help` shows how. Every option, also one without a flag, can be "
-    "typed "
-    "by its name:\n"
-    "`--set fit.least_rib_mm=20`, in the form that a project file has; `--set` comes after all other flags. "
-    "A "
-    "default in\n"
-    "brackets follows from other choices. The scope says whose choice it is: the whole design's, an object's "
-    "(a "
-    "file), or\n"
-    "an item's (an object as it lies in the case).\n\n"
-    "This page is made from the table of options: `SNUG_WRITE=1 build/tests/snug_tests "
-    "--gtest_filter=OptionsPage.*` writes it.\n";
+constexpr std::string_view kIntroduction = R"(# The options of a design
+
+Everything that a person chooses, by the stage of the method that it belongs to. Each option has a name in a project file
+(`project.snug.json`, below `design`), and most have a flag of `snug make`. Where several options share a flag, the flag
+says them together, and `snug make --help` shows how. Every option, also one without a flag, can be typed by its name:
+`--set fit.least_rib_mm=20`, in the form that a project file has; `--set` comes after all other flags. A default in
+brackets follows from other choices. The scope says whose choice it is: the whole design's, an object's (a file), or
+an item's (an object as it lies in the case). Large numbers are grouped here to be read; they are typed without commas.
+
+This page is made from the table of options: `SNUG_WRITE=1 build/tests/snug_tests --gtest_filter=OptionsPage.*` writes it.
+)";
 
 /// A bar would end a cell of the table.
 std::string cell(std::string_view text) {
@@ -49,6 +44,20 @@ std::string quoted_words(std::span<const std::string_view> words) {
     return text;
 }
 
+/// "0.000000001", "1,000,000"
+std::string readable(double value) {
+    std::string text = number(std::abs(value), 9);
+    for (std::size_t at = std::min(text.find('.'), text.size()); at > 3;) text.insert(at -= 3, ",");
+    return (value < 0 ? "-" : "") + text;
+}
+
+/// Of an option without a range: "text", "4 numbers", "`2x4,1x2,...`"
+std::string any_value(const Option& option) {
+    if (kind_of(option) == "words") return code(option.row.takes);
+    const int count = count_of(option);
+    return (count > 0 ? std::to_string(count) + " " : "") + std::string(kind_of(option));
+}
+
 /// "0.5 to 100 mm", "`studs`, `tiles`", "on or off"
 std::string values_of(const Option& option) {
     const OptionRow& row = option.row;
@@ -56,19 +65,22 @@ std::string values_of(const Option& option) {
     if (const auto* choice = std::get_if<Choice>(&option.value)) return quoted_words(choice->words);
     if (!row.words.empty()) return quoted_words(row.words);
     if (kind_of(option) == "switch") return "on or off";
-    if (row.range.any()) return std::string(kind_of(option)) + unit;
-    const std::string least = exact(row.range.least), most = exact(row.range.most);
+    if (row.range.any()) return any_value(option) + unit;
+    const std::string least = readable(row.range.least), most = readable(row.range.most);
+    if (row.range.most >= std::numeric_limits<int>::max()) return least + " or more" + unit;
     if (row.range.above) return "above " + least + ", at most " + most + unit;
     return (row.range.or_zero ? "0, or " : "") + least + " to " + most + unit;
 }
 
-/// As it is typed; in brackets what follows from other choices.
+/// As it is typed, with what it stands for where its row says so ("0: none"); in brackets what follows from
+/// other choices.
 std::string default_of(const Option& option) {
     const std::string usual(option.row.usual.english);
     if (kind_of(option) == "switch") return text_of(option) ? "on" : "off";
     const bool none = json_of(option).is_null();
     const std::string text = text_of(option).value_or("");
-    if (!none && !text.empty()) return code(text);
+    const bool explained = usual.rfind(text + ": ", 0) == 0;
+    if (!none && !text.empty()) return code(text) + (explained ? usual.substr(text.size()) : "");
     return usual.empty() ? "none" : "(" + usual + ")";
 }
 

@@ -85,7 +85,7 @@ Json described(const Option& option) {
     }
     if (row.step > 0) json["step"] = row.step;
     if (row.often > 0) json["often"] = row.often;
-    if (const int count = std::visit(Count{}, option.value); count > 0) json["count"] = count;
+    if (const int count = count_of(option); count > 0) json["count"] = count;
     if (may_be_one(option)) json["or_one"] = true;
     if (const auto* choice = std::get_if<Choice>(&option.value)) json["words"] = choice->words;
     if (!row.words.empty()) json["words"] = row.words;
@@ -104,6 +104,10 @@ Json described(const Option& option) {
 
 std::string_view kind_of(const Option& option) {
     return std::visit(Kind{}, option.value);
+}
+
+int count_of(const Option& option) {
+    return std::visit(Count{}, option.value);
 }
 
 std::string options_schema() {

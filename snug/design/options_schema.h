@@ -11,6 +11,9 @@ namespace snug {
 /// "words", "pieces", "weights"; "missing" for a group that is absent.
 [[nodiscard]] std::string_view kind_of(const Option& option);
 
+/// How many numbers an option has; 0: any number of them, or it has none.
+[[nodiscard]] int count_of(const Option& option);
+
 /// The table as JSON, for the page's fields: {path: {kind, label, help, unit, least, most, above, or_zero,
 /// step, often, count, or_one, words, optional, none, default, flag, scope}}. What an option does not have is
 /// missing; `count`: of its numbers, for which one number may stand where `or_one` says so; `default` is as a

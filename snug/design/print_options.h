@@ -27,7 +27,7 @@ void visit_options(Visit& visit, PrintOptions& print) {
                                 .range = {10, 2000},
                                 .step = 10,
                                 .label = {"the bed's width, depth or height", "造形範囲の横、奥または高さ"},
-                                .help = {"Print, mould: the printer's bed and height",
+                                .help = {"Print, mould: the printer's bed, and how high it prints",
                                          "3D プリント・型：プリンターの造形範囲と高さ"}});
     visit.option(print.dowels,
                  {.json = "dowels",
@@ -60,7 +60,7 @@ void visit_options(Visit& visit, PrintOptions& print) {
                                             .range = {0, 5},
                                             .step = 0.05,
                                             .label = {"the clearance around a dowel", "ダボのまわりのすきま"},
-                                            .help = {"Print, mould: left around a dowel on every side",
+                                            .help = {"Print, mould: room left around a dowel on every side",
                                                      "3D プリント・型：ダボのまわりに残すすきま"}});
 }
 

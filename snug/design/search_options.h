@@ -63,7 +63,7 @@ void visit_options(Visit& visit, SearchOptions& search) {
                                  .help = {"What --optimize weighs: cut, gap, depth, bearing, flat",
                                           "--optimize "
                                           "が重視するもの：cut（切り取る量）、gap（表面のすきま）、depth（差"
-                                          "し込む深さ）、bearing（支える面）、flat（低い安定）"},
+                                          "し込む深さ）、bearing（支える面）、flat（低く安定した向き）"},
                                  .usual = "cut"});
     visit.option(search.upright,
                  {.json = "upright",

@@ -43,7 +43,7 @@ void visit_options(Visit& visit, SheetOptions& sheets) {
                   .range = {1, 1e5},
                   .step = 10,
                   .label = {"a side of the stock", "材料の辺"},
-                  .help = {"Sheets: a sheet as it is sold", "シート：販売されている大きさ"}});
+                  .help = {"Sheets: size of a sheet as it is sold", "シート：販売されている大きさ"}});
     visit.option(sheets.margin_mm, {.json = "margin_mm",
                                     .flag = "--sheet-margin",
                                     .takes = "MM",
@@ -51,7 +51,7 @@ void visit_options(Visit& visit, SheetOptions& sheets) {
                                     .range = kLength,
                                     .step = 1,
                                     .label = {"the stock's margin", "材料の余白"},
-                                    .help = {"Sheets: left uncut along the edges of the stock",
+                                    .help = {"Sheets: margin left uncut along the edges of the stock",
                                              "シート：材料の縁に切らずに残す幅"}});
     visit.option(sheets.spacing_mm, {.json = "spacing_mm",
                                      .flag = "--sheet-spacing",
@@ -60,8 +60,8 @@ void visit_options(Visit& visit, SheetOptions& sheets) {
                                      .range = kLength,
                                      .step = 0.5,
                                      .label = {"the spacing between pieces", "部品の間隔"},
-                                     .help = {"Sheets: between two cuts of different pieces",
-                                              "シート：別の部品の切り線どうしの間隔"}});
+                                     .help = {"Sheets: least distance between cuts of different pieces",
+                                              "シート：別の部品の切り線どうしの最小の間隔"}});
     visit.option(sheets.kerf_mm,
                  {.json = "kerf_mm",
                   .flag = "--kerf",

@@ -209,6 +209,23 @@ TEST(Options, AProjectOutOfRangeNamesTheFieldWithItsPath) {
     EXPECT_EQ(refusal("/fit", 3), "design.fit must be a JSON object");
 }
 
+TEST(OptionsPage, SaysNumbersAsPeopleReadThem) {
+    const std::string page = options_page();
+    const auto values = [&](const std::string& path) {
+        const std::size_t row = page.find("| `" + path + "` |");
+        const std::size_t flag = page.find('|', row + 1), begin = page.find('|', flag + 1) + 2;
+        return row == std::string::npos ? "" : page.substr(begin, page.find(" |", begin) - begin);
+    };
+    EXPECT_NE(page.find("| `0`: from the spacing |"), std::string::npos);
+    EXPECT_EQ(values("object.scale"), "0.000000001 to 1,000,000,000");
+    EXPECT_EQ(values("object.point_radius_mm"), "0, or 0.000001 to 1,000,000 mm");
+    EXPECT_EQ(values("placement.offset_mm"), "-1,000,000 to 1,000,000 mm");
+    EXPECT_EQ(values("search.weights"), "0 to 1,000");
+    EXPECT_EQ(values("search.seed"), "0 or more");
+    EXPECT_EQ(values("object.clean.cut_plane"), "4 numbers");
+    EXPECT_EQ(values("workshop.bricks.family"), "`2x4,1x2,...`");
+}
+
 TEST(OptionsPage, IsWhatTheTableSays) {
     const std::string path = SNUG_SOURCE_DIR "/docs/options.md";
     if (std::getenv("SNUG_WRITE")) std::ofstream(path) << options_page();

@@ -36,13 +36,13 @@ export interface Design {
   placement: {
     /** Degrees about the fixed axes x, then y, then z (degrees). */
     rotation_deg: [number, number, number];
-    /** Shift from the centre of the space, mm (mm). */
+    /** Shift from the centre of the space in mm (mm). */
     offset_mm: [number, number, number];
   };
   cut: {
     /** Grow the object by this on every side: one number, or X,Y,Z, or six: X,Y,Z for the lower foam, then for the upper; negative squeezes it, down to -0.4 of the smallest side of a block (mm). */
     clearance_mm: number | number[];
-    /** Thickness of a cloth between object and foam, on top (mm). */
+    /** Thickness of a cloth between object and foam, on top of the clearance (mm). */
     liner_mm: number;
     /** Also cut blocks that the object merely touches. */
     cut_on_touch: boolean;
@@ -82,13 +82,13 @@ export interface Design {
     inside_mm: [number, number, number] | null;
     /** Air between foam and case on each side (mm). */
     play_mm: number;
-    /** What of the height inside belongs to the lid (mm). */
+    /** How much of the height inside belongs to the lid (mm). */
     lid_mm: number | null;
     /** Radius of the case's upright edges (mm). */
     corner_radius_mm: number;
-    /** Inside at the floor, where the walls lean (mm). */
+    /** Length and width inside at the floor, where the walls lean (mm). */
     base_mm: [number, number] | null;
-    /** Inside at the roof of the lid, where its walls lean (mm). */
+    /** Length and width inside at the roof of the lid, where its walls lean (mm). */
     top_mm: [number, number] | null;
     /** cm3 for one kg of volumetric weight; none: a flat rate (cm3). */
     divisor: number | null;
@@ -123,11 +123,11 @@ export interface Design {
     sheets: {
       /** Sheets: their thickness (mm). */
       thickness_mm: number | null;
-      /** Sheets: a sheet as it is sold (mm). */
+      /** Sheets: size of a sheet as it is sold (mm). */
       stock_mm: [number, number];
-      /** Sheets: left uncut along the edges of the stock (mm). */
+      /** Sheets: margin left uncut along the edges of the stock (mm). */
       margin_mm: number;
-      /** Sheets: between two cuts of different pieces (mm). */
+      /** Sheets: least distance between cuts of different pieces (mm). */
       spacing_mm: number;
       /** Sheets: width that a cut takes away (mm). */
       kerf_mm: number;
@@ -143,7 +143,7 @@ export interface Design {
       dxf: boolean;
     };
     print: {
-      /** Print, mould: the printer's bed and height (mm). */
+      /** Print, mould: the printer's bed, and how high it prints (mm). */
       bed_mm: [number, number, number];
       /** Whether dowels hold the parts of a half that is larger than the bed. */
       dowels: boolean;
@@ -151,7 +151,7 @@ export interface Design {
       dowel_diameter_mm: number;
       /** Print, mould: length of the dowels, at least their diameter (mm). */
       dowel_length_mm: number;
-      /** Print, mould: left around a dowel on every side (mm). */
+      /** Print, mould: room left around a dowel on every side (mm). */
       joint_clearance_mm: number;
     };
     bricks: {
@@ -163,9 +163,9 @@ export interface Design {
       lower_color: string;
       /** Colour of the lid's bricks. */
       lid_color: string;
-      /** Bricks: pieces that there are (pieces). */
+      /** Bricks: how many pieces of each size there are (pieces). */
       stock: Record<string, number>;
-      /** Bricks: what the halves meet with. */
+      /** Bricks: whether the halves meet with studs or with tiles. */
       rim: 'studs' | 'tiles';
       /** Bricks: newtons that a contact point of a stud holds (newtons). */
       capacity_n: number;
@@ -177,15 +177,15 @@ export interface Design {
       flute_mm: number;
       /** Mill: the most that a pass goes down (mm). */
       step_down_mm: number | null;
-      /** Mill: between paths, in diameters. */
+      /** Mill: distance between paths, as a share of the cutter's diameter. */
       stepover: number;
-      /** Mill: feed (mm/min). */
+      /** Mill: feed sideways (mm/min). */
       feed_mm_min: number;
       /** Mill: feed downwards (mm/min). */
       plunge_mm_min: number;
       /** Mill: the spindle's speed (rpm). */
       spindle_rpm: number;
-      /** Mill: of rapid moves above the stock (mm). */
+      /** Mill: height of rapid moves above the stock (mm). */
       safe_mm: number;
       /** Mill: diameter of the registration pins; 0: none (mm). */
       pin_mm: number;
