@@ -52,7 +52,6 @@ template <class Visit>
 void visit_options(Visit& visit, BrickOptions& bricks) {
     visit.option(bricks.unit, {.json = "unit",
                                .flag = "--brick-unit",
-                               .takes = "auto|brick|plate",
                                .label = {"the height of a layer", "段の高さ"},
                                .help = {"Bricks: layers of bricks or of plates",
                                         "ブロック玩具：段をブロックにするか、薄いプレートにするか"}});
@@ -82,7 +81,6 @@ void visit_options(Visit& visit, BrickOptions& bricks) {
                                 .usual = {"no limit", "制限なし"}});
     visit.option(bricks.rim, {.json = "rim",
                               .flag = "--brick-rim",
-                              .takes = "studs|tiles",
                               .label = {"the rim", "合わせ面"},
                               .help = {"Bricks: whether the halves meet with studs or with tiles",
                                        "ブロック玩具：合わせ面をポッチにするか、タイルにするか"}});

@@ -49,7 +49,6 @@ template <class Visit>
 void visit_options(Visit& visit, ObjectOptions& object) {
     visit.option(object.units, {.json = "units",
                                 .flag = "--units",
-                                .takes = "mm|cm|m|in",
                                 .label = {"the unit", "単位"},
                                 .help = {"The unit of the file", "ファイルの単位"},
                                 .usual = "mm",

@@ -73,7 +73,6 @@ void visit_options(Visit& visit, NotchOptions& notches) {
     visit.option(notches.axis,
                  {.json = "axis",
                   .flag = "--notch-axis",
-                  .takes = "y|z|auto",
                   .label = {"the notches' axis", "指かけの向き"},
                   .help = {"The axis along which they lie opposite each other", "二つが向かい合う方向の軸"},
                   .usual = {"auto", "自動"},

@@ -28,6 +28,15 @@ std::string with_default(const Words& help, const Words& usual, const std::optio
                : snug::text(say("help.default", {{"help", sentence}, {"usual", shown}}), language);
 }
 
+/// As the row says it, or every word that the option may be: "studs|tiles".
+std::string takes_of(const Option& option) {
+    const auto* const choice = std::get_if<Choice>(&option.value);
+    if (!choice || !option.row.takes.empty()) return std::string(option.row.takes);
+    std::string text;
+    for (const std::string_view word : choice->words) text += (text.empty() ? "" : "|") + std::string(word);
+    return text + (option.row.none.empty() ? "" : "|" + std::string(option.row.none));
+}
+
 bool takes_many(const Option& option) {
     return std::holds_alternative<std::vector<std::string>*>(option.value) ||
            std::holds_alternative<std::vector<BrickStock>*>(option.value);
@@ -136,7 +145,7 @@ std::vector<Flag> flags_of_the_table(Language language) {
         const Option& option = list.options[i];
         const OptionRow& row = option.row;
         if (row.flag.empty() || list.find_flag(row.flag)) continue;
-        flags.push_back({std::string(row.flag), std::string(row.takes),
+        flags.push_back({std::string(row.flag), takes_of(option),
                          with_default(row.help, row.usual, text_of(option), language), takes_many(option)});
     }
     add_shared(list.options.size());

@@ -114,7 +114,6 @@ void visit_options(Visit& visit, MillOptions& mill) {
     visit.option(mill.origin,
                  {.json = "origin",
                   .flag = "--origin",
-                  .takes = "corner|centre",
                   .label = {"the origin", "原点"},
                   .help = {"Mill: where X0 Y0 lies on the stock", "切削：X0 Y0 の材料上の位置"}});
 }

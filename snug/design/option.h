@@ -63,10 +63,11 @@ struct Range {
 
 /// One option: everything that is known of it beside its type and its default, which its struct has.
 struct OptionRow {
-    std::string_view json = {};   ///< its name in a project file, within its struct's object
-    std::string_view flag = {};   ///< "--least-rib"; several options may share one; empty: --set alone
-    std::string_view takes = {};  ///< what stands behind the flag in the help: "MM"; empty: nothing, it is on
-    Words unit = {};              ///< "mm", "kg/m3"
+    std::string_view json = {};  ///< its name in a project file, within its struct's object
+    std::string_view flag = {};  ///< "--least-rib"; several options may share one; empty: --set alone
+    /// What stands behind the flag in the help: "MM". Empty: the words of a choice, else nothing, it is on.
+    std::string_view takes = {};
+    Words unit = {};  ///< "mm", "kg/m3"
     Range range = {};
     double step = 0;   ///< of the studio's field; 0: any
     double often = 0;  ///< what few go above, the end of the studio's slider; 0: the range's

@@ -68,7 +68,6 @@ void visit_options(Visit& visit, SearchOptions& search) {
     visit.option(search.upright,
                  {.json = "upright",
                   .flag = "--upright",
-                  .takes = "x|y|z|-x|-y|-z",
                   .label = {"the axis that stays upward", "上に保つ軸"},
                   .help = {"Keep this axis of the object upward", "対象物のこの軸を上に保ちます"},
                   .scope = Scope::item});

@@ -55,7 +55,6 @@ void visit_options(Visit& visit, WorkshopOptions& workshop) {
         workshop.work,
         {.json = "for",
          .flag = "--for",
-         .takes = "sponge|sheets|print|bricks|mill|mould",
          .label = {"the way of working", "作り方"},
          .help = {"Also make what the workshop needs; takes the usual foam of that way of working "
                   "unless --preset names one",

@@ -2,6 +2,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -114,6 +115,16 @@ TEST(Options, TheCommandLineOfADesignGivesTheDesign) {
     Design full;
     for (const Option& option : all_options(full).options)
         EXPECT_TRUE(changed.contains(option.path)) << option.path << " was never changed";
+}
+
+TEST(Options, TheHelpNamesEveryWordOfAChoice) {
+    std::map<std::string, std::string> takes;
+    for (const Flag& flag : design_flags()) takes[flag.name] = flag.takes;
+    EXPECT_EQ(takes["--origin"], "corner|centre");
+    EXPECT_EQ(takes["--units"], "mm|cm|m|in|auto");
+    EXPECT_EQ(takes["--for"].substr(0, 20), "sponge|sheets|print|");
+    EXPECT_EQ(takes["--least-rib"], "MM");
+    EXPECT_EQ(takes["--cap"], "");
 }
 
 TEST(Options, TheProjectOfADesignGivesTheDesign) {
