@@ -67,7 +67,6 @@ Problem problem_of(const Design& design) {
     if (auto found = problem_of_parting(design)) return found;
     if (design.output.formats.empty()) return OptionProblem{"output.formats", say("formats.none")};
     if (auto found = problem_of(design.case_options)) return found->within("case");
-    if (auto found = problem_of(design.fit)) return found->within("fit");
     if (auto found = problem_of(design.search)) return found->within("search");
     if (auto found = problem_of(design.workshop)) return found->within("workshop");
     return {};

@@ -1,6 +1,5 @@
 #include "snug/design/fit_options.h"
 
-#include "snug/design/option_list.h"
 #include "snug/design/option_text.h"
 
 namespace snug {
@@ -61,10 +60,6 @@ SharedFlag<NotchOptions> notch_place_flag() {
             .take = take_places,
             .say = say_places,
             .usual = {"auto", "自動"}};
-}
-
-std::optional<OptionProblem> problem_of(const FitOptions& options) {
-    return out_of_range(options);
 }
 
 }  // namespace snug

@@ -126,7 +126,4 @@ void visit_options(Visit& visit, FitOptions& fit) {
                   .usual = {"the preset's", "選んだフォームの値"}});
 }
 
-/// What is out of range; none where all is well.
-[[nodiscard]] std::optional<OptionProblem> problem_of(const FitOptions& options);
-
 }  // namespace snug

@@ -121,7 +121,4 @@ void visit_options(Visit& visit, MillOptions& mill) {
 /// The most that one pass goes down.
 [[nodiscard]] double wanted_step_down_mm(const MillOptions& options);
 
-/// What is out of range whatever the foam is; none where all is well.
-[[nodiscard]] std::optional<OptionProblem> problem_of(const MillOptions& options);
-
 }  // namespace snug

@@ -1,8 +1,5 @@
 #pragma once
 
-#include <optional>
-#include <string>
-
 #include "snug/design/option.h"
 
 namespace snug {
@@ -44,8 +41,5 @@ void visit_options(Visit& visit, MouldOptions& mould) {
                                    .help = {"Mould: lean of upright faces, so that the foam lets go",
                                             "型：フォームが抜けるように立ち面に付ける傾き"}});
 }
-
-/// What is out of range whatever the foam is; none where all is well.
-[[nodiscard]] std::optional<OptionProblem> problem_of(const MouldOptions& options);
 
 }  // namespace snug

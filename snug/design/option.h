@@ -101,7 +101,8 @@ struct SharedFlag {
     Words usual = {};
 };
 
-/// What is wrong with a struct of options.
+/// What is wrong with a struct of options. Ranges stand in the rows, and option_list.h has out_of_range() for
+/// them; a struct with more to say has a problem_of() beside it, which what holds the struct asks as well.
 struct OptionProblem {
     std::string path;  ///< of the field: "fit.least_rib_mm"
     Message message;   ///< what is out of range and what would do

@@ -10,9 +10,6 @@
 namespace snug {
 namespace {
 
-/// In the order of Workshop.
-constexpr std::string_view kUsualPresets[] = {"paper",      "slit-15", "sheet-10", "print",
-                                              "lego-brick", "mill",    "cast"};
 /// In the order of kPapers.
 constexpr Vec2d kPaperSizes[] = {{210, 297}, {215.9, 279.4}, {297, 420}};
 constexpr std::size_t kLongestCurrency = 12;
@@ -93,8 +90,6 @@ std::optional<OptionProblem> problem_of(const WorkshopOptions& options) {
     if (auto found = problem_of(options.sheets)) return found->within("sheets");
     if (auto found = problem_of(options.print)) return found->within("print");
     if (auto found = problem_of(options.bricks)) return found->within("bricks");
-    if (auto found = problem_of(options.mill)) return found->within("mill");
-    if (auto found = problem_of(options.mould)) return found->within("mould");
     return {};
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <iterator>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -19,11 +20,15 @@ template <>
 struct Names<Workshop> {
     static constexpr std::string_view list[] = {"", "sponge", "sheets", "print", "bricks", "mill", "mould"};
 };
+/// In the same order, the presets that they take where none is named.
+constexpr std::string_view kUsualPresets[] = {"paper",      "slit-15", "sheet-10", "print",
+                                              "lego-brick", "mill",    "cast"};
+static_assert(std::size(kUsualPresets) == names_of<Workshop>().size());
 
 /// Papers that are known.
 constexpr std::string_view kPapers[] = {"a4", "letter", "a3"};
 
-/// The preset that a way of working takes where none is named.
+/// The one that a way of working takes.
 [[nodiscard]] std::string_view usual_preset(Workshop workshop);
 
 struct WorkshopOptions {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "snug/base/text.h"
+#include "snug/design/option_list.h"
 #include "snug/fabricate/mill/mill_allowed.h"
 #include "snug/words/halves.h"
 
@@ -77,7 +78,7 @@ bool cuts_outside(const MillField& outside) {
 
 Result<MillPlans> mill_plans(const FoamDesign& design, const std::optional<MilledObject>& object,
                              const MillOptions& options) {
-    if (auto problem = problem_of(options)) return fail(ErrorKind::usage, std::move(problem->message));
+    if (auto problem = out_of_range(options)) return fail(ErrorKind::usage, std::move(problem->message));
     MillPlans result;
     std::vector<MillPlan>& plans = result.plans;
     for (const Half half : {Half::lower, Half::lid}) {

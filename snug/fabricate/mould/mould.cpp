@@ -7,6 +7,7 @@
 
 #include "snug/base/rotation.h"
 #include "snug/base/text.h"
+#include "snug/design/option_list.h"
 #include "snug/drawing/page_builder.h"
 #include "snug/fabricate/mould/mould_form.h"
 #include "snug/fabricate/mould/mould_guide.h"
@@ -131,7 +132,7 @@ void tell_figures(const std::vector<Mould>& moulds, std::size_t bores, std::size
 }  // namespace
 
 Result<WorkshopPack> mould_pack(const FoamDesign& design, const WorkshopOptions& options) {
-    if (const auto problem = problem_of(options.mould)) return fail(ErrorKind::usage, problem->message);
+    if (const auto problem = out_of_range(options.mould)) return fail(ErrorKind::usage, problem->message);
     if (const auto problem = problem_of(options.print)) return fail(ErrorKind::usage, problem->message);
     const auto moulds = all_moulds(design, options);
     if (!moulds) return tl::unexpected(moulds.error());
