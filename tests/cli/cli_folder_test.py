@@ -20,6 +20,8 @@ import unittest
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+from ways import WAYS
+
 SNUG, KILLED_AT = (Path(sys.argv.pop(1)).resolve() for _ in range(2))
 LIST, UNFINISHED = ".snug-files", "UNFINISHED.txt"
 PLAIN = {"lower.stl", "upper.stl", "lower.ply", "upper.ply", "depths.csv", "preview.svg", "report.json",
@@ -84,7 +86,7 @@ class FolderTest(unittest.TestCase):
     # ---- what goes
 
     def test_what_a_run_made_and_the_next_does_not_make_goes(self):
-        for work in ["sponge", "sheets", "print", "bricks", "mill", "mould"]:
+        for work in WAYS:
             self.make("--for", work)
             self.assertHolds(self.out, self.fresh("--for", work))
         self.make("--formats", "stl")

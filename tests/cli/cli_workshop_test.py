@@ -17,6 +17,7 @@ import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 from read_maps import Map, area_of, layers_named, loops_of
+from ways import WAYS
 from written_objects import LETTER_L, prism
 
 SNUG = Path(sys.argv.pop(1)).resolve()
@@ -203,12 +204,14 @@ class WorkshopTest(unittest.TestCase):
         vase = self.sample("vase")
         plans = {"sponge": {"sponge-maps", "sponge-plan"}, "sheets": {"sheets-assembly"}, "print": set(),
                  "bricks": {"bricks-plan"}, "mill": {"mill-setup"}, "mould": {"mould-guide"}}
-        for work, names in plans.items():
+        for work in WAYS:
             for paper, size in PAPER.items():
                 with self.subTest(f"{work} {paper}"):
                     self.make(vase, "--for", work, "--longest", 60, "--paper", paper)
                     found = {path.stem: path for path in self.out.glob("**/*.pdf")}
-                    self.assertEqual(set(found), names | {"packing-sheet"})
+                    self.assertIn("packing-sheet", found)
+                    if work in plans:
+                        self.assertEqual(set(found), plans[work] | {"packing-sheet"})
                     for path in found.values():
                         self.assertPagesAre(path, size)
                     shutil.rmtree(self.out)
@@ -225,7 +228,7 @@ class WorkshopTest(unittest.TestCase):
             path = os.path.join(os.fsencode(self.work), name)
             with open(path, "wb") as file:
                 file.write(vase)
-            for work in ("sponge", "sheets", "print", "bricks", "mill", "mould"):
+            for work in WAYS:
                 with self.subTest(f"{name} {work}"):
                     self.make(path, "--for", work, "--longest", "60")
                     for written in self.out.glob("**/*"):

@@ -42,13 +42,17 @@ WorkshopPack pack_in(Language language, Workshop work, const std::string& preset
     return made ? std::move(*made) : WorkshopPack{};
 }
 
-struct Way {
-    Workshop work;
-    const char* preset;
-};
-constexpr Way kWays[] = {{Workshop::sponge, "slit-15"}, {Workshop::sheets, "slit-15"},
-                         {Workshop::print, "slit-15"},  {Workshop::bricks, "lego-brick"},
-                         {Workshop::mill, "slit-15"},   {Workshop::mould, "slit-15"}};
+std::vector<Workshop> ways() {
+    std::vector<Workshop> all;
+    for (const std::string_view name : names_of<Workshop>().subspan(1))
+        all.push_back(*value_named<Workshop>(name));
+    return all;
+}
+
+/// Large blocks, which bricks alone do not take.
+const char* preset_for(Workshop way) {
+    return way == Workshop::bricks ? "lego-brick" : "slit-15";
+}
 
 std::vector<TextItem> texts_of(const Drawing& page) {
     std::vector<TextItem> texts;
@@ -91,12 +95,12 @@ bool has_japanese(const std::string& text) {
 }
 
 TEST(Pages, SpeakOneLanguage) {
-    for (const Way& way : kWays) {
-        SCOPED_TRACE(name_of(way.work));
+    for (const Workshop way : ways()) {
+        SCOPED_TRACE(name_of(way));
         for (const Language language : {Language::english, Language::japanese}) {
             const bool japanese = language == Language::japanese;
             for (const DrawingDocument& document :
-                 pack_in(language, way.work, way.preset, "vase.stl").documents) {
+                 pack_in(language, way, preset_for(way), "vase.stl").documents) {
                 std::string all = document.title + "\n";
                 for (const Drawing& page : document.pages) {
                     EXPECT_EQ(page.language, language) << document.name;
@@ -113,9 +117,9 @@ TEST(Pages, SpeakOneLanguage) {
 }
 
 TEST(Pages, NoTextLeavesItsPageOrMeetsAnotherInJapanese) {
-    for (const Way& way : kWays) {
-        SCOPED_TRACE(name_of(way.work));
-        const WorkshopPack pack = pack_in(Language::japanese, way.work, way.preset, "青磁の花瓶.stl");
+    for (const Workshop way : ways()) {
+        SCOPED_TRACE(name_of(way));
+        const WorkshopPack pack = pack_in(Language::japanese, way, preset_for(way), "青磁の花瓶.stl");
         for (const DrawingDocument& document : pack.documents)
             for (const Drawing& page : document.pages) {
                 std::vector<TextItem> texts = texts_of(page);
