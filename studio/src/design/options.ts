@@ -71,8 +71,12 @@ export function bounds(row: OptionRow, dependent?: Dependent[OptionPath]): {min?
   return {min: (row.optional || row.or_zero) && least > 0 ? 0 : least, max: most};
 }
 
+/** The options of a group in the table's order; none where there is no such group. */
+export function pathsBelow(schema: Schema, group: string): OptionPath[] {
+  return (Object.keys(schema) as OptionPath[]).filter((path) => path.startsWith(`${group}.`));
+}
+
 /** All that a group has where nothing is said. */
 export function usualGroup(schema: Schema, group: OptionPath): Tree {
-  const rows = Object.entries(schema).filter(([path]) => path.startsWith(`${group}.`));
-  return Object.fromEntries(rows.map(([path, row]) => [path.slice(group.length + 1), row.default]));
+  return Object.fromEntries(pathsBelow(schema, group).map((path) => [path.slice(group.length + 1), schema[path].default]));
 }

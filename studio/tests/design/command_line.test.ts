@@ -11,6 +11,7 @@ import type {OutputFile} from '../../src/engine/api';
 import type {EngineCore} from '../../src/engine/core';
 import {placeless} from '../support/report';
 import {good, startCore} from '../support/snug';
+import {WORKS} from '../support/works';
 
 // The command that the page shows is typed into a shell, and must make what the page makes.
 
@@ -46,7 +47,6 @@ function comparable(name: string, bytes: Uint8Array): string | null {
   return name === 'report.json' ? placeless(text) : text;
 }
 
-const WORKS: readonly Work[] = ['sponge', 'sheets', 'print', 'bricks', 'mill', 'mould'];
 const preset = (name: string) => presets.find((each) => each.name === name)!;
 const fitted = (design: Design): Design => ({...design, space: {...design.space, blocks: 'auto'}});
 const working = (work: Work) => (design: Design) =>
@@ -125,9 +125,9 @@ const CHANGES: [string, (design: Design) => Design][] = [
 ];
 
 /** What the command line says about a way of working, beside what all have. */
-function toolsOf(work: Work | null): ('sheets' | 'print' | 'bricks' | 'mill' | 'mould')[] {
-  if (work === null || work === 'sponge') return [];
-  return work === 'mould' ? ['mould', 'print'] : [work];
+function toolsOf({workshop}: Design): (Work & keyof Design['workshop'])[] {
+  const names = [workshop.for, workshop.for === 'mould' ? 'print' : null] as const;
+  return names.filter((name): name is Work & keyof Design['workshop'] => name !== null && name in workshop);
 }
 
 describe.skipIf(!existsSync(SNUG))('the command that is shown makes what the page makes', () => {
@@ -159,7 +159,7 @@ describe.skipIf(!existsSync(SNUG))('the command that is shown makes what the pag
     const theirs = filesIn(out);
     rmSync(out, {recursive: true});
     const {workshop} = (JSON.parse(theirs.get('project.snug.json')!.toString()) as {design: Design}).design;
-    for (const tools of toolsOf(design.workshop.for)) expect(workshop[tools], line).toEqual(design.workshop[tools]);
+    for (const tools of toolsOf(design)) expect(workshop[tools], line).toEqual(design.workshop[tools]);
     expect([...theirs.keys()].sort()).toEqual(mine.map(({name}) => name).sort());
     for (const {name, bytes} of mine)
       expect(comparable(name, bytes) === comparable(name, theirs.get(name)!), `${name} of ${line}`).toBe(true);

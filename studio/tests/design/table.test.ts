@@ -3,7 +3,7 @@ import {fileURLToPath} from 'node:url';
 import {beforeAll, expect, test} from 'vitest';
 import type {Design} from '../../src/design/design';
 import {firstDesign} from '../../src/design/edit';
-import {bounds, comesTo, usualGroup, valueAt, withValue, type OptionPath, type Schema} from '../../src/design/options';
+import {bounds, comesTo, pathsBelow, usualGroup, valueAt, withValue, type OptionPath, type Schema} from '../../src/design/options';
 import type {EngineCore} from '../../src/engine/core';
 import {en} from '../../src/words/texts';
 import {good, startCore} from '../support/snug';
@@ -56,6 +56,11 @@ test('a field that may be empty, or 0 besides, goes down to 0', () => {
   expect(bounds(schema['workshop.mill.pin_mm'])).toEqual({min: 0, max: 50});
   expect(bounds(schema['workshop.mill.cutter_mm'])).toEqual({min: 0.5, max: 100});
   expect(bounds(schema['workshop.currency'])).toEqual({});
+});
+
+test('the options of a way of working are found in their order, and none where it has none', () => {
+  expect(pathsBelow(schema, 'workshop.mould')).toEqual(['workshop.mould.wall_mm', 'workshop.mould.rim_mm', 'workshop.mould.draft_deg']);
+  expect(pathsBelow(schema, 'workshop.sponge')).toEqual([]);
 });
 
 test('a group that is missing begins as the library has it', async () => {

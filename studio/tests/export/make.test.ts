@@ -10,12 +10,12 @@ import type {OutputFile} from '../../src/engine/api';
 import type {EngineCore} from '../../src/engine/core';
 import {placeless} from '../support/report';
 import {good, refused, startCore} from '../support/snug';
+import {WORKS} from '../support/works';
 
 // What a maker gets from the page, beside what the command line writes for the same project. PDF comes from two
 // libraries, so its pages are compared as pictures that a third program draws.
 
 const SNUG = new URL('../../../build/snug', import.meta.url).pathname;
-const WORKS: readonly Work[] = ['sponge', 'sheets', 'print', 'bricks', 'mill', 'mould'];
 let core: EngineCore;
 let folder: string;
 let file: OutputFile;
