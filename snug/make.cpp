@@ -10,8 +10,8 @@
 #include "snug/foam/object_cut.h"
 #include "snug/foam/parting.h"
 #include "snug/foam/ribs.h"
-#include "snug/foam/space_for.h"
 #include "snug/space/place_object.h"
+#include "snug/space/space_for.h"
 
 namespace snug {
 namespace {

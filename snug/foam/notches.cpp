@@ -8,16 +8,13 @@
 #include <vector>
 
 #include "snug/base/text.h"
+#include "snug/space/fitted_space.h"
 
 namespace snug {
 namespace {
 
 constexpr double kRounding = 1e-9;
 constexpr int kNone = -1;
-
-int blocks_of(double mm, double block_mm) {
-    return static_cast<int>(std::ceil(std::min(mm / block_mm, 1e6) - kRounding));
-}
 
 /// The columns seen with the notches opposite each other along one axis: `out` counts along it, `along` on
 /// the other. One end is the side at -y or -z, the other the one opposite.
@@ -173,11 +170,11 @@ std::array<NotchSize, 2> sizes_of(const Sides& sides, const DesignSpace& space, 
                                   const NotchOptions& options, const Walls& wanted_mm) {
     const auto wall = [&](int side_axis, std::size_t side) {
         const double mm = wanted_mm[2 * static_cast<std::size_t>(side_axis) + side];
-        return std::max(1, blocks_of(mm, space.block_mm[side_axis]));
+        return std::max(1, whole_blocks(mm, space.block_mm[side_axis]));
     };
     const int along = 3 - axis;
-    const int width = blocks_of(options.width_mm, sides.along_mm());
-    const int room = blocks_of(options.room_mm, sides.out_mm());
+    const int width = whole_blocks(options.width_mm, sides.along_mm());
+    const int room = whole_blocks(options.room_mm, sides.out_mm());
     const int end = sides.along_count() - wall(along, 1);
     return {NotchSize{width, room, wall(axis, 0), wall(along, 0), end},
             NotchSize{width, room, wall(axis, 1), wall(along, 0), end}};
@@ -200,19 +197,10 @@ std::optional<int> chosen_axis(const NotchOptions& options) {
 
 }  // namespace
 
-Box3d with_room_for_notches(Box3d grown, Vec3d block_mm, const NotchOptions& options) {
-    const Vec3d size = grown.size();
-    const int axis = chosen_axis(options).value_or(size.y <= size.z ? 1 : 2);
-    const double room = blocks_of(options.room_mm, block_mm[axis]) * block_mm[axis];
-    grown.min[axis] -= room;
-    grown.max[axis] += room;
-    return grown;
-}
-
 NotchPair cut_notches(BlockMap& blocks, const DesignSpace& space, int parting_level,
                       const NotchOptions& options, const Walls& wanted_mm) {
-    const int floor = std::max(1, blocks_of(wanted_mm[kFloor], space.block_mm.x));
-    const int bottom = parting_level - blocks_of(options.depth_mm, space.block_mm.x);
+    const int floor = std::max(1, whole_blocks(wanted_mm[kFloor], space.block_mm.x));
+    const int bottom = parting_level - whole_blocks(options.depth_mm, space.block_mm.x);
     if (bottom < floor)
         return {{},
                 say("no_notches/floor", {{"depth_mm", number(options.depth_mm, 1)},

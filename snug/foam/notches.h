@@ -3,7 +3,6 @@
 #include <array>
 #include <optional>
 
-#include "snug/base/box.h"
 #include "snug/base/message.h"
 #include "snug/base/side.h"
 #include "snug/base/vec.h"
@@ -27,10 +26,6 @@ struct NotchPair {
     std::optional<std::array<Notch, 2>> notches;
     Message why_not;
 };
-
-/// The object's box with room for notches on both sides of its narrower way, for a space that is fitted to
-/// it.
-[[nodiscard]] Box3d with_room_for_notches(Box3d grown, Vec3d block_mm, const NotchOptions& options);
 
 /// Cuts the notches out of the lower foam, from the object outwards: where they are left to choose, across
 /// the object's narrower way and as near to the middle of what is cut as both find room beside it, so that

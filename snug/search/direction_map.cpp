@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "snug/base/parallel.h"
-#include "snug/foam/space_for.h"
 #include "snug/object/turned_bounds.h"
 #include "snug/search/turn.h"
 #include "snug/space/placement.h"
+#include "snug/space/space_for.h"
 
 namespace snug {
 namespace {

@@ -25,6 +25,20 @@ Vec3d fitted_blocks(const Box3d& grown, Vec3d block_mm, const Walls& walls) {
     return counts;
 }
 
+int whole_blocks(double mm, double block_mm) {
+    return static_cast<int>(std::ceil(std::min(mm / block_mm, 1e6) - kBlockRounding));
+}
+
+Box3d with_room_for_notches(Box3d grown, Vec3d block_mm, const NotchOptions& options) {
+    const Vec3d size = grown.size();
+    const bool across_y = options.axis ? *options.axis == NotchAxis::y : size.y <= size.z;
+    const int axis = across_y ? 1 : 2;
+    const double room = whole_blocks(options.room_mm, block_mm[axis]) * block_mm[axis];
+    grown.min[axis] -= room;
+    grown.max[axis] += room;
+    return grown;
+}
+
 Vec3d fitted_shift(Vec3d block_mm, const Walls& walls) {
     Vec3d shift;
     for (int axis = 0; axis < 3; ++axis)

@@ -1,11 +1,10 @@
-#include "snug/foam/space_for.h"
+#include "snug/space/space_for.h"
 
 #include <algorithm>
 #include <string>
 #include <utility>
 
 #include "snug/base/text.h"
-#include "snug/foam/notches.h"
 #include "snug/space/available.h"
 #include "snug/space/fitted_space.h"
 
