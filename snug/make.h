@@ -31,7 +31,7 @@
 //            --fabricate----> what a way of working takes to the workshop
 //            --check--------> gaps, and what the object lies on
 //
-//   make_output_files() and report_json() tell of all this in files.
+//   make_output_files() and report_json(), in fabricate/kit/, tell of all this in files.
 
 namespace snug {
 
@@ -45,7 +45,7 @@ struct Tools {
     std::function<Result<SearchReport>(Object&, Design&)> search;
     LpSolver solve_lp;  ///< none: the bricks' strength is not checked, and the pack says so
     Language language = Language::english;  ///< of everything that is written or drawn for people
-    /// Is asked when a stage begins.
+    /// Is asked when one begins; what it gives is told how far that stage is.
     std::function<Progress(Stage)> progress;
 };
 

@@ -12,8 +12,8 @@
 #include "snug/space/design_space.h"
 #include "snug/space/placement.h"
 
-// Each function looks for one kind of trouble and appends what it found. `in_case`: the case decides how many
-// blocks there are, so that nobody is told to take more of them.
+// Each function looks for one kind of trouble and appends what it found. `choice`: how the space was
+// chosen, so that nobody is told to take more blocks where the case decides how many there are.
 
 namespace snug {
 
