@@ -2,6 +2,42 @@
 
 namespace snug {
 
+// The rows of each topic, which stand in the file of its name. Nothing but this list asks for them.
+std::span<const Wording> words_of_archives();
+std::span<const Wording> words_of_bricks();
+std::span<const Wording> words_of_bricks_pages();
+std::span<const Wording> words_of_design();
+std::span<const Wording> words_of_figures();
+std::span<const Wording> words_of_files();
+std::span<const Wording> words_of_fit();
+std::span<const Wording> words_of_folder();
+std::span<const Wording> words_of_foreign();
+std::span<const Wording> words_of_general();
+std::span<const Wording> words_of_gltf();
+std::span<const Wording> words_of_gltf_packed();
+std::span<const Wording> words_of_help();
+std::span<const Wording> words_of_lists();
+std::span<const Wording> words_of_meshes();
+std::span<const Wording> words_of_mill_pages();
+std::span<const Wording> words_of_mould_pages();
+std::span<const Wording> words_of_objects();
+std::span<const Wording> words_of_options();
+std::span<const Wording> words_of_packing_sheet();
+std::span<const Wording> words_of_pages();
+std::span<const Wording> words_of_ply();
+std::span<const Wording> words_of_preview();
+std::span<const Wording> words_of_print_titles();
+std::span<const Wording> words_of_printing();
+std::span<const Wording> words_of_session();
+std::span<const Wording> words_of_sheets();
+std::span<const Wording> words_of_sheets_pages();
+std::span<const Wording> words_of_space();
+std::span<const Wording> words_of_sponge_and_mill();
+std::span<const Wording> words_of_sponge_pages();
+std::span<const Wording> words_of_summary();
+std::span<const Wording> words_of_usage();
+std::span<const Wording> words_of_walls();
+
 const Wording* wording(std::string_view code) {
     for (const auto topic : {words_of_archives,     words_of_bricks,        words_of_bricks_pages,
                              words_of_design,       words_of_figures,       words_of_files,
