@@ -73,9 +73,14 @@ struct MayBeNone {
     bool operator()(std::monostate) const { return true; }
 };
 
+/// English, Japanese.
+Json in_both(const Words& words) {
+    return Json::array({words.english, words.japanese});
+}
+
 Json described(const Option& option) {
     const OptionRow& row = option.row;
-    Json json{{"kind", kind_of(option)}, {"label", row.label.english}, {"help", row.help.english}};
+    Json json{{"kind", kind_of(option)}, {"label", in_both(row.label)}, {"help", in_both(row.help)}};
     if (!row.unit.empty()) json["unit"] = row.unit.english;
     if (!row.range.any()) {
         json["least"] = row.range.least;
@@ -116,7 +121,7 @@ std::string options_schema() {
     Json json = Json::object();
     for (const OptionGroup& group : list.groups)
         if (group.optional)
-            json[group.path] = {{"kind", "group"}, {"label", group.row.title.english}, {"optional", true}};
+            json[group.path] = {{"kind", "group"}, {"label", in_both(group.row.title)}, {"optional", true}};
     for (const Option& option : list.options) json[option.path] = described(option);
     SpaceOptions fitted;
     fitted.blocks.reset();

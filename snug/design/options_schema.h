@@ -16,10 +16,10 @@ namespace snug {
 
 /// The table as JSON, for the page's fields: {path: {kind, label, help, unit, least, most, above, or_zero,
 /// step, often, count, or_one, words, optional, none, default, flag, scope}}. What an option does not have is
-/// missing; `count`: of its numbers, for which one number may stand where `or_one` says so; `default` is as a
-/// project has it, and `none` the word that a project has for no value;
-/// `fitted`: what no wall comes to where the space is fitted to the object, 0 elsewhere. Groups that may be
-/// missing are there, too, of kind "group".
+/// missing; `label` and `help`: in English and in Japanese; `count`: of its numbers, for which one number may
+/// stand where `or_one` says so; `default` is as a project has it, and `none` the word that a project has for
+/// no value; `fitted`: what no wall comes to where the space is fitted to the object, 0 elsewhere. Groups
+/// that may be missing are there, too, of kind "group".
 [[nodiscard]] std::string options_schema();
 
 /// What follows from other choices of a design, as JSON: {path: {usual, least, most}}. `usual`: what an

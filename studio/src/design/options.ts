@@ -1,3 +1,4 @@
+import type {Pair} from '../words/words';
 import type {Design, OptionPath} from './table';
 
 // The table of options as the library hands it over (snug/design/options_schema.h): what a field may be, beside its type.
@@ -17,8 +18,8 @@ export interface OptionRow {
     | 'pieces'
     | 'weights'
     | 'group';
-  label: string;
-  help?: string;
+  label: Pair;
+  help?: Pair;
   unit?: string;
   least?: number;
   most?: number;
@@ -44,6 +45,12 @@ export type Schema = Readonly<Record<OptionPath, OptionRow>>;
 
 /** What follows from a design's other choices. `usual`: what an option comes to that is left open. */
 export type Dependent = Readonly<Partial<Record<OptionPath, {usual?: unknown; least?: number; most?: number}>>>;
+
+/** What a field is called: "the least rib" in a sentence is its "Least rib". */
+export function fieldName({label: [en, ja]}: OptionRow): Pair {
+  const name = en.replace(/^(the|an?) /, '');
+  return [name.charAt(0).toUpperCase() + name.slice(1), ja];
+}
 
 type Tree = {readonly [name: string]: unknown};
 

@@ -3,7 +3,7 @@ import {fileURLToPath} from 'node:url';
 import {beforeAll, expect, test} from 'vitest';
 import type {Design} from '../../src/design/design';
 import {firstDesign} from '../../src/design/edit';
-import {bounds, comesTo, pathsBelow, usualGroup, valueAt, withValue, type OptionPath, type Schema} from '../../src/design/options';
+import {bounds, comesTo, fieldName, pathsBelow, usualGroup, valueAt, withValue, type OptionPath, type Schema} from '../../src/design/options';
 import type {EngineCore} from '../../src/engine/core';
 import {en} from '../../src/words/texts';
 import {good, startCore} from '../support/snug';
@@ -56,6 +56,12 @@ test('a field that may be empty, or 0 besides, goes down to 0', () => {
   expect(bounds(schema['workshop.mill.pin_mm'])).toEqual({min: 0, max: 50});
   expect(bounds(schema['workshop.mill.cutter_mm'])).toEqual({min: 0.5, max: 100});
   expect(bounds(schema['workshop.currency'])).toEqual({});
+});
+
+test('an option without words of the page is called by its label in either language', () => {
+  expect(fieldName(schema['fit.least_rib_mm'])).toEqual(['Least rib', '最小の壁厚']);
+  expect(fieldName(schema['workshop.sheets.thickness_mm'])).toEqual(['Sheet\'s thickness', 'シートの厚さ']);
+  for (const row of Object.values(schema)) expect(fieldName(row).every((name) => name.length > 0)).toBe(true);
 });
 
 test('the options of a way of working are found in their order, and none where it has none', () => {

@@ -22,7 +22,7 @@ function typeOf(row: OptionRow): string {
 }
 
 function comment({help, unit}: OptionRow): string {
-  return `/** ${help}${unit ? ` (${unit})` : ''}. */`;
+  return `/** ${help?.[0]}${unit ? ` (${unit})` : ''}. */`;
 }
 
 /** The members below `prefix`, each with what it does. */
