@@ -43,7 +43,7 @@ Design other_blocks(Workshop work, Vec3i blocks, Vec3d block_mm) {
 /// The camera, packed and handed to the workshop.
 json pack_time(const Design& chosen) {
     Project project;
-    project.object.name = "camera";
+    project.objects.front().file.name = "camera";
     Design& design = project.design;
     design = chosen;
     const Object object = *prepare(*sample("camera"), design);
@@ -52,7 +52,7 @@ json pack_time(const Design& chosen) {
     std::size_t files = 0, pages = 0;
     for (int i = 0; i < kRepetitions; ++i) {
         times.push_back(time_of([&] {
-            const auto made = workshop_pack(object, packing, project);
+            const auto made = workshop_pack(std::span(&object, 1), packing, project);
             if (!made) return;
             files = made->files.size() + made->containers.size();
             pages = 0;

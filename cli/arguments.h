@@ -27,8 +27,9 @@ struct DesignFlag {
 };
 
 /// Where a value goes. bool: typing it is enough.
-using ArgumentTarget = std::variant<bool*, int*, std::uintmax_t*, double*, std::string*,
-                                    std::optional<std::string>*, std::optional<double>*, DesignFlag>;
+using ArgumentTarget =
+    std::variant<bool*, int*, std::uintmax_t*, double*, std::string*, std::vector<std::string>*,
+                 std::optional<std::string>*, std::optional<double>*, DesignFlag>;
 
 struct Argument {
     std::string name;   ///< "OBJECT", "--wall" or "-o,--output"

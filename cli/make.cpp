@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <tbb/global_control.h>
 #include <vector>
@@ -36,7 +37,7 @@ namespace fs = std::filesystem;
 /// What was typed.
 struct MakeArguments {
     Language language;
-    std::string object;
+    std::vector<std::string> objects;
     std::string folder;
     std::vector<TypedFlag> design;
     std::optional<std::string> replacement_object, font;
@@ -46,10 +47,15 @@ struct MakeArguments {
     int threads = 0;
 };
 
+/// Of an object with all the choices that an item has.
+constexpr const char* kExample =
+    "lens.stl:count=2,rotate=0x90x0,move=0x40x0,clearance=1x2x2,mass=0.6,name=lens,group=a,units=cm";
+
 std::vector<Argument> arguments_of(MakeArguments& a) {
     const auto help = [&](const char* code) { return text(say(code), a.language); };
-    std::vector<Argument> all{{"OBJECT", "", help("help.make.object"), &a.object, true},
-                              {"-o,--output", "DIR", help("help.make.output"), &a.folder, true}};
+    std::vector<Argument> all{
+        {"OBJECT", "", text(say("help.make.object", {{"example", kExample}}), a.language), &a.objects, true},
+        {"-o,--output", "DIR", help("help.make.output"), &a.folder, true}};
     for (const Flag& flag : design_flags(a.language))
         all.push_back({flag.name, flag.takes, flag.help, DesignFlag{&a.design, flag.many, flag.repeats}});
     const std::vector<Argument> rest{
@@ -76,24 +82,37 @@ Result<Design> design_from(const MakeArguments& a, Design design, bool from_proj
 }
 
 Result<Task> task_from(const MakeArguments& arguments) {
-    auto source = find_object(arguments.object, arguments.replacement_object);
+    auto source = find_objects(arguments.objects, arguments.replacement_object);
     if (!source) return tl::unexpected(source.error());
     Task task;
     if (arguments.stream || arguments.no_stream) task.stream = arguments.stream;
     task.units_typed = was_typed(arguments.design, "--units");
-    task.object_path = source->object;
-    if (source->project) {
+    const bool from_project = source->project.has_value();
+    if (from_project) {
         task.project = std::move(*source->project);
-        task.expected = task.project.object;
+        take_over_one_item(task.project);
+        task.expected = task.project.objects;
+        task.paths = std::move(source->paths);
     }
-    auto design = design_from(arguments, task.project.design, source->project.has_value());
+    auto design = design_from(arguments, task.project.design, from_project);
     if (!design) return tl::unexpected(design.error());
     task.project.design = std::move(*design);
+    if (from_project) return task;
+
+    std::vector<std::string> files;
+    auto project = with_objects(source->typed, std::move(task.project.design), files);
+    if (!project) return tl::unexpected(project.error());
+    task.project = std::move(*project);
+    task.paths.assign(files.begin(), files.end());
+    auto all = checked(std::move(task.project.design));
+    if (!all) return tl::unexpected(all.error());
+    task.project.design = std::move(*all);
+    take_over_one_item(task.project);
     return task;
 }
 
 /// Writes everything, the report last, since it tells how long the rest took and what of earlier runs stays.
-Result<std::string> write_outputs(const Object& object, const Project& project, Made& made,
+Result<std::string> write_outputs(std::span<const Object> objects, const Project& project, Made& made,
                                   const PdfLetters& letters, FolderRun&& run) {
     WorkshopFiles of_pack;
     if (made.pack) {
@@ -113,7 +132,7 @@ Result<std::string> write_outputs(const Object& object, const Project& project, 
         packing.timing.write += watch.lap();
         return done;
     };
-    if (auto done = make_output_files(object, project, made, write); !done)
+    if (auto done = make_output_files(objects, project, made, write); !done)
         return tl::unexpected(done.error());
     for (const PackFile& file : of_pack.files)
         if (auto done = write(file); !done) return tl::unexpected(done.error());
@@ -122,7 +141,7 @@ Result<std::string> write_outputs(const Object& object, const Project& project, 
     if (!earlier) return tl::unexpected(earlier.error());
     packing.findings.insert(packing.findings.end(), earlier->begin(), earlier->end());
     sort_by_severity(packing.findings);
-    const std::string report = report_json(object, project, made);
+    const std::string report = report_json(objects, project, made);
     if (auto done = run.write(report_name, std::as_bytes(std::span(report))); !done)
         return tl::unexpected(done.error());
     if (auto done = run.commit(); !done) return tl::unexpected(done.error());
@@ -131,7 +150,14 @@ Result<std::string> write_outputs(const Object& object, const Project& project, 
 }
 
 Message in_its_file(const Task& task, const Error& error) {
-    return in_file(task.object_path.string(), error.message);
+    return task.paths.size() == 1 ? in_file(task.paths.front().string(), error.message) : error.message;
+}
+
+/// Files that were read, and stay.
+std::vector<fs::path> inputs_of(const MakeArguments& arguments, const Task& task) {
+    std::vector<fs::path> inputs = task.paths;
+    if (!task.expected.empty()) inputs.emplace_back(arguments.objects.front());
+    return inputs;
 }
 
 /// What this program has, and the status line that long work moves.
@@ -155,14 +181,15 @@ Tools tools_for(const Task& task, const MakeArguments& arguments, StatusLine& st
     return tools;
 }
 
-int say_that_it_does_not_fit(const Task& task, const Object& object, const Made& made,
+int say_that_it_does_not_fit(const Task& task, std::span<const Object> objects, const Made& made,
                              const MakeArguments& arguments) {
     if (arguments.json)
-        if (auto done = print(report_json(object, task.project, made)); !done)
+        if (auto done = print(report_json(objects, task.project, made)); !done)
             return report(done.error(), arguments.language);
-    return report(
-        {ErrorKind::does_not_fit, in_file(task.object_path.string(), made.packing.findings.front().message)},
-        arguments.language);
+    const Finding& first = made.packing.findings.front();
+    const Message message =
+        task.paths.size() == 1 ? in_file(task.paths.front().string(), first.message) : said_of_item(first);
+    return report({ErrorKind::does_not_fit, message}, arguments.language);
 }
 
 int make(const MakeArguments& arguments) {
@@ -179,18 +206,18 @@ int make(const MakeArguments& arguments) {
         status.reset();
         return report(error, language);
     };
-    auto read = read_object_of(*task, *status);
+    auto read = read_objects_of(*task, *status);
     if (!read) return give_up(read.error());
-    Object& object = read->object;
+    const std::span<Object> objects = read->objects;
     Project& project = task->project;
-    auto made = snug::make(object, project, tools_for(*task, arguments, *status));
+    auto made = snug::make(objects, project, tools_for(*task, arguments, *status));
     // What is read in pieces is read all the while.
     if (!made && made.error().kind == ErrorKind::input)
         return give_up({made.error().kind, in_its_file(*task, made.error())});
     if (!made) return give_up(made.error());
     made->packing.timing.read = read->read_ms;
     status.reset();
-    if (!made->packing.foams) return say_that_it_does_not_fit(*task, object, *made, arguments);
+    if (!made->packing.foams) return say_that_it_does_not_fit(*task, objects, *made, arguments);
 
     // What it takes is said before anything is written.
     if (made->pack && !arguments.quiet && !arguments.json)
@@ -200,16 +227,16 @@ int make(const MakeArguments& arguments) {
     status.emplace(arguments.quiet || dry, language);
     status->show(say("status.writing"));
     const auto report_text =
-        dry ? Result<std::string>(report_json(object, project, *made))
-            : write_outputs(object, project, *made, {language, arguments.font},
-                            {arguments.folder, workshop_folders(), {arguments.object, task->object_path}});
+        dry ? Result<std::string>(report_json(objects, project, *made))
+            : write_outputs(objects, project, *made, {language, arguments.font},
+                            {arguments.folder, workshop_folders(), inputs_of(arguments, *task)});
     status.reset();
     if (!report_text) return report(report_text.error(), language);
     if (arguments.json) {
         if (auto done = print(*report_text); !done) return report(done.error(), language);
     } else if (!arguments.quiet) {
         if (auto done =
-                print(summary(object, project, *made, dry ? std::string() : arguments.folder, language));
+                print(summary(objects, project, *made, dry ? std::string() : arguments.folder, language));
             !done)
             return report(done.error(), language);
     }
@@ -221,13 +248,15 @@ int make(const MakeArguments& arguments) {
 CommandSpec make_command(Language language) {
     const auto a = std::make_shared<MakeArguments>();
     a->language = language;
-    return {"make", text(say("help.make"), language),
-            "\n"
-            "  snug make vase.stl -o vase-foam\n"
-            "  snug make scan.ply --units m --preset slit-10 --blocks auto --clearance 1 -o scan-foam\n"
-            "  snug make scan-foam/project.snug.json --object scan.ply --rotate 0,90,0 -o turned",
-            arguments_of(*a),
-            [a] { return within_memory(a->object, a->language, [&] { return make(*a); }); }};
+    return {
+        "make", text(say("help.make"), language),
+        "\n"
+        "  snug make vase.stl -o vase-foam\n"
+        "  snug make scan.ply --units m --preset slit-10 --blocks auto --clearance 1 -o scan-foam\n"
+        "  snug make vase.stl:count=2,upright=z camera.stl:clearance=1x2x2,mass=0.9 --blocks auto -o kit\n"
+        "  snug make scan-foam/project.snug.json --object scan.ply --rotate 0,90,0 -o turned",
+        arguments_of(*a),
+        [a] { return within_memory(a->objects.front(), a->language, [&] { return make(*a); }); }};
 }
 
 }  // namespace snug::cli

@@ -26,12 +26,13 @@ Message notch_text(const Notch& notch) {
 }
 
 Message bearing_text(const BearingReport& bearing, const Design& design) {
+    const auto mass = mass_kg(design);
     const auto pressure = [&](double area_mm2) {
-        const auto kpa = static_pressure_kpa(*design.workshop.mass_kg, area_mm2);
+        const auto kpa = static_pressure_kpa(*mass, area_mm2);
         return kpa ? number(*kpa, 1) : std::string("-");
     };
     std::vector<Message> at_rest;
-    if (design.workshop.mass_kg) {
+    if (mass) {
         const auto& lower = bearing.lower_mm2;
         at_rest.push_back(say("summary.at_rest", {{"kpa", pressure(lower[0]) + ", " + pressure(lower[1]) +
                                                               ", " + pressure(lower[2])}}));

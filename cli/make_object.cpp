@@ -1,5 +1,6 @@
 #include "cli/make_object.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <system_error>
@@ -17,69 +18,98 @@
 namespace snug::cli {
 namespace {
 
-tl::unexpected<Error> of_object(const Task& task, const Error& error) {
-    return fail(error.kind, in_file(task.object_path.string(), error.message));
+/// One of the task's objects, and what is known of it.
+struct Reading {
+    const Task& task;
+    std::size_t index;
+    ProjectObject& object;
+    const std::filesystem::path& path = task.paths[index];
+    Design design = design_for(task.project, index);
+};
+
+struct ReadObject {
+    Object object;
+    double read_ms = 0;
+};
+
+tl::unexpected<Error> of_object(const Reading& reading, const Error& error) {
+    return fail(error.kind, in_file(reading.path.string(), error.message));
 }
 
-void look_for_change(const Task& task, std::vector<Finding>& findings) {
-    if (!task.expected) return;
-    const ObjectFile &was = *task.expected, &is = task.project.object;
+void look_for_change(const Reading& reading, std::vector<Finding>& findings) {
+    if (reading.task.expected.empty()) return;
+    const ObjectFile &was = reading.task.expected[reading.index].file, &is = reading.object.file;
     const bool hashed = !was.sha256.empty() && !is.sha256.empty();
     if (hashed ? was.sha256 == is.sha256 : was.bytes == is.bytes) return;
     findings.push_back({Severity::warning, say("object_changed", {{"name", is.name}})});
 }
 
-Result<ReadObject> read_whole(Task& task, StatusLine& status) {
-    status.show(say("status.reading_file", {{"file", task.object_path.string()}}));
+/// Typed for all objects or for this one.
+bool units_typed(const Reading& reading) {
+    return reading.task.units_typed ||
+           (reading.task.expected.empty() && reading.object.own && reading.object.own->units.has_value());
+}
+
+Result<ReadObject> read_whole(const Reading& reading, StatusLine& status) {
+    status.show(say("status.reading_file", {{"file", reading.path.string()}}));
     Stopwatch watch;
-    const auto bytes = read_file(task.object_path);
+    const auto bytes = read_file(reading.path);
     if (!bytes) return tl::unexpected(bytes.error());
-    auto mesh = read_object(*bytes, task.object_path);
+    auto mesh = read_object(*bytes, reading.path);
     const double read_ms = watch.lap();
-    if (!mesh) return of_object(task, mesh.error());
-    if (const auto error = unwanted_units(*mesh, task.units_typed)) return of_object(task, *error);
-    task.project.object = describe(task.object_path, *bytes);
+    if (!mesh) return of_object(reading, mesh.error());
+    if (const auto error = unwanted_units(*mesh, units_typed(reading))) return of_object(reading, *error);
+    reading.object.file = describe(reading.path, *bytes);
 
     status.show(say("status.cutting"));
-    auto object = prepare(std::move(*mesh), task.project.design);
-    if (!object) return of_object(task, object.error());
+    auto object = prepare(std::move(*mesh), reading.design);
+    if (!object) return of_object(reading, object.error());
     return ReadObject{std::move(*object), read_ms};
 }
 
-Result<ReadObject> read_in_pieces(Task& task, TriangleStream stream, std::uint64_t file_size,
+Result<ReadObject> read_in_pieces(const Reading& reading, TriangleStream stream, std::uint64_t file_size,
                                   StatusLine& status) {
     // No hash: it would take longer than all the rest.
-    task.project.object = {task.object_path.filename().string(), file_size, ""};
-    auto object = prepare(std::move(stream), task.project.design, status.progress(say("status.measuring")));
-    if (!object) return of_object(task, object.error());
+    reading.object.file = {reading.path.filename().string(), file_size, ""};
+    auto object = prepare(std::move(stream), reading.design, status.progress(say("status.measuring")));
+    if (!object) return of_object(reading, object.error());
     return ReadObject{std::move(*object), 0};
 }
 
 /// Whether to try: a file that is too large for memory, and nothing asked that needs the whole object.
-bool should_stream(const Task& task) {
+bool should_stream(const Reading& reading) {
     std::error_code error;
-    const auto size = std::filesystem::file_size(task.object_path, error);
-    return !error && too_large_for_memory(size) && !task.project.design.object.cap &&
-           task.project.design.object.clean.none();
+    const auto size = std::filesystem::file_size(reading.path, error);
+    return !error && too_large_for_memory(size) && !reading.design.object.cap &&
+           reading.design.object.clean.none();
+}
+
+Result<ReadObject> read(const Reading& reading, StatusLine& status) {
+    if (!reading.task.stream.value_or(should_stream(reading))) return read_whole(reading, status);
+    const auto source = open_source(reading.path);
+    if (!source) return tl::unexpected(source.error());
+    auto stream = TriangleStream::open(*source, status.progress(say("status.reading")));
+    if (stream) return read_in_pieces(reading, std::move(*stream), source->size, status);
+    // What nobody wanted in pieces may be of a kind that is only read whole, and says itself what is wrong.
+    const bool asked = reading.task.stream.has_value();
+    if (asked || stream.error().kind != ErrorKind::input) return of_object(reading, stream.error());
+    return read_whole(reading, status);
 }
 
 }  // namespace
 
-Result<ReadObject> read_object_of(Task& task, StatusLine& status) {
-    auto read = [&]() -> Result<ReadObject> {
-        if (!task.stream.value_or(should_stream(task))) return read_whole(task, status);
-        const auto source = open_source(task.object_path);
-        if (!source) return tl::unexpected(source.error());
-        auto stream = TriangleStream::open(*source, status.progress(say("status.reading")));
-        if (stream) return read_in_pieces(task, std::move(*stream), source->size, status);
-        // What nobody wanted in pieces may be of a kind that is only read whole, and says itself what is
-        // wrong.
-        const bool asked = task.stream.has_value();
-        if (asked || stream.error().kind != ErrorKind::input) return of_object(task, stream.error());
-        return read_whole(task, status);
-    }();
-    if (read) look_for_change(task, read->object.findings);
-    return read;
+Result<ReadObjects> read_objects_of(Task& task, StatusLine& status) {
+    ReadObjects all;
+    for (std::size_t i = 0; i < task.paths.size(); ++i) {
+        const Reading reading{task, i, task.project.objects[i]};
+        auto one = read(reading, status);
+        if (!one) return tl::unexpected(one.error());
+        one->object.name = task.project.objects[i].file.name;
+        look_for_change(reading, one->object.findings);
+        all.objects.push_back(std::move(one->object));
+        all.read_ms += one->read_ms;
+    }
+    return all;
 }
 
 }  // namespace snug::cli

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 #include "snug/base/result.h"
 #include "snug/design/project.h"
@@ -11,23 +12,23 @@
 
 namespace snug::cli {
 
-/// What is to be made, and from which file.
+/// What is to be made, and from which files.
 struct Task {
-    std::filesystem::path object_path;
+    std::vector<std::filesystem::path> paths;  ///< of each object
     Project project;
-    /// A project's object as it was when the project was made; none for an object alone.
-    std::optional<ObjectFile> expected;
+    /// A project's objects as they were when the project was made; empty for objects alone.
+    std::vector<ProjectObject> expected;
     bool units_typed = false;    ///< on this command line, not in the project
     std::optional<bool> stream;  ///< whether to read in pieces; none: where the file is large
 };
 
-struct ReadObject {
-    Object object;
+struct ReadObjects {
+    std::vector<Object> objects;
     double read_ms = 0;  ///< none of an object that is read in pieces
 };
 
-/// Reads and prepares the object, whole or to be read in pieces; fills in the project's object. Errors name
-/// the file.
-[[nodiscard]] Result<ReadObject> read_object_of(Task& task, StatusLine& status);
+/// Reads and prepares the objects, whole or to be read in pieces; fills in the project's. Errors name the
+/// file.
+[[nodiscard]] Result<ReadObjects> read_objects_of(Task& task, StatusLine& status);
 
 }  // namespace snug::cli

@@ -21,24 +21,64 @@ bool is_project(const fs::path& path) {
            name.compare(name.size() - kEnding.size(), kEnding.size(), kEnding) == 0;
 }
 
-}  // namespace
+ObjectArgument argument_of(const std::string& text) {
+    std::error_code error;
+    return fs::exists(text, error) ? ObjectArgument{text, {}} : object_argument(text);
+}
 
-Result<ObjectSource> find_object(const std::string& argument, const std::optional<std::string>& replacement) {
-    const fs::path path = argument;
-    if (!is_project(path)) {
-        if (replacement) return fail(ErrorKind::usage, say("usage.object"));
-        return ObjectSource{path, {}};
-    }
+Result<ObjectSources> from_project(const fs::path& path, const std::optional<std::string>& replacement) {
     const auto bytes = read_file(path);
     if (!bytes) return tl::unexpected(bytes.error());
     auto project = parse_project({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
     if (!project) return fail(ErrorKind::input, in_file(path.string(), project.error().message));
-    const fs::path object = replacement ? fs::path(*replacement) : path.parent_path() / project->object.name;
-    std::error_code error;
-    if (!fs::exists(object, error))
-        return fail(ErrorKind::input,
-                    say("project.object_gone", {{"file", path.string()}, {"object", object.string()}}));
-    return ObjectSource{object, std::move(*project)};
+    if (replacement && project->objects.size() > 1)
+        return fail(ErrorKind::usage,
+                    in_file(path.string(), say("project.several", {{"objects", project->objects.size()}})));
+    ObjectSources sources;
+    for (const ProjectObject& object : project->objects) {
+        const fs::path at = replacement ? fs::path(*replacement) : path.parent_path() / object.file.name;
+        std::error_code error;
+        if (!fs::exists(at, error))
+            return fail(ErrorKind::input,
+                        say("project.object_gone", {{"file", path.string()}, {"object", at.string()}}));
+        sources.paths.push_back(at);
+    }
+    sources.project = std::move(*project);
+    return sources;
+}
+
+}  // namespace
+
+Result<ObjectSources> find_objects(const std::vector<std::string>& arguments,
+                                   const std::optional<std::string>& replacement) {
+    ObjectSources sources;
+    for (const std::string& text : arguments) {
+        ObjectArgument argument = argument_of(text);
+        if (!is_project(argument.file)) {
+            sources.typed.push_back(std::move(argument));
+            continue;
+        }
+        if (arguments.size() > 1 || !argument.choices.empty())
+            return fail(ErrorKind::usage, in_file(argument.file, say("object.with_project")));
+        return from_project(argument.file, replacement);
+    }
+    if (replacement) return fail(ErrorKind::usage, say("usage.object"));
+    return sources;
+}
+
+Result<ObjectSource> find_object(const std::string& argument, const std::optional<std::string>& replacement) {
+    if (!is_project(argument)) {
+        if (replacement) return fail(ErrorKind::usage, say("usage.object"));
+        return ObjectSource{argument, {}};
+    }
+    auto sources = from_project(argument, replacement);
+    if (!sources) return tl::unexpected(sources.error());
+    if (sources->project->design.items.size() > 1)
+        return fail(ErrorKind::usage,
+                    in_file(argument, say("project.several_items",
+                                          {{"items", sources->project->design.items.size()}})));
+    take_over_one_item(*sources->project);
+    return ObjectSource{sources->paths.front(), std::move(sources->project)};
 }
 
 }  // namespace snug::cli

@@ -1,5 +1,8 @@
 #include "cli/summary.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <string>
 #include <string_view>
 
 #include "snug/base/one_line.h"
@@ -73,6 +76,14 @@ struct Lines {
     [[nodiscard]] std::string worded(const char* label) const { return snug::text(say(label), language); }
 };
 
+/// "lens.stl x2" where it lies there twice.
+std::string listed_name(std::size_t object, const Project& project) {
+    const auto count = std::count_if(
+        project.design.items.begin(), project.design.items.end(),
+        [&](const ItemOptions& item) { return static_cast<std::size_t>(item.object) == object; });
+    return project.objects[object].file.name + (count > 1 ? " x" + std::to_string(count) : "");
+}
+
 }  // namespace
 
 Message object_text(const Object& object) {
@@ -92,14 +103,15 @@ Message object_text(const Object& object) {
                                 {"closed", closed}});
 }
 
-std::string summary(const Object& object, const Project& project, const Made& made, const std::string& folder,
-                    Language language) {
+std::string summary(std::span<const Object> objects, const Project& project, const Made& made,
+                    const std::string& folder, Language language) {
     const Packing& packing = made.packing;
     const FitReport& fit = packing.fit;
     const double cut_mm3 = static_cast<double>(fit.cut_blocks) * packing.space.block_volume();
     Lines lines{language};
-    lines.add("summary.object",
-              say("summary.named", {{"name", one_line(project.object.name)}, {"what", object_text(object)}}));
+    for (std::size_t object = 0; object < objects.size(); ++object)
+        lines.add("summary.object", say("summary.named", {{"name", one_line(listed_name(object, project))},
+                                                          {"what", object_text(objects[object])}}));
     lines.add("summary.space", blocks_of(packing.space));
     if (packing.fitted_case) {
         lines.add("summary.case", case_text(*packing.fitted_case));
@@ -121,7 +133,7 @@ std::string summary(const Object& object, const Project& project, const Made& ma
     if (made.fit.bearing)
         lines.add_sentence("summary.bears", bearing_text(*made.fit.bearing, project.design));
     for (const Finding& finding : packing.findings)
-        lines.add_sentence(label_of(finding.severity), finding.message);
+        lines.add_sentence(label_of(finding.severity), said_of_item(finding));
     lines.add("summary.files",
               folder.empty() ? say("summary.dry") : say("summary.in_folder", {{"folder", one_line(folder)}}));
     return lines.text;

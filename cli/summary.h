@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "snug/design/project.h"
@@ -11,7 +12,7 @@ namespace snug::cli {
 
 /// What a packer wants to know of a packing with foams, in a dozen lines. An empty folder: nothing is
 /// written.
-[[nodiscard]] std::string summary(const Object& object, const Project& project, const Made& made,
+[[nodiscard]] std::string summary(std::span<const Object> objects, const Project& project, const Made& made,
                                   const std::string& folder, Language language);
 
 /// "34,834 vertices, 69,451 triangles, 155.7 x 154.3 x 120.7 mm, open (5 holes)"

@@ -1,37 +1,96 @@
 #include "snug/make.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <string>
 #include <utility>
 
 #include "snug/base/stopwatch.h"
 #include "snug/check/find_foam_problems.h"
+#include "snug/check/find_near_items.h"
 #include "snug/check/find_object_problems.h"
 #include "snug/depth/object_depths.h"
 #include "snug/foam/object_cut.h"
 #include "snug/foam/parting.h"
 #include "snug/foam/ribs.h"
-#include "snug/space/place_object.h"
+#include "snug/space/place_items.h"
 #include "snug/space/space_for.h"
 
 namespace snug {
 namespace {
 
-/// Where the object lies, and which blocks there are around it.
-Result<Packing> placed(const Object& object, const Design& design, const Progress& progress) {
+/// Where the items lie, and which blocks there are around them.
+Result<Packing> placed(std::span<const Object> objects, const Design& design, const Progress& progress) {
     Packing packing;
-    packing.rotation_deg = design.placement.rotation_deg;
-    packing.offset_mm = design.placement.offset_mm;
-    const bool in_case = design.case_options.inside_mm.has_value();
-    const Vec3d offset = packing.offset_mm + shift_between_walls(design.space, in_case);
-    const auto placement = place(object, packing.rotation_deg, offset, progress);
-    if (!placement) return tl::unexpected(placement.error());
-    packing.placement = *placement;
-    auto room = space_for(packing.placement.bounds, design);
+    auto items = place_items(objects, design, progress);
+    if (!items) return tl::unexpected(items.error());
+    packing.items = std::move(*items);
+    double least_clearance = packing.items.front().cut.whole_clearance_mm().least();
+    for (const Item& item : packing.items)
+        least_clearance = std::min(least_clearance, item.cut.whole_clearance_mm().least());
+    auto room = space_for(room_of(packing.items), least_clearance, design);
     if (!room) return tl::unexpected(room.error());
     packing.space = room->space;
     packing.fitted_case = std::move(room->fitted_case);
     packing.available = std::move(room->available);
     return packing;
+}
+
+/// `find(i, findings)` for each item, whose name the findings bear where there are several.
+template <class Find>
+void of_each(Packing& packing, const Find& find) {
+    for (std::size_t i = 0; i < packing.items.size(); ++i) {
+        const std::size_t before = packing.findings.size();
+        find(i, packing.findings);
+        if (packing.items.size() > 1)
+            for (std::size_t k = before; k < packing.findings.size(); ++k)
+                packing.findings[k].of = packing.items[i].name;
+    }
+}
+
+/// What the items see of their columns, and what they cut.
+struct ItemCuts {
+    std::vector<ObjectDepths> depths;
+    std::vector<HalfCuts> cuts;
+};
+
+Result<ItemCuts> cut_each(std::span<const Object> objects, Packing& packing, const Progress& progress) {
+    ItemCuts all;
+    Stopwatch watch;
+    const double share = 1 / static_cast<double>(packing.items.size());
+    for (const Item& item : packing.items) {
+        const double done = share * static_cast<double>(all.depths.size());
+        auto depths = object_depths(objects[item.object], item.placement, packing.space, item.cut,
+                                    part_of(progress, done, done + share));
+        if (!depths) return tl::unexpected(depths.error());
+        all.depths.push_back(std::move(*depths));
+    }
+    packing.timing.depth_map = watch.lap();
+    for (const ObjectDepths& depths : all.depths) all.cuts.push_back(half_cuts(depths, packing.space));
+    packing.timing.block_map = watch.lap();
+    return all;
+}
+
+void find_problems(std::span<const Object> objects, const ItemCuts& cuts, const Design& design,
+                   Packing& packing) {
+    of_each(packing, [&](std::size_t i, std::vector<Finding>& findings) {
+        const Item& item = packing.items[i];
+        find_object_problems(objects[item.object], item.placement, packing.space, cuts.depths[i],
+                             cuts.cuts[i], findings);
+    });
+    if (packing.items.size() > 1) {
+        std::vector<BlockMap> own;
+        for (const HalfCuts& each : cuts.cuts) own.push_back(cut_by_either(each));
+        find_near_items(packing.items, own, packing.space, wanted_between_mm(design.space), packing.findings);
+    }
+    find_foam_problems(packing, design, packing.findings);
+    std::vector<bool> told(objects.size(), false);  // once of each object, however often it lies there
+    of_each(packing, [&](std::size_t i, std::vector<Finding>& findings) {
+        const Item& item = packing.items[i];
+        if (!told[item.object]) find_object_notes(objects[item.object], item.placement, findings);
+        told[item.object] = true;
+    });
+    sort_by_severity(packing.findings);
 }
 
 /// As chosen, or at the line of the case's lid, or the best one.
@@ -42,10 +101,10 @@ Result<int> parting_level(const Packing& packing, const HalfCuts& cuts, const Pa
                                                                {"blocks", std::to_string(nx)}}));
     if (options.level) return *options.level;
     if (packing.fitted_case && packing.fitted_case->lid_level) return *packing.fitted_case->lid_level;
-    return auto_parting_level(cut_by_either(cuts), packing.space, packing.placement.bounds);
+    return auto_parting_level(cut_by_either(cuts), packing.space, bounds_of(packing.items));
 }
 
-/// Takes more foam away than the object needs, so that the rest can be worked and the object lifted.
+/// Takes more foam away than the items need, so that the rest can be worked and the items lifted.
 void cut_for_hands(Packing& packing, const Design& design, int level) {
     if (design.fit.notches) {
         const NotchPair pair = cut_notches(packing.blocks, packing.space, level, *design.fit.notches,
@@ -73,23 +132,19 @@ Progress told(const Tools& tools, Stage stage) {
 
 }  // namespace
 
-Result<Packing> pack(const Object& object, const Design& design, const Progress& progress) {
-    auto packing = placed(object, design, part_of(progress, 0, 0.4));
+Result<Packing> pack(std::span<const Object> objects, const Design& design, const Progress& progress) {
+    auto packing = placed(objects, design, part_of(progress, 0, 0.4));
     if (!packing) return packing;
-    if (const auto finding = find_outside(*packing, design)) {
-        packing->findings.push_back(*finding);
-        return packing;
-    }
-    const DesignSpace& space = packing->space;
+    of_each(*packing, [&](std::size_t i, std::vector<Finding>& findings) {
+        find_outside(packing->items[i], *packing, design, findings);
+    });
+    if (!packing->findings.empty()) return packing;
+
+    const auto items = cut_each(objects, *packing, part_of(progress, 0.4, 1));
+    if (!items) return tl::unexpected(items.error());
+
     Stopwatch watch;
-    const auto depths =
-        object_depths(object, packing->placement, space, design.cut, part_of(progress, 0.4, 1));
-    if (!depths) return tl::unexpected(depths.error());
-    packing->timing.depth_map = watch.lap();
-
-    const HalfCuts cuts = half_cuts(*depths, space);
-    packing->timing.block_map = watch.lap();
-
+    const HalfCuts cuts = united(items->cuts);
     const auto level = parting_level(*packing, cuts, design.parting);
     if (!level) return tl::unexpected(level.error());
     packing->blocks = cut_by_both(cuts, *level);
@@ -97,44 +152,52 @@ Result<Packing> pack(const Object& object, const Design& design, const Progress&
     packing->foams = split(packing->blocks, *level, packing->available);
     packing->timing.foam_pair = watch.lap();
 
-    packing->fit = fit_report(*packing->foams, packing->blocks, space, packing->available);
-    std::vector<Finding>& findings = packing->findings;
-    find_object_problems(object, packing->placement, space, *depths, cuts, findings);
-    find_foam_problems(*packing, design, findings);
-    find_object_notes(object, packing->placement, design.object, findings);
-    sort_by_severity(findings);
+    packing->fit = fit_report(*packing->foams, packing->blocks, packing->space, packing->available);
+    find_problems(objects, *items, design, *packing);
     return packing;
 }
 
-Result<Made> make(Object& object, Project& project, const Tools& tools) {
+Result<Packing> pack(const Object& object, const Design& design, const Progress& progress) {
+    return pack(std::span(&object, 1), design, progress);
+}
+
+Result<Made> make(std::span<Object> objects, Project& project, const Tools& tools) {
     Made made;
     made.language = tools.language;
+    take_over_one_item(project);
     Design& design = project.design;
     if (tools.search) {
-        auto found = tools.search(object, design);
+        if (design.items.size() > 1)
+            return fail(ErrorKind::usage, say("search.one_item", {{"items", design.items.size()},
+                                                                  {"example", "lens.stl:move=0x40x0"}}));
+        auto found = tools.search(objects.front(), design);
         if (!found) return tl::unexpected(found.error());
         made.search = std::move(*found);
     }
 
-    auto packing = pack(object, design, told(tools, Stage::cut));
+    auto packing = pack(objects, design, told(tools, Stage::cut));
     if (!packing) return tl::unexpected(packing.error());
     made.packing = std::move(*packing);
-    take_stand_in(object);
-    if (made.search && !object.whole()) note_stand_in(made.packing);
+    for (Object& object : objects) take_stand_in(object);
+    if (made.search && !objects.front().whole()) note_stand_in(made.packing);
     if (!made.packing.foams) return made;
 
     if (design.workshop.work != Workshop::none) {
-        auto pack = workshop_pack(object, made.packing, project,
+        auto pack = workshop_pack(objects, made.packing, project,
                                   {tools.solve_lp, told(tools, Stage::workshop), tools.language});
         if (!pack) return tl::unexpected(pack.error());
         made.pack = std::move(*pack);
         add_findings(made.pack->findings, made.packing.findings);
     }
 
-    auto fit = measure_fit(object, made.packing, design, told(tools, Stage::gaps));
+    auto fit = measure_fit(objects, made.packing, design, told(tools, Stage::gaps));
     if (!fit) return tl::unexpected(fit.error());
     made.fit = std::move(*fit);
     return made;
+}
+
+Result<Made> make(Object& object, Project& project, const Tools& tools) {
+    return make(std::span(&object, 1), project, tools);
 }
 
 }  // namespace snug

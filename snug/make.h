@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 
 #include "snug/base/progress.h"
 #include "snug/base/result.h"
@@ -15,21 +16,21 @@
 #include "snug/object/prepare.h"
 #include "snug/words/words.h"
 
-// The whole method, from an object to everything that a person gets (Fukusato and Kita, Computational Design
+// The whole method, from objects to everything that a person gets (Fukusato and Kita, Computational Design
 // and Fabrication of Protective Foam, 2025). Each stage stands in the folder of its name; make.cpp is the
 // place to read them in their order:
 //
 //   bytes --formats--> mesh, cloud or stream --prepare()--> object in mm
 //
-//   pack():  object --space-> where it lies, and which blocks there are
-//                   --depth-> for each column the lowest and highest x of its surface    (section 3.1)
+//   pack(): objects --space-> where the items lie, and which blocks there are
+//                   --depth-> for each item and column the lowest and highest x          (section 3.1)
 //                   --foam--> the run of blocks that each column loses                   (section 3.2)
 //                             and the two foams that stay                                (section 3.3)
 //                   --check-> walls, pieces, and what a person must know
 //   make():  --search-------> first a better placement or case, if one is wanted
 //            pack()
 //            --fabricate----> what a way of working takes to the workshop
-//            --check--------> gaps, and what the object lies on
+//            --check--------> gaps, and what the items lie on
 //
 //   make_output_files() and report_json(), in fabricate/kit/, tell of all this in files.
 
@@ -49,15 +50,19 @@ struct Tools {
     std::function<Progress(Stage)> progress;
 };
 
-/// The foams of an object of any kind. `design` must be checked() already. Without foams, but with the
-/// finding `outside`, where the object leaves its space. Fails with kind `usage` where a fitted space would
-/// need too many blocks or the parting level lies outside it, with kind `does_not_fit` where not one block
-/// goes into the case, and, for a stream, as place() and object_depths() do.
+/// The foams of the design's items, which are objects of any kind. `design` must be checked() already.
+/// Without foams, but with the findings `outside`, where an item leaves the space. Fails with kind `usage`
+/// where a fitted space would need too many blocks or the parting level lies outside it, with kind
+/// `does_not_fit` where not one block goes into the case, and, for a stream, as place() and object_depths()
+/// do.
+[[nodiscard]] Result<Packing> pack(std::span<const Object> objects, const Design& design,
+                                   const Progress& progress = {});
 [[nodiscard]] Result<Packing> pack(const Object& object, const Design& design, const Progress& progress = {});
 
 /// Everything that a person gets, ready to be written. What a search finds is written into the project, and a
 /// streamed object gets its stand-in. Without foams nothing else is made. Fails as pack(), the search and
 /// workshop_pack() do, and when cancelled.
+[[nodiscard]] Result<Made> make(std::span<Object> objects, Project& project, const Tools& tools = {});
 [[nodiscard]] Result<Made> make(Object& object, Project& project, const Tools& tools = {});
 
 }  // namespace snug

@@ -89,8 +89,9 @@ TEST_P(Models, EqualTheBruteForceOnACoarseGrid) {
         Design design = design_of({12, 7, 8}, {12, 34, 56});
         design.cut.clearance_mm = clearance;
         const auto packing = pack(*object, design);
-        const auto expected = test::brute_force_cut(test::placed_triangles(object->mesh, packing->placement),
-                                                    packing->space, clearance, false);
+        const auto expected =
+            test::brute_force_cut(test::placed_triangles(object->mesh, packing->items.front().placement),
+                                  packing->space, clearance, false);
         for (int j = 0; j < 7; ++j)
             for (int k = 0; k < 8; ++k)
                 for (int i = 0; i < 12; ++i) {

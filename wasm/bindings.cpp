@@ -57,10 +57,14 @@ val bricks() {
 
 /// {object, design, dependent}, the last two as JSON texts (dependent_options()).
 val parse(const std::string& project_text) {
-    const auto project = parse_project(project_text);
+    auto project = parse_project(project_text);
     if (!project) return to_val(project.error());
     val result = val::object();
-    result.set("object", to_val(project->object));
+    if (project->design.items.size() > 1)
+        return to_val(
+            Error{ErrorKind::usage, say("session.one_item", {{"items", project->design.items.size()}})});
+    take_over_one_item(*project);
+    result.set("object", to_val(project->objects.front().file));
     result.set("design", design_json(project->design));
     result.set("dependent", dependent_options(project->design));
     return result;
@@ -72,7 +76,8 @@ val project_text(const std::string& design_text, const std::string& name, double
     const auto design = parse_design(design_text);
     if (!design) return to_val(design.error());
     val result = val::object();
-    result.set("text", project_json({{name, static_cast<unsigned long long>(bytes), sha256}, *design}));
+    result.set("text",
+               project_json({{{{name, static_cast<unsigned long long>(bytes), sha256}, {}}}, *design}));
     return result;
 }
 
@@ -103,10 +108,12 @@ val make(const val& object_bytes, const std::string& project_text, const val& to
          const std::string& language) {
     const auto project = parse_project(project_text);
     if (!project) return to_val(project.error());
-    auto mesh = read_object(bytes_from(object_bytes), project->object.name, scene_tools_from(tools));
+    const std::string& name = project->objects.front().file.name;
+    auto mesh = read_object(bytes_from(object_bytes), name, scene_tools_from(tools));
     if (!mesh) return to_val(mesh.error());
-    auto object = prepare(std::move(*mesh), project->design);
+    auto object = prepare(std::move(*mesh), design_for(*project, 0));
     if (!object) return to_val(object.error());
+    object->name = name;
     return make_files(*object, *project, language_of(language), {});
 }
 

@@ -57,9 +57,9 @@ val make_files(Object& object, Project project, Language language, const Progres
         files.call<void>("push", to_val(file));
         return {};
     };
-    if (auto done = make_output_files(object, project, *made, take); !done) return to_val(done.error());
+    if (auto done = make_output_files({&object, 1}, project, *made, take); !done) return to_val(done.error());
     result.set("files", files);
-    result.set("report", report_json(object, project, *made));
+    result.set("report", report_json({&object, 1}, project, *made));
     if (made->pack) result.set("pack", to_val(*made->pack));
     return result;
 }
@@ -135,7 +135,7 @@ val Session::gaps(const val& progress) const {
     if (!packing_ || !packing_->foams) return to_val(kNoFoams);
     if (!object_->whole()) return to_val(kNotOfClouds);
     Packing packing = *packing_;
-    const auto measured = measure_fit(*object_, packing, packed_, progress_from(progress));
+    const auto measured = measure_fit({&*object_, 1}, packing, packed_, progress_from(progress));
     if (!measured) return to_val(measured.error());
     val result = to_val(*measured->gap);
     result.set("bearing", to_val(*measured->bearing, packed_));
@@ -154,7 +154,7 @@ val Session::distances(const val& points) {
     std::vector<float> distances(places.size() / 3);
     for (std::size_t i = 0; i < distances.size(); ++i) {
         const Vec3d place{places[3 * i], places[3 * i + 1], places[3 * i + 2]};
-        distances[i] = static_cast<float>(surface_->at(place, packing_->placement));
+        distances[i] = static_cast<float>(surface_->at(place, packing_->items.front().placement));
     }
     return typed_array(distances.data(), distances.size());
 }
@@ -243,7 +243,7 @@ val Session::workshop_figures(const std::string& project_text) {
     const auto packing = snug::pack(*object_, project->design);
     if (!packing) return to_val(packing.error());
     if (!packing->foams) return to_val(kNoFoams);
-    const auto pack = workshop_pack(*object_, *packing, *project);
+    const auto pack = workshop_pack({&*object_, 1}, *packing, *project);
     return pack ? figures_val(*pack) : to_val(pack.error());
 }
 

@@ -223,7 +223,7 @@ val to_val(const std::vector<Finding>& findings) {
         val entry = val::object();
         entry.set("severity", std::string(severity_name(finding.severity)));
         entry.set("code", std::string(finding.code()));
-        entry.set("message", to_val(finding.message));
+        entry.set("message", to_val(said_of_item(finding)));
         entry.set("where", finding.where ? to_val(*finding.where) : val::null());
         list.call<void>("push", entry);
     }
@@ -231,15 +231,16 @@ val to_val(const std::vector<Finding>& findings) {
 }
 
 val to_val(const Packing& packing, double library_ms) {
+    const Placement& placement = packing.items.front().placement;
     val bounds = val::object();
-    bounds.set("min", to_val(packing.placement.bounds.min));
-    bounds.set("max", to_val(packing.placement.bounds.max));
+    bounds.set("min", to_val(placement.bounds.min));
+    bounds.set("max", to_val(placement.bounds.max));
     val result = val::object();
     result.set("blocks", to_val(packing.space.blocks));
     result.set("block_mm", to_val(packing.space.block_mm));
     set_columns(result, packing);
     result.set("partingLevel", packing.foams ? packing.foams->parting.front() : 0);
-    result.set("placement", matrix(packing.placement));
+    result.set("placement", matrix(placement));
     result.set("bounds", bounds);
     result.set("fit", packing.foams ? fit_val(packing.fit) : val::null());
     result.set("findings", to_val(packing.findings));

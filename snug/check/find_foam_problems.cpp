@@ -1,6 +1,8 @@
 #include "snug/check/find_foam_problems.h"
 
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "snug/base/text.h"
 #include "snug/check/find_case_problems.h"
@@ -39,13 +41,15 @@ SpaceChoice choice_of(const Packing& packing, const Design& design) {
 
 }  // namespace
 
-std::optional<Finding> find_outside(const Packing& packing, const Design& design) {
-    const Clearance clearance = design.cut.whole_clearance_mm();
-    auto finding = outside_of(packing.placement.bounds, packing.space, clearance);
-    if (finding && packing.fitted_case)
-        finding->message = too_small(*packing.fitted_case, packing.placement.bounds.size(), clearance,
+void find_outside(const Item& item, const Packing& packing, const Design& design,
+                  std::vector<Finding>& findings) {
+    const Clearance clearance = item.cut.whole_clearance_mm();
+    auto finding = outside_of(item.placement.bounds, packing.space, clearance);
+    if (!finding) return;
+    if (packing.fitted_case)
+        finding->message = too_small(*packing.fitted_case, item.placement.bounds.size(), clearance,
                                      wanted_wall_mm(design.space));
-    return finding;
+    findings.push_back(std::move(*finding));
 }
 
 void find_foam_problems(const Packing& packing, const Design& design, std::vector<Finding>& findings) {

@@ -73,8 +73,8 @@ void find_object_problems(const Object& object, const Placement& placement, cons
         [](const StreamedTriangles&) {});
 }
 
-void find_object_notes(const Object& object, const Placement& placement, const ObjectOptions& options,
-                       std::vector<Finding>& findings) {
+void find_object_notes(const Object& object, const Placement& placement, std::vector<Finding>& findings) {
+    const ObjectOptions& options = object.options;
     visit_kinds(
         object.surface, [&](const OwnMesh&) { note_mesh(object, placement, options, findings); },
         [&](const PointBalls& balls) { note_cloud(object, balls, options, findings); },

@@ -4,7 +4,6 @@
 
 #include "snug/base/finding.h"
 #include "snug/depth/object_depths.h"
-#include "snug/design/design.h"
 #include "snug/foam/object_cut.h"
 #include "snug/object/object.h"
 #include "snug/space/design_space.h"
@@ -19,7 +18,6 @@ void find_object_problems(const Object& object, const Placement& placement, cons
 
 /// What a person must know of the object itself: what was left out, dropped or closed, of what kind it is and
 /// what is therefore not known (`cloud`, `streamed`), options that meant nothing to it.
-void find_object_notes(const Object& object, const Placement& placement, const ObjectOptions& options,
-                       std::vector<Finding>& findings);
+void find_object_notes(const Object& object, const Placement& placement, std::vector<Finding>& findings);
 
 }  // namespace snug

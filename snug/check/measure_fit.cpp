@@ -1,20 +1,55 @@
 #include "snug/check/measure_fit.h"
 
+#include <cstddef>
 #include <utility>
+#include <vector>
+
+#include "snug/space/placed_mesh.h"
 
 namespace snug {
+namespace {
 
-Result<MeasuredFit> measure_fit(const Object& object, Packing& packing, const Design& design,
+void add(BearingReport& all, const BearingReport& one) {
+    for (std::size_t i = 0; i < kSinking.size(); ++i) {
+        all.lower_mm2[i] += one.lower_mm2[i];
+        all.upper_mm2[i] += one.upper_mm2[i];
+    }
+}
+
+/// Each item by itself, so that one that hangs in the air is not lost among others.
+Result<BearingReport> bearing_of_all(std::span<const Object> objects, Packing& packing, const Design& design,
+                                     const Progress& progress) {
+    BearingReport all;
+    const double share = 1 / static_cast<double>(packing.items.size());
+    for (std::size_t i = 0; i < packing.items.size(); ++i) {
+        const Item& item = packing.items[i];
+        const double done = share * static_cast<double>(i);
+        const auto own = bearing_report(objects[item.object].mesh, item.placement, packing.space,
+                                        *packing.foams, part_of(progress, done, done + share));
+        if (!own) return tl::unexpected(own.error());
+        add(all, *own);
+        std::vector<Finding> findings;
+        find_bearing_problems(*own, item.mass_kg, design.fit.creep_kpa, findings);
+        for (Finding& finding : findings) {
+            if (packing.items.size() > 1) finding.of = item.name;
+            packing.findings.push_back(std::move(finding));
+        }
+    }
+    return all;
+}
+
+}  // namespace
+
+Result<MeasuredFit> measure_fit(std::span<const Object> objects, Packing& packing, const Design& design,
                                 const Progress& progress) {
-    if (!object.whole()) return MeasuredFit{};
-    auto gap =
-        gap_report(object.mesh, packing.placement, packing.space, packing.blocks,
-                   packing.foams->parting.front(), object.measure.watertight, part_of(progress, 0, 0.8));
+    const PlacedMesh together(objects, packing.items);
+    if (!together.whole()) return MeasuredFit{};
+    auto gap = gap_report(together.mesh(), together.placement(), packing.space, packing.blocks,
+                          packing.foams->parting.front(), together.closed(), part_of(progress, 0, 0.8));
     if (!gap) return tl::unexpected(gap.error());
-    auto bearing = bearing_report(object.mesh, packing.placement, packing.space, *packing.foams,
-                                  part_of(progress, 0.8, 1));
+    auto bearing = bearing_of_all(objects, packing, design, part_of(progress, 0.8, 1));
     if (!bearing) return tl::unexpected(bearing.error());
-    find_bearing_problems(*bearing, design.workshop.mass_kg, design.fit.creep_kpa, packing.findings);
+    sort_by_severity(packing.findings);
     return MeasuredFit{std::move(*gap), *bearing};
 }
 

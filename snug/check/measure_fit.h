@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "snug/base/progress.h"
 #include "snug/base/result.h"
@@ -15,12 +16,12 @@ namespace snug {
 /// How well a packing's foams hold the object: sampled, and slower than the packing itself.
 struct MeasuredFit {
     std::optional<GapReport> gap;          ///< how far the cut space exceeds the object
-    std::optional<BearingReport> bearing;  ///< what the object lies on in either half
+    std::optional<BearingReport> bearing;  ///< what all items lie on in either half
 };
 
-/// Of a packing with foams, to whose findings is added what comes out; nothing is known of an object that is
-/// no whole mesh. Fails only when cancelled.
-[[nodiscard]] Result<MeasuredFit> measure_fit(const Object& object, Packing& packing, const Design& design,
-                                              const Progress& progress = {});
+/// Of a packing with foams, to whose findings is added what comes out; nothing is known where an object
+/// is no whole mesh. Fails only when cancelled.
+[[nodiscard]] Result<MeasuredFit> measure_fit(std::span<const Object> objects, Packing& packing,
+                                              const Design& design, const Progress& progress = {});
 
 }  // namespace snug

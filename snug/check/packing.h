@@ -13,7 +13,7 @@
 #include "snug/foam/notches.h"
 #include "snug/space/case_space.h"
 #include "snug/space/design_space.h"
-#include "snug/space/placement.h"
+#include "snug/space/item.h"
 
 namespace snug {
 
@@ -22,18 +22,16 @@ struct Timing {
     double read = 0, depth_map = 0, block_map = 0, foam_pair = 0, solids = 0, write = 0;
 };
 
-/// An object in its foams, and what is true of them.
+/// Objects in their foams, and what is true of them.
 struct Packing {
-    Vec3d rotation_deg;  ///< as the design has them
-    Vec3d offset_mm;
-    Placement placement;
+    std::vector<Item> items;  ///< as the design has them, one at least
     DesignSpace space;
     std::optional<CaseSpace> fitted_case;  ///< where the design has a case: what `space` is of
     Grid<Run> available;                   ///< blocks that exist in `space`
     BlockMap blocks;
-    std::vector<Notch> notches;     ///< beside the object, where the design wants them and there is room
+    std::vector<Notch> notches;     ///< beside the objects, where the design wants them and there is room
     long long rib_blocks = 0;       ///< cut because they stood too thin between cavities
-    std::optional<Foams> foams;     ///< none where the object leaves the space (finding `outside`)
+    std::optional<Foams> foams;     ///< none where an item leaves the space (finding `outside`)
     FitReport fit;                  ///< of `foams`
     std::vector<Finding> findings;  ///< dangers first
     Timing timing;

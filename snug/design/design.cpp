@@ -46,6 +46,11 @@ double millimetres(Unit unit) {
     return 1;
 }
 
+double wanted_between_mm(const SpaceOptions& space) {
+    constexpr double kUsualLeast = 12.7;  // half an inch
+    return space.between_mm.value_or(std::max({kUsualLeast, space.block_mm.y, space.block_mm.z}));
+}
+
 Walls wanted_wall_mm(const SpaceOptions& space) {
     return space.wall_mm.value_or(equal_walls(space.blocks ? 0 : 50));
 }
@@ -60,16 +65,45 @@ int highest_parting(const Design& design) {
     return blocks && !fitted_to_case ? blocks->x : kMostBlocks;
 }
 
+Problem problem_of(const ObjectOptions& object) {
+    if (auto found = out_of_range(object)) return found;
+    if (auto found = problem_of(object.clean)) return found->within("clean");
+    return {};
+}
+
 Problem problem_of(const Design& design) {
     if (auto found = out_of_range(design)) return found;
-    if (auto found = problem_of(design.object.clean)) return found->within("object.clean");
+    if (auto found = problem_of(design.object)) return found->within("object");
     if (auto found = problem_of_clearance(design.cut, design.space.block_mm)) return found;
+    for (std::size_t i = 0; i < design.items.size(); ++i)
+        if (auto found = problem_of_clearance(cut_of(design.items[i], design), design.space.block_mm))
+            return OptionProblem{"items." + std::to_string(i) + ".clearance_mm", found->message};
     if (auto found = problem_of_parting(design)) return found;
     if (design.output.formats.empty()) return OptionProblem{"output.formats", say("formats.none")};
     if (auto found = problem_of(design.case_options)) return found->within("case");
     if (auto found = problem_of(design.search)) return found->within("search");
     if (auto found = problem_of(design.workshop)) return found->within("workshop");
     return {};
+}
+
+CutOptions cut_of(const ItemOptions& item, const Design& design) {
+    CutOptions cut = design.cut;
+    cut.clearance_mm = item.clearance_mm.value_or(cut.clearance_mm);
+    return cut;
+}
+
+std::optional<double> mass_kg(const Design& design) {
+    double sum = 0;
+    for (const ItemOptions& item : design.items) {
+        const auto own = mass_kg(item, design);
+        if (!own) return {};
+        sum += *own;
+    }
+    return sum;
+}
+
+std::optional<double> mass_kg(const ItemOptions& item, const Design& design) {
+    return item.mass_kg ? item.mass_kg : design.workshop.mass_kg;
 }
 
 Result<Design> checked(Design design) {

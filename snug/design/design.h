@@ -11,6 +11,7 @@
 #include "snug/design/clean_options.h"
 #include "snug/design/clearance.h"
 #include "snug/design/fit_options.h"
+#include "snug/design/item_options.h"
 #include "snug/design/option.h"
 #include "snug/design/search_options.h"
 #include "snug/design/walls.h"
@@ -96,7 +97,8 @@ struct SpaceOptions {
     std::string preset = "paper";                     ///< the foam's name, see presets.h
     std::optional<Vec3i> blocks = Vec3i{30, 18, 18};  ///< 1 to 4096 an axis; none: the object plus walls
     Vec3d block_mm{15, 15, 22};                       ///< 0.1 to 10,000 an axis
-    std::optional<Walls> wall_mm;  ///< least foam on each side; none: 50 where the space is fitted
+    std::optional<Walls> wall_mm;      ///< least foam on each side; none: 50 where the space is fitted
+    std::optional<double> between_mm;  ///< least foam between two items; none: see wanted_between_mm()
     friend bool operator==(const SpaceOptions&, const SpaceOptions&) = default;
 };
 
@@ -140,6 +142,16 @@ void visit_options(Visit& visit, SpaceOptions& space) {
               "floor,roof,back,front,left,right",
               "対象物とケースの間に残すフォームの最小の厚さ：全面、または X,Y,Z、または底,上,奥,手前,左,右"},
          .usual = {"0; 50 with --blocks auto", "0、--blocks auto なら 50"}});
+    visit.option(space.between_mm, {.json = "between_mm",
+                                    .flag = "--between",
+                                    .takes = "MM",
+                                    .unit = "mm",
+                                    .range = {0, kGreatestLength},
+                                    .step = 1,
+                                    .label = {"the foam between items", "もの同士の間のフォーム"},
+                                    .help = {"Least foam between two items that are of no common group",
+                                             "同じグループでない二つのものの間に残すフォームの最小の厚さ"},
+                                    .usual = {"a block, at least 12.7", "ブロック一つ、12.7 以上"}});
 }
 
 struct PlacementOptions {
@@ -269,9 +281,10 @@ void visit_options(Visit& visit, OutputOptions& output) {
 }
 
 struct Design {
-    ObjectOptions object;
+    ObjectOptions object;  ///< of each object that has none of its own
     SpaceOptions space;
-    PlacementOptions placement;
+    PlacementOptions placement;         ///< of each item that has none of its own
+    std::vector<ItemOptions> items{1};  ///< what lies in the case, 1 to kMostItems
     CutOptions cut;
     PartingOptions parting;
     OutputOptions output;
@@ -287,6 +300,7 @@ void visit_options(Visit& visit, Design& design) {
     visit.group(design.object, {.json = "object", .title = {"The object", "対象物"}});
     visit.group(design.space, {.json = "space", .title = {"The design space", "空間"}});
     visit.group(design.placement, {.json = "placement", .title = {"How the object lies", "対象物の置き方"}});
+    visit.group(design.items, {.json = "items", .title = {"What lies in the case", "中に置くもの"}});
     visit.group(design.cut, {.json = "cut", .title = {"What is cut away", "切り取り方"}});
     visit.group(design.fit, {.json = "fit", .title = {"A foam to work and live with", "使いやすいフォーム"}});
     visit.group(design.parting, {.json = "parting", .title = {"Where the halves part", "分割"}});
@@ -300,11 +314,21 @@ void visit_options(Visit& visit, Design& design) {
 /// space is fitted to the object, or none.
 [[nodiscard]] Walls wanted_wall_mm(const SpaceOptions& space);
 
+/// The foam that stands between two items: as chosen, or one block along y and z, at least 12.7 mm.
+[[nodiscard]] double wanted_between_mm(const SpaceOptions& space);
+
 /// The least clearance that blocks of this size take.
 [[nodiscard]] double least_clearance_mm(Vec3d block_mm);
+/// What foam gives way to an item: the design's choices with the item's own clearance.
+[[nodiscard]] CutOptions cut_of(const ItemOptions& item, const Design& design);
+/// An item's own mass or the one that holds for each; and of all items, where all are known.
+[[nodiscard]] std::optional<double> mass_kg(const ItemOptions& item, const Design& design);
+[[nodiscard]] std::optional<double> mass_kg(const Design& design);
 /// The highest level where the halves may part.
 [[nodiscard]] int highest_parting(const Design& design);
 
+/// The first choice of an object that is out of range, by its path within them.
+[[nodiscard]] std::optional<OptionProblem> problem_of(const ObjectOptions& object);
 /// The first thing that is out of range; none where all is well. Paths are those of a project's design.
 [[nodiscard]] std::optional<OptionProblem> problem_of(const Design& design);
 

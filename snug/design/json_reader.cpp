@@ -72,6 +72,19 @@ JsonReader JsonReader::object(const char* name) {
     return {field ? *field : Json::object(), path_of(name)};
 }
 
+std::vector<JsonReader> JsonReader::objects(const char* name, std::size_t most) {
+    const Json* field = find(name);
+    if (!field) return {};
+    if (!field->is_array() || field->empty() || field->size() > most) {
+        refuse(name, say("json.items", {{"most", std::to_string(most)}}));
+        return {};
+    }
+    std::vector<JsonReader> readers;
+    for (std::size_t i = 0; i < field->size(); ++i)
+        readers.emplace_back((*field)[i], path_of(name) + "." + std::to_string(i));
+    return readers;
+}
+
 JsonReader& JsonReader::read(const char* name, bool& target) {
     if (const Json* field = find(name); field && !get(*field, target))
         refuse(name, say("json.true_or_false"));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -25,6 +26,8 @@ class JsonReader {
 
     /// The object inside a field; an empty one where the field is missing.
     [[nodiscard]] JsonReader object(const char* name);
+    /// The objects of a list, at least one and at most `most` of them.
+    [[nodiscard]] std::vector<JsonReader> objects(const char* name, std::size_t most);
 
     JsonReader& read(const char* name, bool& target);
     JsonReader& read(const char* name, int& target);

@@ -80,6 +80,8 @@ struct OptionRow {
     char separator = 'x';                          ///< between several numbers on the command line
     std::span<const std::string_view> words = {};  ///< all that a text may be; empty: any
     Scope scope = Scope::design;
+    /// Its name among the choices that an object carries on the command line ("lens.stl:rotate=0x90x0").
+    std::string_view word = {};
 };
 
 /// A struct of options within another.

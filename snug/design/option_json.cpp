@@ -1,6 +1,7 @@
 #include "snug/design/option_json.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <limits>
 
@@ -206,6 +207,16 @@ using Problem = std::optional<Message>;
 
 Problem read(const Json& json, const std::string& path, const OptionList& list, const std::string& prefix);
 
+/// Structs of a list, in brackets; or each by its number, as --set names them.
+Problem read_list(const Json& json, const std::string& path, const OptionList& list,
+                  const std::string& prefix) {
+    if (json.size() < 1 || json.size() > kMostItems)
+        return must_be(prefix + path, say("json.items", {{"most", std::to_string(kMostItems)}}));
+    for (std::size_t i = 0; i < json.size(); ++i)
+        if (auto problem = read(json[i], path + "." + std::to_string(i), list, prefix)) return problem;
+    return {};
+}
+
 Problem read_group(const Json& json, const std::string& path, const OptionList& list,
                    const std::string& prefix) {
     if (!json.is_object()) return not_an_object(path.empty() ? path : prefix + path);
@@ -219,8 +230,21 @@ Problem read(const Json& json, const std::string& path, const OptionList& list, 
         if (std::visit(Reading{json, option->row}, option->value)) return {};
         return must_be(prefix + path, std::visit(Expected{option->row}, option->value));
     }
-    if (list.find_group(path)) return read_group(json, path, list, prefix);
+    if (const OptionGroup* group = list.find_group(path)) {
+        if (group->list && !json.is_object() && !json.is_array())
+            return must_be(prefix + path, say("json.items", {{"most", std::to_string(kMostItems)}}));
+        return group->list && json.is_array() ? read_list(json, path, list, prefix)
+                                              : read_group(json, path, list, prefix);
+    }
     return unknown_field(prefix + path);
+}
+
+/// The struct of this name or, in a list, of this number.
+Written* within(Written& json, std::string_view name) {
+    int number = 0;
+    const auto read = std::from_chars(name.data(), name.data() + name.size(), number);
+    if (read.ptr == name.data() || read.ec != std::errc()) return &json[std::string(name)];
+    return &json[static_cast<std::size_t>(number)];
 }
 
 }  // namespace
@@ -235,10 +259,14 @@ Written json_of(const OptionList& list) {
         Written* at = &json;
         std::string_view rest = option.path;
         for (std::size_t dot; (dot = rest.find('.')) != std::string_view::npos; rest.remove_prefix(dot + 1))
-            at = &(*at)[std::string(rest.substr(0, dot))];
+            at = within(*at, rest.substr(0, dot));
         (*at)[std::string(rest)] = json_of(option);
     }
     return json;
+}
+
+std::optional<Message> read_options(const Json& json, const OptionList& list, const std::string& prefix) {
+    return read_group(json, "", list, prefix);
 }
 
 std::optional<Message> read_options(const Json& json, Design& design, const std::string& prefix) {
@@ -249,8 +277,12 @@ std::optional<Message> read_options(const Json& json, Design& design, const std:
         if (!json.contains(at)) return {};
         return !json[at].is_null();
     };
-    const OptionList list = options_of(design, presence);
-    return read_group(json, "", list, prefix);
+    const auto length = [&](const std::string& path) -> std::optional<std::size_t> {
+        const auto found = json.is_object() ? json.find(path) : json.end();
+        if (found == json.end() || !found->is_array()) return {};
+        return std::min<std::size_t>(found->size(), kMostItems);
+    };
+    return read_options(json, options_of(design, presence, length), prefix);
 }
 
 }  // namespace snug

@@ -105,8 +105,8 @@ const Option* OptionList::find_by_flag(std::string_view flag) const {
     return found == options.end() ? nullptr : &*found;
 }
 
-OptionList options_of(Design& design, OptionList::Presence presence) {
-    OptionList list(std::move(presence));
+OptionList options_of(Design& design, OptionList::Presence presence, OptionList::Length length) {
+    OptionList list(std::move(presence), std::move(length));
     visit_options(list, design);
     return list;
 }

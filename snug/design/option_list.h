@@ -34,7 +34,8 @@ using OptionValue =
     std::variant<std::monostate, bool*, int*, std::uint32_t*, double*, std::string*, Vec2d*, Vec3d*,
                  Clearance*, Weights*, std::vector<int>*, std::vector<std::string>*, std::vector<BrickStock>*,
                  std::optional<int>*, std::optional<double>*, std::optional<Vec3d>*, std::optional<Vec3i>*,
-                 std::optional<Walls>*, std::optional<CrossSection>*, std::optional<Plane>*, Choice>;
+                 std::optional<Walls>*, std::optional<Clearance>*, std::optional<CrossSection>*,
+                 std::optional<Plane>*, Choice>;
 
 struct Option {
     std::string path;  ///< "fit.least_rib_mm"
@@ -47,6 +48,7 @@ struct OptionGroup {
     GroupRow row;
     bool present = true;
     bool optional = false;
+    bool list = false;  ///< of structs: "items", of which "items.0" is the first
 };
 
 /// A flag of several options, bound to them.
@@ -63,7 +65,10 @@ class OptionList {
   public:
     /// Whether an optional group is to exist: none: as it is.
     using Presence = std::function<std::optional<bool>(const std::string& path)>;
-    explicit OptionList(Presence presence = {}) : presence_(std::move(presence)) {}
+    /// How many structs a list is to have; none: as it is.
+    using Length = std::function<std::optional<std::size_t>(const std::string& path)>;
+    explicit OptionList(Presence presence = {}, Length length = {})
+        : presence_(std::move(presence)), length_(std::move(length)) {}
 
     std::vector<Option> options;
     std::vector<OptionGroup> groups;
@@ -96,6 +101,21 @@ class OptionList {
         inner.reset();
         groups.push_back({at, row, false, true});
         options.push_back({at, {.json = row.json, .flag = row.flag}, std::monostate{}});
+    }
+
+    /// A list of structs.
+    template <class Options>
+    void group(std::vector<Options>& inner, const GroupRow& row) {
+        const std::string at = path(row.json);
+        groups.push_back({at, row});
+        groups.back().list = true;
+        if (length_) inner.resize(length_(at).value_or(inner.size()));
+        const std::string outer = std::exchange(prefix_, at);
+        for (std::size_t i = 0; i < inner.size(); ++i) {
+            const std::string number = std::to_string(i);
+            group(inner[i], {.json = number, .title = row.title});
+        }
+        prefix_ = outer;
     }
 
     template <class Options>
@@ -144,11 +164,13 @@ class OptionList {
     }
 
     Presence presence_;
+    Length length_;
     std::string prefix_;
 };
 
-/// Every option of a design. `presence` as OptionList takes it.
-[[nodiscard]] OptionList options_of(Design& design, OptionList::Presence presence = {});
+/// Every option of a design. `presence` and `length` as OptionList takes them.
+[[nodiscard]] OptionList options_of(Design& design, OptionList::Presence presence = {},
+                                    OptionList::Length length = {});
 
 /// Every option that there can be, optional groups included.
 [[nodiscard]] OptionList all_options(Design& design);

@@ -22,10 +22,14 @@ Everything that a person chooses, by the stage of the method that it belongs to.
 says them together, and `snug make --help` shows how. Every option, also one without a flag, can be typed by its name:
 `--set fit.least_rib_mm=20`, in the form that a project file has; `--set` comes after all other flags. A default in
 brackets follows from other choices. The scope says whose choice it is: the whole design's, an object's (a file), or
-an item's (an object as it lies in the case). Large numbers are grouped here to be read; they are typed without commas.
+an item's (an object as it lies in the case). Items are a list, of which the first is shown; what an item leaves open
+is as the design has it for all, and behind `OBJECT:` stands what it may say of itself on the command line. Large
+numbers are grouped here to be read; they are typed without commas.
 
 This page is made from the table of options: `SNUG_WRITE=1 build/tests/snug_tests --gtest_filter=OptionsPage.*` writes it.
 )";
+
+constexpr std::string_view kFirstItem = "items.0";
 
 /// A bar would end a cell of the table.
 std::string cell(std::string_view text) {
@@ -86,7 +90,9 @@ std::string default_of(const Option& option) {
 
 std::string line_of(const Option& option) {
     const OptionRow& row = option.row;
-    return "| " + code(option.path) + " | " + code(row.flag) + " | " + values_of(option) + " | " +
+    const std::string flag =
+        row.word.empty() ? std::string(row.flag) : "OBJECT:" + std::string(row.word) + "=";
+    return "| " + code(option.path) + " | " + code(flag) + " | " + values_of(option) + " | " +
            cell(default_of(option)) + " | " + std::string(name_of(row.scope)) + " | " +
            cell(row.help.english) + " |\n";
 }
@@ -101,7 +107,8 @@ std::string options_page() {
         std::string lines;
         for (const Option& option : list.options)
             if (option.path.substr(0, option.path.rfind('.')) == group.path) lines += line_of(option);
-        const bool nested = group.path.find('.') != std::string::npos;
+        if (group.list) continue;  // its structs tell
+        const bool nested = group.path.find('.') != std::string::npos && group.path != kFirstItem;
         page += "\n" + std::string(nested ? "### " : "## ") + std::string(group.row.title.english) + "\n\n" +
                 "| Option | Flag | Values | Default | Scope | What it does |\n|---|---|---|---|---|---|\n" +
                 lines;

@@ -57,6 +57,7 @@ struct Count {
 /// Whether one number may stand for all of them.
 bool may_be_one(const Option& option) {
     return std::holds_alternative<Clearance*>(option.value) ||
+           std::holds_alternative<std::optional<Clearance>*>(option.value) ||
            std::holds_alternative<std::optional<Walls>*>(option.value);
 }
 
@@ -120,7 +121,9 @@ std::string options_schema() {
     const OptionList list = all_options(design);
     Json json = Json::object();
     for (const OptionGroup& group : list.groups)
-        if (group.optional)
+        if (group.list)
+            json[group.path] = {{"kind", "list"}, {"label", in_both(group.row.title)}};
+        else if (group.optional)
             json[group.path] = {{"kind", "group"}, {"label", in_both(group.row.title)}, {"optional", true}};
     for (const Option& option : list.options) json[option.path] = described(option);
     SpaceOptions fitted;

@@ -1,6 +1,7 @@
 #include "snug/fabricate/processes.h"
 
 #include <array>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -17,6 +18,7 @@
 #include "snug/fabricate/print/print.h"
 #include "snug/fabricate/sheets/sheets_pack.h"
 #include "snug/fabricate/sponge/sponge.h"
+#include "snug/space/placed_mesh.h"
 
 namespace snug {
 namespace {
@@ -24,11 +26,34 @@ namespace {
 constexpr std::size_t kLongestTitle = 60;  // characters
 
 /// "vase.stl" is the vase to those who pack it.
-std::string title_of(const std::string& file_name) {
+std::string without_ending(const std::string& file_name) {
     const std::size_t dot = file_name.rfind('.');
-    const std::string name = dot == std::string::npos || dot == 0 ? file_name : file_name.substr(0, dot);
+    return dot == std::string::npos || dot == 0 ? file_name : file_name.substr(0, dot);
+}
+
+/// In a line of a page.
+std::string short_title(const std::string& name) {
     const std::vector<std::string> lines = wrapped(one_line(name), kLongestTitle, 1);
     return lines.empty() ? "object" : lines.front();
+}
+
+/// As names_of_items() has them, without the endings of files.
+std::string title_of(Project project) {
+    for (ProjectObject& object : project.objects) object.file.name = without_ending(object.file.name);
+    return short_title(names_of_items(project));
+}
+
+std::vector<PackedItem> packed_items(std::span<const Object> objects, const Packing& packing,
+                                     const Project& project) {
+    std::vector<PackedItem> items;
+    for (std::size_t i = 0; i < packing.items.size(); ++i) {
+        const Item& item = packing.items[i];
+        items.push_back({short_title(without_ending(item_name(project, project.design.items[i]))),
+                         objects[item.object].measure.bounds.size(),
+                         mass_kg(project.design.items[i], project.design), objects[item.object].mesh,
+                         item.placement});
+    }
+    return items;
 }
 
 std::optional<double> density(const Design& design) {
@@ -46,17 +71,19 @@ PrintOptions print_options(const Design& design) {
 }
 
 /// What the cutter must not leave foam in; a cloud's or a stream's object is known by its blocks alone.
-std::optional<MilledObject> milled_object(const Object& object, const Packing& packing,
-                                          const Design& design) {
-    if (!object.whole()) return {};
-    return MilledObject{object.mesh, packing.placement, design.cut,
-                        packing.fitted_case ? &*packing.fitted_case : nullptr};
+std::optional<MilledObject> milled_object(std::span<const Object> objects, const Packing& packing) {
+    MilledObject milled{{}, packing.fitted_case ? &*packing.fitted_case : nullptr};
+    for (const Item& item : packing.items) {
+        if (!objects[item.object].whole()) return {};
+        milled.surfaces.push_back({objects[item.object].mesh, item.placement, item.cut});
+    }
+    return milled;
 }
 
 /// What a way of working may ask for.
 struct Work {
     const FoamDesign& foams;
-    const Object& object;
+    std::span<const Object> objects;
     const Packing& packing;
     const Design& design;
     const WorkshopTools& tools;
@@ -77,7 +104,7 @@ constexpr std::array kProcesses{
             [](const Work& w) { return brick_pack(w.foams, w.options, w.tools.solve_lp, w.tools.progress); }},
     Process{Workshop::mill,
             [](const Work& w) {
-                return mill_pack(w.foams, milled_object(w.object, w.packing, w.design), w.options.mill,
+                return mill_pack(w.foams, milled_object(w.objects, w.packing), w.options.mill,
                                  paper_mm(w.options.paper));
             }},
     Process{Workshop::mould, [](const Work& w) { return mould_pack(w.foams, w.options); }},
@@ -119,13 +146,12 @@ void tell_material(const Design& design, WorkshopPack& pack) {
 
 }  // namespace
 
-Result<WorkshopPack> workshop_pack(const Object& object, const Packing& packing, const Project& project,
-                                   const WorkshopTools& tools) {
+Result<WorkshopPack> workshop_pack(std::span<const Object> objects, const Packing& packing,
+                                   const Project& project, const WorkshopTools& tools) {
     if (!packing.foams) return fail(ErrorKind::does_not_fit, say("workshop.no_foams"));
-    const FoamDesign foams{
-        packing.space, packing.blocks, *packing.foams, packing.available, title_of(project.object.name),
-        tools.language};
-    auto pack = pack_of({foams, object, packing, project.design, tools});
+    const FoamDesign foams{packing.space,     packing.blocks,    *packing.foams,
+                           packing.available, title_of(project), tools.language};
+    auto pack = pack_of({foams, objects, packing, project.design, tools});
     if (!pack) return pack;
     fill_material(packing, project.design, *pack);
     tell_material(project.design, *pack);
@@ -133,9 +159,10 @@ Result<WorkshopPack> workshop_pack(const Object& object, const Packing& packing,
     std::vector<Finding> findings = packing.findings;
     findings.insert(findings.end(), pack->findings.begin(), pack->findings.end());
     sort_by_severity(findings);
+    const PlacedMesh together(objects, packing.items);
     pack->documents.push_back(
-        packing_sheet({foams, packing.fit, findings, object.mesh, packing.placement,
-                       object.measure.bounds.size(), pack->material, project.design.workshop}));
+        packing_sheet({foams, packing.fit, findings, together.mesh(), together.placement(),
+                       packed_items(objects, packing, project), pack->material, project.design.workshop}));
     return pack;
 }
 

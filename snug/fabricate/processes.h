@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "snug/base/progress.h"
 #include "snug/base/result.h"
 #include "snug/check/packing.h"
@@ -27,7 +29,7 @@ struct WorkshopTools {
 /// The pack that the project's design asks for, with the packing sheet as its last document and the
 /// material's figures filled in and, as lines for people, at the end of `figures`. Fails with kind `usage`
 /// where the design asks for no pack or for one that its foams do not allow.
-[[nodiscard]] Result<WorkshopPack> workshop_pack(const Object& object, const Packing& packing,
+[[nodiscard]] Result<WorkshopPack> workshop_pack(std::span<const Object> objects, const Packing& packing,
                                                  const Project& project, const WorkshopTools& tools = {});
 
 }  // namespace snug

@@ -22,6 +22,10 @@ CutRun both(CutRun lower, CutRun upper, std::int16_t level) {
     return parted.none() ? CutRun{} : parted;
 }
 
+void include(BlockMap& blocks, const BlockMap& more) {
+    for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i] = either(blocks[i], more[i]);
+}
+
 }  // namespace
 
 HalfCuts half_cuts(const ObjectDepths& depths, const DesignSpace& space) {
@@ -32,9 +36,20 @@ HalfCuts half_cuts(const ObjectDepths& depths, const DesignSpace& space) {
 
 BlockMap cut_by_either(const HalfCuts& cuts) {
     BlockMap blocks = cuts.lower;
-    if (cuts.upper)
-        for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i] = either(blocks[i], (*cuts.upper)[i]);
+    if (cuts.upper) include(blocks, *cuts.upper);
     return blocks;
+}
+
+HalfCuts united(std::span<const HalfCuts> items) {
+    HalfCuts all = items.front();
+    const bool differ =
+        std::any_of(items.begin(), items.end(), [](const HalfCuts& each) { return each.upper.has_value(); });
+    if (differ && !all.upper) all.upper = all.lower;
+    for (const HalfCuts& each : items.subspan(1)) {
+        include(all.lower, each.lower);
+        if (differ) include(*all.upper, each.upper ? *each.upper : each.lower);
+    }
+    return all;
 }
 
 BlockMap cut_by_both(const HalfCuts& cuts, int parting_level) {

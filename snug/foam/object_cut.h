@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "snug/base/box.h"
 #include "snug/depth/object_depths.h"
@@ -31,6 +32,9 @@ struct HalfCuts {
     std::optional<BlockMap> upper;  ///< none where it is the same
 };
 [[nodiscard]] HalfCuts half_cuts(const ObjectDepths& depths, const DesignSpace& space);
+
+/// What several objects of one layer cut together. `items`: one at least, of one space.
+[[nodiscard]] HalfCuts united(std::span<const HalfCuts> items);
 
 /// What either half cuts: what the parting level is chosen by.
 [[nodiscard]] BlockMap cut_by_either(const HalfCuts& cuts);

@@ -3,12 +3,14 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
 #include "snug/base/box.h"
 #include "snug/base/finding.h"
 #include "snug/base/rotation.h"
+#include "snug/design/design.h"
 #include "snug/formats/triangle_stream.h"
 #include "snug/mesh/measure.h"
 #include "snug/mesh/mesh.h"
@@ -56,6 +58,8 @@ struct MissingSurface {
 
 /// An object in millimetres, ready to be packed any number of times.
 struct Object {
+    std::string name;       ///< its file's, without folders; may be empty
+    ObjectOptions options;  ///< that it was prepared with
     Surface surface;
     /// With its caps if the design asks for them. Of another kind than OwnMesh a closed stand-in around the
     /// object (shell.h), to look at and to search with; of a stream empty until take_stand_in().

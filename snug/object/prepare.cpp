@@ -16,6 +16,7 @@ Result<Object> prepare(Mesh mesh, const Design& design) {
         if (const auto error = implausible_size(size, design)) return tl::unexpected(*error);
 
     Object object;
+    object.options = design.object;
     const ReadNotes read = mesh.read;
     object.read = {mesh.vertices.size(), mesh.triangles.size()};
     const double mm_per_unit = millimetres_per_unit(size, design.object, mesh.read.in_mm);

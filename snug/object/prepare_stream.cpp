@@ -45,6 +45,7 @@ Result<Object> prepare(TriangleStream stream, const Design& design, const Progre
     if (!bounds) return tl::unexpected(bounds.error());
 
     Object object;
+    object.options = design.object;
     ReadNotes& read = object.mesh.read;
     read.faces = static_cast<std::size_t>(stream.triangles());
     read.left_out_faces = static_cast<std::size_t>(stream.triangles() - bounds->triangles);

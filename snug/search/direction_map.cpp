@@ -8,6 +8,7 @@
 #include "snug/base/parallel.h"
 #include "snug/object/turned_bounds.h"
 #include "snug/search/turn.h"
+#include "snug/space/fitted_space.h"
 #include "snug/space/placement.h"
 #include "snug/space/space_for.h"
 

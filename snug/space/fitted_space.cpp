@@ -47,4 +47,8 @@ Vec3d fitted_shift(Vec3d block_mm, const Walls& walls) {
     return shift;
 }
 
+Vec3d shift_between_walls(const SpaceOptions& space, bool in_case) {
+    return space.blocks || in_case ? Vec3d{} : fitted_shift(space.block_mm, wanted_wall_mm(space));
+}
+
 }  // namespace snug

@@ -2,6 +2,7 @@
 
 #include "snug/base/box.h"
 #include "snug/base/vec.h"
+#include "snug/design/design.h"
 #include "snug/design/fit_options.h"
 #include "snug/design/walls.h"
 
@@ -23,5 +24,9 @@ namespace snug {
 /// How far the object moves from the centre of such a space where the walls on opposite sides differ, in mm:
 /// whole or half blocks, so that it meets the blocks as it would in the middle.
 [[nodiscard]] Vec3d fitted_shift(Vec3d block_mm, const Walls& walls);
+
+/// How far an object lies from the middle of a space that is fitted to it, where the walls on opposite sides
+/// differ; nothing where the design chooses the blocks or a case. mm.
+[[nodiscard]] Vec3d shift_between_walls(const SpaceOptions& space, bool in_case);
 
 }  // namespace snug

@@ -12,20 +12,18 @@ namespace snug {
 namespace {
 
 /// A case that is divided exactly may have smaller blocks than those the clearance was checked for.
-std::optional<Error> too_squeezed(const DesignSpace& space, const CutOptions& cut) {
+std::optional<Error> too_squeezed(const DesignSpace& space, double clearance) {
     const double least = least_clearance_mm(space.block_mm);
-    if (cut.whole_clearance_mm().least() >= least) return {};
-    return Error{ErrorKind::usage,
-                 say("case.squeezed", {{"block", dimensions(space.block_mm)},
-                                       {"least", number(least, 4)},
-                                       {"clearance", number(cut.whole_clearance_mm().least(), 4)}})};
+    if (clearance >= least) return {};
+    return Error{ErrorKind::usage, say("case.squeezed", {{"block", dimensions(space.block_mm)},
+                                                         {"least", number(least, 4)},
+                                                         {"clearance", number(clearance, 4)}})};
 }
 
-Result<DesignSpace> fitted_to(Box3d placed, const Design& design) {
+Result<DesignSpace> fitted_to(Box3d room, const Design& design) {
     const SpaceOptions& options = design.space;
     const Vec3d shift = shift_between_walls(options, false);
-    placed = {placed.min - shift, placed.max - shift};
-    Box3d room = grown(placed, design.cut.whole_clearance_mm());
+    room = {room.min - shift, room.max - shift};
     if (design.fit.notches) room = with_room_for_notches(room, options.block_mm, *design.fit.notches);
     const Vec3d counts = fitted_blocks(room, options.block_mm, wanted_wall_mm(options));
     if (std::max({counts.x, counts.y, counts.z}) > kMostBlocks)
@@ -37,10 +35,10 @@ PackedSpace plain_box(const DesignSpace& space) {
     return {space, {}, all_blocks(space.blocks)};
 }
 
-Result<PackedSpace> in_case(const Design& design) {
+Result<PackedSpace> in_case(double least_clearance, const Design& design) {
     auto fitted = case_space(design.case_options, design.space.block_mm);
     if (!fitted) return tl::unexpected(fitted.error());
-    if (const auto error = too_squeezed(fitted->space, design.cut)) return tl::unexpected(*error);
+    if (const auto error = too_squeezed(fitted->space, least_clearance)) return tl::unexpected(*error);
     const DesignSpace space = fitted->space;
     Grid<Run> available = available_blocks(*fitted);
     return PackedSpace{space, std::move(*fitted), std::move(available)};
@@ -48,16 +46,17 @@ Result<PackedSpace> in_case(const Design& design) {
 
 }  // namespace
 
-Vec3d shift_between_walls(const SpaceOptions& space, bool in_case) {
-    return space.blocks || in_case ? Vec3d{} : fitted_shift(space.block_mm, wanted_wall_mm(space));
+Result<PackedSpace> space_for(const Box3d& room, double least_clearance, const Design& design) {
+    if (design.case_options.inside_mm) return in_case(least_clearance, design);
+    if (design.space.blocks) return plain_box({*design.space.blocks, design.space.block_mm});
+    const auto fitted = fitted_to(room, design);
+    if (!fitted) return tl::unexpected(fitted.error());
+    return plain_box(*fitted);
 }
 
 Result<PackedSpace> space_for(const Box3d& placed, const Design& design) {
-    if (design.case_options.inside_mm) return in_case(design);
-    if (design.space.blocks) return plain_box({*design.space.blocks, design.space.block_mm});
-    const auto fitted = fitted_to(placed, design);
-    if (!fitted) return tl::unexpected(fitted.error());
-    return plain_box(*fitted);
+    const Clearance clearance = design.cut.whole_clearance_mm();
+    return space_for(grown(placed, clearance), clearance.least(), design);
 }
 
 }  // namespace snug

@@ -12,10 +12,6 @@
 
 namespace snug {
 
-/// How far an object lies from the middle of a space that is fitted to it, where the walls on opposite sides
-/// differ; nothing where the design chooses the blocks or a case. mm.
-[[nodiscard]] Vec3d shift_between_walls(const SpaceOptions& space, bool in_case);
-
 /// The blocks that an object is packed in.
 struct PackedSpace {
     DesignSpace space;
@@ -23,11 +19,13 @@ struct PackedSpace {
     Grid<Run> available;                   ///< blocks that exist in `space`
 };
 
-/// The space of a design: its case divided into blocks, its own counts, or fitted to the placed object with
-/// its clearance, its walls and room for its notches. `placed`: mm, design coordinates,
-/// shift_between_walls() included. Fails with kind `does_not_fit` where not one block goes into the case, and
-/// with kind `usage` beyond 4096 blocks on an axis or where the case's blocks are too small to be squeezed so
-/// much.
+/// The space of a design: its case divided into blocks, its own counts, or fitted to what the placed items
+/// take up, with walls and room for notches. `room`: of the items grown by their clearance, mm, design
+/// coordinates, shift_between_walls() included; `least_clearance`: of all of them, mm. Fails with kind
+/// `does_not_fit` where not one block goes into the case, and with kind `usage` beyond 4096 blocks on an axis
+/// or where the case's blocks are too small to be squeezed so much.
+[[nodiscard]] Result<PackedSpace> space_for(const Box3d& room, double least_clearance, const Design& design);
+/// For one object, grown by the design's clearance.
 [[nodiscard]] Result<PackedSpace> space_for(const Box3d& placed, const Design& design);
 
 }  // namespace snug

@@ -13,6 +13,18 @@ constexpr Wording kWordsOfFit[] = {
      "対象物には{clearance}{needed} mm が必要で、設計空間 {space} mm（{space_blocks} ブロック）に収まりま"
      "せん。壁なしでも最小で {least_blocks} ブロック（{least} mm）が必要です。--blocks auto で壁を含めて決"
      "められます。"},
+    {"items_near",
+     "between {one} and {other} stand only {distance} mm of foam, and {between} mm are wanted: shift one of "
+     "them by {shift} mm along y or z, give both one group if they may share a pocket, or ask for less "
+     "(--between)",
+     "{one} と {other} の間のフォームが {distance} mm しかありません（必要なのは {between} mm）。どちらかを "
+     "y または z 方向に {shift} mm 動かすか、同じくぼみに入れてよければ同じグループにするか、--between を"
+     "小さくしてください。"},
+    {"items.no_object", "there is an item of object {number}, but only {objects} of them, counted from 0",
+     "対象物 {number} のものがありますが、対象物は {objects} 個しかありません（0 から数えます）。"},
+    {"search.one_item", "a search takes one object, and here lie {items}: place them yourself ({example})",
+     "探索できる対象物は一つだけですが、ここには {items} 個あります。自分で置いてください"
+     "（{example}）。"},
     {"with_clearance", " with its clearance", "すきまを含めて "},
     {"open",
      "the object is open, and foam would grow inside it: {blocks} {blocks|block|blocks} ({cm3} cm3) in "

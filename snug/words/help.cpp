@@ -30,11 +30,13 @@ constexpr Wording kWordsOfHelp[] = {
     {"help.excludes", "Excludes", "併用不可"},
     {"help.option_list", "OPTIONS", "オプション"},
     {"help.command", "SUBCOMMAND", "コマンド"},
-    {"help.make", "Make foams from an object, or from a project file",
-     "対象物またはプロジェクトファイルからフォームを作ります"},
+    {"help.make", "Make foams from objects, or from a project file",
+     "対象物（いくつでも）またはプロジェクトファイルからフォームを作ります"},
     {"help.make.object",
-     "A mesh (STL, OBJ, PLY, OFF, glTF, 3MF), a point cloud (PLY, XYZ, PTS) or a project (*.snug.json)",
-     "メッシュ（STL、OBJ、PLY、OFF、glTF、3MF）、点群（PLY、XYZ、PTS）、またはプロジェクト（*.snug.json）"},
+     "Meshes (STL, OBJ, PLY, OFF, glTF, 3MF) or point clouds (PLY, XYZ, PTS), each with choices of its own "
+     "behind a colon if you like ({example}); or one project (*.snug.json)",
+     "メッシュ（STL、OBJ、PLY、OFF、glTF、3MF）または点群（PLY、XYZ、PTS）。それぞれコロンの後に、そのものだ"
+     "けの指定を付けられます（{example}）。またはプロジェクト（*.snug.json）一つ"},
     {"help.make.output",
      "The folder for the files that are made; what an earlier run made there and this one does not goes, "
      "unless somebody changed it",

@@ -9,6 +9,17 @@ constexpr Wording kWordsOfPackingSheet[] = {
     {"packing.title", "{name}: packing sheet", "{name}：梱包指示書"},
     {"packing.subtitle", "Packing sheet · travels with the box · {size} mm",
      "梱包指示書 · 箱に添えてください · {size} mm"},
+    {"packing.subtitle_items", "Packing sheet · travels with the box · {items} {items|item|items}",
+     "梱包指示書 · 箱に添えてください · {items} 点"},
+    {"packing.item", "Item {number}", "{number} 点目"},
+    {"packing.picture_items", "2  Items in the lower foam", "2　下のフォームに納めたもの"},
+    {"packing.lay_items",
+     "Lower the items straight down into their cavities, as in picture 2 and in the order of the list "
+     "below, without turning or pressing. Where one does not go in by its own weight, take it out and look "
+     "why. Count them: none may be left over.",
+     "図 2 のように、下の一覧の順に、回したり押し込んだりせず、それぞれのくぼみへまっすぐに下ろします。"
+     "自重で収まらないものがあれば、いったん取り出して原因を調べます。数を数え、残りがないことを確かめま"
+     "す。"},
     {"packing.picture_lower", "1  Lower foam, cavity up", "1　下のフォーム（くぼみが上）"},
     {"packing.picture_object", "2  Object in the lower foam", "2　下のフォームに納めた対象物"},
     {"packing.picture_lid", "3  Lid, here turned over its BACK edge", "3　ふた（奥の縁を軸に裏返した図）"},
@@ -33,6 +44,16 @@ constexpr Wording kWordsOfPackingSheet[] = {
      "object: {places,}. Never by a thin or projecting part.",
      "取り出すときは、まずふたをまっすぐ上に持ち上げます。対象物は、脇に指の入る所（{places,}）から手"
      "で取り出します。細い部分や突き出た部分を持たないでください。"},
+    {"packing.unpack_items",
+     "To unpack, lift the lid straight up first, then each item by hand where the list below says that "
+     "fingers fit beside it. Where they fit nowhere, lay two ribbons across its cavity before the item, "
+     "their ends outside, and lift by them. Never by a thin or projecting part.",
+     "取り出すときは、まずふたをまっすぐ上に持ち上げ、次に一つずつ、下の一覧で指の入る所から手で取り出し"
+     "ます。指の入る所がないものは、納める前にくぼみへリボンを 2 本、端を外に出して渡しておき、それを持っ"
+     "て取り出します。細い部分や突き出た部分を持たないでください。"},
+    {"packing.with_fingers", "{item}; fingers fit: {places,}", "{item}。指の入る所：{places,}"},
+    {"packing.without_fingers", "{item}; no room for fingers: ribbons",
+     "{item}。指の入る所なし：リボンを使う"},
     {"packing.place", "{side} {mm} mm at {column}", "{column} の{side} {mm} mm"},
     {"packing.unpack_ribbons",
      "To unpack, lift the lid straight up first. No side leaves the {mm} mm that a finger wants "

@@ -99,6 +99,6 @@ test('a .gltf takes its .bin from the files beside it, is exported and kept with
   expect(Buffer.from(files['chair.gltf'] ?? []).equals(gltf)).toBe(true);
   expect(Buffer.from(files['chair.bin'] ?? []).equals(GEOMETRY)).toBe(true);
   expect(Object.keys(files)).not.toContain('wood.png');
-  const {object} = JSON.parse(strFromU8(files['project.snug.json']!)) as {object: {name: string; bytes: number}};
-  expect(object).toMatchObject({name: 'chair.gltf', bytes: gltf.length});
+  const {objects} = JSON.parse(strFromU8(files['project.snug.json']!)) as {objects: {name: string; bytes: number}[]};
+  expect(objects[0]).toMatchObject({name: 'chair.gltf', bytes: gltf.length});
 });

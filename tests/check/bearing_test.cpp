@@ -19,7 +19,8 @@ TEST(Bearing, OfABoxIsItsFloorOnceItSankThroughTheGap) {
     const Mesh box = test::box_mesh({-18, -30, -20}, {18, 30, 20});  // 2 mm above and below in 10 mm blocks
     const auto object = prepare(box, box_design());
     const auto packing = pack(*object, box_design());
-    const auto report = bearing_report(object->mesh, packing->placement, packing->space, *packing->foams);
+    const auto report =
+        bearing_report(object->mesh, packing->items.front().placement, packing->space, *packing->foams);
     ASSERT_TRUE(report);
     EXPECT_EQ(report->lower_mm2[0], 0);
     EXPECT_EQ(report->upper_mm2[0], 0);
@@ -37,7 +38,8 @@ TEST(Bearing, OfASphereOnFineFoamIsItsWholeShadowOnceItSankThroughOneBlock) {
     design.space.blocks = Vec3i{120, 120, 120};
     const auto object = prepare(test::sphere_mesh(40, 200), design);
     const auto packing = pack(*object, design);
-    const auto report = bearing_report(object->mesh, packing->placement, packing->space, *packing->foams);
+    const auto report =
+        bearing_report(object->mesh, packing->items.front().placement, packing->space, *packing->foams);
     ASSERT_TRUE(report);
     const double shadow = 3.14159265 * 40 * 40;
     EXPECT_LT(report->lower_mm2[0], 0.9 * shadow) << "its flanks are steeper than a millimetre a column";

@@ -81,7 +81,7 @@ class CliTest(unittest.TestCase):
         self.assertEqual(sum(row[3] for row in rows), foam["upper_blocks"])
         self.assertEqual(foam["lower_blocks"] + foam["upper_blocks"] + foam["cut_blocks"], 30 * 18 * 18)
         self.assertAlmostEqual(foam["fill_ratio"], 1 - foam["cut_blocks"] / (30 * 18 * 18))
-        self.assertEqual(list(report), ["object", "placement", "design_space", "foam", "gap", "bearing", "wall_mm",
+        self.assertEqual(list(report), ["object", "placement", "items", "design_space", "foam", "gap", "bearing", "wall_mm",
                                         "findings", "timing_ms"])
         self.assertEqual(list(report["timing_ms"]),
                          ["read", "depth_map", "block_map", "foam_pair", "solids", "write"])

@@ -225,15 +225,15 @@ TEST(Cloud, IsPackedLikeAMeshAndTellsWhatIsNotKnown) {
     ASSERT_TRUE(made.has_value() && made->packing.foams);
     const Packing* const packing = &made->packing;
     EXPECT_FALSE(made->fit.gap || made->fit.bearing);
-    const std::string report = report_json(*object, project, *made);
+    const std::string report = report_json({&*object, 1}, project, *made);
     for (const char* null : {"\"watertight\": null", "\"volume_mm3\": null", "\"gap\": null"})
         EXPECT_NE(report.find(null), std::string::npos) << null;
     EXPECT_EQ(packing->findings.back().code(), "cloud");
 
     // The mesh that it was sampled from lies in the same foams, where it lies as the cloud does.
     const Reach grown = reach(1, false);
-    const BlockMap cut =
-        block_map(depth_map(mesh, packing->placement, packing->space, grown), packing->space, grown);
+    const BlockMap cut = block_map(depth_map(mesh, packing->items.front().placement, packing->space, grown),
+                                   packing->space, grown);
     for (std::size_t column = 0; column < cut.size(); ++column) {
         if (cut[column].none()) continue;
         EXPECT_LE(packing->blocks[column].first, cut[column].first);

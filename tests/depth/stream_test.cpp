@@ -75,7 +75,7 @@ void expect_the_same_streamed(const FileBytes& bytes, const Design& design) {
     const Vec3d size = object->measure.bounds.size();
     for (int axis = 0; axis < 3; ++axis)
         EXPECT_NEAR(streamed->object.measure.bounds.size()[axis], size[axis], 1e-5 * size[axis] + 1e-9);
-    EXPECT_EQ(streamed->packing.placement.bounds, packing->placement.bounds);
+    EXPECT_EQ(streamed->packing.items.front().placement.bounds, packing->items.front().placement.bounds);
     EXPECT_EQ(streamed->packing.blocks, packing->blocks);
     ASSERT_EQ(streamed->packing.foams.has_value(), packing->foams.has_value());
     if (!packing->foams) return;

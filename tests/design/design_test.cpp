@@ -9,6 +9,7 @@
 #include "snug/words/words.h"
 
 #include "tests/support/random.h"
+#include "tests/support/random_options.h"
 
 namespace snug {
 namespace {
@@ -63,11 +64,34 @@ std::string problem_of(std::string_view json) {
     return project ? "" : snug::text(project.error().message);
 }
 
+/// Of one to four objects, of which some lie there more than once.
+Project random_project(Random& random) {
+    Project project{{}, random_design_options(random)};
+    project.design.items.clear();
+    const int objects = random.integer(1, 4);
+    for (int i = 0; i < objects; ++i) {
+        const std::string name = "vase" + std::to_string(i) + ".stl";
+        project.objects.push_back({{name, random.bits() >> 20, std::string(64, 'a')}, {}});
+        if (random.chance(0.3)) project.objects.back().own = random_design_options(random).object;
+        for (int count = random.integer(1, 3); count > 0; --count) {
+            ItemOptions item;
+            item.object = i;
+            if (random.chance(0.3)) item.name = "a \"vase\", \u82b1\u74f6";
+            if (random.chance(0.3)) item.group = "pair";
+            if (random.chance(0.3)) item.rotation_deg = Vec3d{random.between(-180, 180), 0, 90};
+            if (random.chance(0.5)) item.offset_mm = Vec3d{0, random.between(-50, 50), 3};
+            if (random.chance(0.3)) item.clearance_mm = Clearance{{1, 2, 3}, {random.between(0, 3), 0, 0}};
+            if (random.chance(0.3)) item.mass_kg = random.between(0.1, 9);
+            project.design.items.push_back(item);
+        }
+    }
+    return project;
+}
+
 TEST(Project, ReadsBackAsItWasWritten) {
     const bool held = rc::check("project -> JSON -> project", [](std::uint64_t seed) {
         Random random(seed);
-        const Project project{{"vase.stl", random.bits() >> 20, std::string(64, 'a')},
-                              random_design_options(random)};
+        const Project project = random_project(random);
         const std::string text = project_json(project);
         const auto read = parse_project(text);
         RC_ASSERT(read.has_value());
@@ -78,19 +102,19 @@ TEST(Project, ReadsBackAsItWasWritten) {
 }
 
 TEST(Project, SaysWhatIsWrong) {
-    const std::string good = project_json({{"vase.stl", 1, std::string(64, '0')}, {}});
+    const std::string good = project_json(test::project_of("vase.stl"));
     const auto with = [&](std::string_view from, std::string_view to) {
         std::string text = good;
         text.replace(text.find(from), from.size(), to);
         return problem_of(text);
     };
     EXPECT_EQ(problem_of(good), "");
-    EXPECT_NE(with("\"snug\": 1", "\"snug\": 2").find("newer"), std::string::npos);
-    EXPECT_EQ(with("\"snug\": 1", "\"snug\": \"x\""), "snug must be a whole number");
+    EXPECT_NE(with("\"snug\": 2", "\"snug\": 3").find("newer"), std::string::npos);
+    EXPECT_EQ(with("\"snug\": 2", "\"snug\": \"x\""), "snug must be a whole number");
     EXPECT_EQ(with("\"scale\": 1.0", "\"scale\": \"big\""), "design.object.scale must be a number");
     EXPECT_EQ(with("\"scale\"", "\"skale\""),
               "design.object.skale is not an option that this version of Snug knows");
-    EXPECT_EQ(with("\"vase.stl\"", "\"../vase.stl\""), "object.name must be a file name without folders");
+    EXPECT_EQ(with("\"vase.stl\"", "\"../vase.stl\""), "objects.0.name must be a file name without folders");
     EXPECT_EQ(with("\"auto\"", "\"low\""), "design.parting.level must be a whole number, or auto");
     EXPECT_EQ(with("30,\n", "0,\n"),
               "design.space.blocks: a count of blocks is 0, but must be from 1 to 4096");
@@ -100,8 +124,45 @@ TEST(Project, SaysWhatIsWrong) {
     EXPECT_NE(problem_of("").find("not valid JSON"), std::string::npos);
 }
 
+TEST(Project, OfVersion1HasOneObjectAndOneItem) {
+    const auto read = parse_project(
+        R"({"snug": 1, "object": {"name": "vase.stl", "bytes": 7}, "design": {"placement": {"offset_mm": [1, 2, 3]}}})");
+    ASSERT_TRUE(read) << snug::text(read.error().message);
+    ASSERT_EQ(read->objects.size(), 1u);
+    EXPECT_EQ(read->objects.front().file, (ObjectFile{"vase.stl", 7, ""}));
+    EXPECT_EQ(read->design.items, std::vector<ItemOptions>{1});
+    EXPECT_EQ(read->design.placement.offset_mm, (Vec3d{1, 2, 3}));
+    EXPECT_EQ(problem_of(R"({"snug": 1, "objects": [{"name": "a.stl"}], "design": {}})"),
+              "object is missing");
+    EXPECT_EQ(problem_of(R"({"snug": 2, "object": {"name": "a.stl"}, "design": {}})"), "objects is missing");
+}
+
+TEST(Project, SaysWhatIsWrongWithItsItems) {
+    const auto with = [](const char* objects, const char* items) {
+        return problem_of(std::string(R"({"snug": 2, "objects": )") + objects + R"(, "design": {"items": )" +
+                          items + "}}");
+    };
+    const char* const two = R"([{"name": "a.stl"}, {"name": "b.stl"}])";
+    EXPECT_EQ(with(two, R"([{"object": 0}, {"object": 1}, {"object": 1, "mass_kg": 2}])"), "");
+    EXPECT_EQ(with(two, "[{}]"), "objects.1 must be the object of an item");
+    EXPECT_EQ(with(two, R"([{}, {"object": 2}])"),
+              "design.items.1.object must be the number of an object, from 0 to 1");
+    EXPECT_EQ(with(two, R"([{}, {"object": 1, "turn": 2}])"),
+              "design.items.1.turn is not an option that this version of Snug knows");
+    EXPECT_EQ(with(two, R"([{}, {"object": 1, "mass_kg": 0}])").substr(0, 23), "design.items.1.mass_kg:");
+    EXPECT_EQ(with(two, R"([{}, {"object": 1, "clearance_mm": -7}])").substr(0, 28),
+              "design.items.1.clearance_mm:");
+    EXPECT_EQ(with(two, "[]"), "design.items must be a list of 1 to 1000 items");
+    EXPECT_EQ(with(two, "3"), "design.items must be a list of 1 to 1000 items");
+    EXPECT_EQ(with("[]", "[{}]"), "objects must be a list of 1 to 1000 items");
+    EXPECT_EQ(with(R"([{"name": "a.stl", "options": {"scale": -1}}])", "[{}]").substr(0, 26),
+              "objects.0.options.scale: t");
+    EXPECT_EQ(with(R"([{"name": "a.stl", "options": {"skale": 1}}])", "[{}]"),
+              "objects.0.options.skale is not an option that this version of Snug knows");
+}
+
 TEST(Project, AnyDamageIsASentenceAndNeverACrash) {
-    const std::string good = project_json({{"vase.stl", 1, std::string(64, '0')}, {}});
+    const std::string good = project_json(test::project_of("vase.stl"));
     for (int seed = 0; seed < 3000; ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         std::string text = good;

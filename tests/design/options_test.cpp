@@ -114,7 +114,9 @@ TEST(Options, TheCommandLineOfADesignGivesTheDesign) {
     if (cases() < 150) return;
     Design full;
     for (const Option& option : all_options(full).options)
-        EXPECT_TRUE(changed.contains(option.path)) << option.path << " was never changed";
+        if (option.path != "items.0.object") {
+            EXPECT_TRUE(changed.contains(option.path)) << option.path << " was never changed";
+        }
 }
 
 TEST(Options, TheHelpNamesEveryWordOfAChoice) {
@@ -130,7 +132,7 @@ TEST(Options, TheHelpNamesEveryWordOfAChoice) {
 TEST(Options, TheProjectOfADesignGivesTheDesign) {
     for (int seed = 0; seed < cases(); ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
-        const Project project{{"vase.stl", 1, std::string(64, 'a')}, test::random_options(random)};
+        const Project project = test::project_of("vase.stl", test::random_options(random));
         const auto again = parse_project(project_json(project));
         ASSERT_TRUE(again) << "seed " << seed << ": " << text(again.error().message);
         ASSERT_TRUE(*again == project) << "seed " << seed;
@@ -199,7 +201,7 @@ TEST(Options, WhatIsTypedWronglyIsNamedWithWhatItTakes) {
 }
 
 TEST(Options, AProjectOutOfRangeNamesTheFieldWithItsPath) {
-    const std::string good = project_json({{"vase.stl", 1, std::string(64, '0')}, {}});
+    const std::string good = project_json(test::project_of("vase.stl"));
     const auto refusal = [&](const char* path, const nlohmann::json& value) {
         auto json = nlohmann::json::parse(good);
         json["design"][nlohmann::json::json_pointer(path)] = value;
@@ -254,9 +256,9 @@ TEST(OptionsSchema, HasEveryOptionWithItsDefault) {
     EXPECT_EQ(schema["space.blocks"]["default"], (nlohmann::json{30, 18, 18}));
     Design design;
     const OptionList all = all_options(design);
-    const auto optional = std::count_if(all.groups.begin(), all.groups.end(),
-                                        [](const OptionGroup& group) { return group.optional; });
-    EXPECT_EQ(schema.size(), all.options.size() + static_cast<std::size_t>(optional));
+    const auto listed = std::count_if(all.groups.begin(), all.groups.end(),
+                                      [](const OptionGroup& group) { return group.optional || group.list; });
+    EXPECT_EQ(schema.size(), all.options.size() + static_cast<std::size_t>(listed));
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ namespace {
 /// A sample in the usual foam of a way of working, so that its pack says as much as can be.
 WorkshopPack pack_in(Language language, Workshop work, const std::string& preset, const char* object_name) {
     Project project;
-    project.object.name = object_name;
+    project.objects.front().file.name = object_name;
     Design& design = project.design;
     apply(*find_preset(built_in_presets(), preset), design);
     design.space.blocks.reset();
@@ -37,7 +37,7 @@ WorkshopPack pack_in(Language language, Workshop work, const std::string& preset
     options.mill.flute_mm = 150;
     const auto object = prepare(*sample("vase"), design);
     const auto packing = pack(*object, design);
-    auto made = workshop_pack(*object, *packing, project, {{}, {}, language});
+    auto made = workshop_pack({&*object, 1}, *packing, project, {{}, {}, language});
     EXPECT_TRUE(made) << text(made.error().message);
     return made ? std::move(*made) : WorkshopPack{};
 }

@@ -21,7 +21,7 @@ struct Packed {
 
 Packed packed(Mesh mesh, Workshop work) {
     Packed all;
-    all.project.object.name = "vase.stl";
+    all.project.objects.front().file.name = "vase.stl";
     Design& design = all.project.design;
     apply(*find_preset(built_in_presets(), "slit-15"), design);
     design.space.blocks.reset();
@@ -48,7 +48,7 @@ TEST(WorkshopTest, FiguresFollowDensityAndPrice) {
     const auto dear = [&](std::optional<double> price, std::optional<double> density) {
         vase.project.design.workshop.price_per_litre = price;
         vase.project.design.workshop.density_kg_m3 = density;
-        return workshop_pack(vase.object, vase.packing, vase.project)->material;
+        return workshop_pack({&vase.object, 1}, vase.packing, vase.project)->material;
     };
     EXPECT_FALSE(dear({}, {}).cost);
     EXPECT_NEAR(*dear(2.0, {}).cost, 2 * *dear({}, {}).litres, 1e-9);
@@ -62,7 +62,7 @@ TEST(WorkshopTest, ThePackingSheetNamesDangersFirstAndWhatNobodyChecked) {
     vase.packing.findings = {{Severity::danger, as_it_is("The foam would crush the neck.")},
                              {Severity::note, as_it_is("There are two parts.")}};
     vase.project.design.workshop.mass_kg = 1.25;
-    const auto pack = workshop_pack(vase.object, vase.packing, vase.project);
+    const auto pack = workshop_pack({&vase.object, 1}, vase.packing, vase.project);
     ASSERT_TRUE(pack);
     const DrawingDocument& sheet = packing_sheet_of(*pack);
     EXPECT_EQ(sheet.name, "packing-sheet");
@@ -76,10 +76,10 @@ TEST(WorkshopTest, ThePackingSheetNamesDangersFirstAndWhatNobodyChecked) {
 
 TEST(WorkshopTest, NothingLeavesThePage) {
     Packed vase = packed(*sample("vase"), Workshop::sponge);
-    vase.project.object.name = std::string(300, 'W') + ".stl";
+    vase.project.objects.front().file.name = std::string(300, 'W') + ".stl";
     for (const char* paper : {"a4", "letter", "a3"}) {
         vase.project.design.workshop.paper = paper;
-        const auto pack = workshop_pack(vase.object, vase.packing, vase.project);
+        const auto pack = workshop_pack({&vase.object, 1}, vase.packing, vase.project);
         ASSERT_TRUE(pack) << snug::text(pack.error().message);
         for (const DrawingDocument& document : pack->documents)
             for (const Drawing& page : document.pages)
@@ -108,21 +108,21 @@ TEST(WorkshopTest, NothingLeavesThePage) {
 
 TEST(WorkshopTest, ASmallCavityLeavesNoRoomForFingersAndSaysSo) {
     Packed box = packed(test::box_mesh({0, 0, 0}, {60, 60, 60}), Workshop::sponge);
-    const auto pack = workshop_pack(box.object, box.packing, box.project);
+    const auto pack = workshop_pack({&box.object, 1}, box.packing, box.project);
     ASSERT_TRUE(pack);
     EXPECT_NE(words_of(packing_sheet_of(*pack)).find("ribbons"), std::string::npos);
 }
 
 TEST(WorkshopTest, WaysOfWorkingThatAreNotThereAreRefused) {
     Packed vase = packed(*sample("vase"), Workshop::none);
-    EXPECT_EQ(workshop_pack(vase.object, vase.packing, vase.project).error().kind, ErrorKind::usage);
+    EXPECT_EQ(workshop_pack({&vase.object, 1}, vase.packing, vase.project).error().kind, ErrorKind::usage);
     EXPECT_FALSE(value_named<Workshop>("felt"));
     EXPECT_EQ(any_of(names_of<Workshop>().subspan(1, 3)), "sponge, sheets or print");
 }
 
 TEST(WorkshopTest, OptionsSurviveTheProjectFile) {
     Project project;
-    project.object.name = "vase.stl";
+    project.objects.front().file.name = "vase.stl";
     WorkshopOptions& workshop = project.design.workshop;
     workshop.work = Workshop::print;
     workshop.paper = "letter";

@@ -12,6 +12,7 @@
 #include "snug/samples/samples.h"
 #include "snug/space/available.h"
 
+#include "tests/support/broken_foams.h"
 #include "tests/support/brute_force.h"
 #include "tests/support/fit_designs.h"
 #include "tests/support/heights.h"
@@ -25,9 +26,12 @@ namespace {
 
 using test::Blocks;
 using test::box_design;
+using test::Broken;
+using test::broken_by;
 using test::packed;
 using test::Random;
 using test::random_clearance;
+using test::random_soup;
 using test::RandomDesign;
 
 TEST(Clearance, EachHalfGivesWayToTheObjectGrownForItAndToNothingElse) {
@@ -71,54 +75,6 @@ TEST(Clearance, EachHalfGivesWayToTheObjectGrownForItAndToNothingElse) {
     EXPECT_GT(crossed, 0) << "columns whose lower foam ends above where the upper begins";
 }
 
-/// Triangles of all sizes within a box of this size.
-Mesh random_soup(Random& random, Vec3d size, int triangles) {
-    Mesh mesh;
-    for (int t = 0; t < triangles; ++t) {
-        const double share = random.chance(0.5) ? 0.15 : 1;
-        const Vec3d at{random.unit(), random.unit(), random.unit()};
-        const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-        for (int corner = 0; corner < 3; ++corner) {
-            Vec3d p;
-            for (int axis = 0; axis < 3; ++axis)
-                p[axis] = std::clamp(at[axis] + share * random.between(-1, 1), 0.0, 1.0) * size[axis];
-            mesh.vertices.push_back(vec_cast<float>(p));
-        }
-        mesh.triangles.push_back({first, first + 1, first + 2});
-    }
-    return mesh;
-}
-
-/// What a half keeps where the object, grown for that half, cuts; and where one half lies in the other's way.
-struct Broken {
-    long long in_room = 0;
-    long long in_the_way = 0;
-    long long crossed = 0;  ///< columns whose lower foam has to end above where the upper may begin
-};
-
-/// Block by block, from a cut of its own for each half.
-Broken broken_by(const Packing& packing, const Blocks& below, const Blocks& above) {
-    const Vec3i n = packing.space.blocks;
-    Broken broken;
-    for (int j = 0; j < n.y; ++j)
-        for (int k = 0; k < n.z; ++k) {
-            bool upper_below = false;
-            int lowest = n.x, highest = -1;
-            for (int i = 0; i < n.x; ++i) {
-                const auto column = packing.blocks.index(j, k);
-                const bool lower = packing.foams->piece(Half::lower)[column].contains(i);
-                const bool upper = packing.foams->piece(Half::lid)[column].contains(i);
-                broken.in_room += (lower && below.cut(i, j, k)) + (upper && above.cut(i, j, k));
-                broken.in_the_way += lower && (upper || upper_below);
-                upper_below |= upper;
-                if (below.cut(i, j, k)) lowest = std::min(lowest, i);
-                if (above.cut(i, j, k)) highest = i;
-            }
-            broken.crossed += highest >= 0 && lowest < n.x && lowest > highest + 1;
-        }
-    return broken;
-}
-
 TEST(Clearance, OfEachHalfHoldsInEveryDesignWhateverElseIsCut) {
     const int designs = std::max(100, test::fit_cases() / 2);
     int unlike = 0, squeezed = 0, in_cases = 0, crossed = 0;
@@ -151,7 +107,7 @@ TEST(Clearance, OfEachHalfHoldsInEveryDesignWhateverElseIsCut) {
         ASSERT_TRUE(object);
         auto packing = pack(*object, design);
         if (!packing || !packing->foams) continue;  // smaller blocks than the squeeze allows, or no room
-        const auto triangles = test::placed_triangles(object->mesh, packing->placement);
+        const auto triangles = test::placed_triangles(object->mesh, packing->items.front().placement);
         const Clearance& clearance = design.cut.clearance_mm;
         const auto cut = [&](Vec3d own) {
             return test::brute_force_cut(triangles, packing->space, own, design.cut.cut_on_touch);

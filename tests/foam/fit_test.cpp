@@ -228,7 +228,7 @@ TEST(Fit, OfAnyKindComesOutIsClosedAndNeverAddsFoam) {
         plain.fit = {};
         plain.parting.level = packing->foams->parting.front();
         if (!design.case_options.inside_mm) plain.space.blocks = packing->space.blocks;
-        plain.placement.offset_mm = packing->placement.bounds.centre();
+        plain.placement.offset_mm = packing->items.front().placement.bounds.centre();
         const auto before = pack(*object, plain);
         ASSERT_TRUE(before && before->foams);
         for (const Half half : {Half::lower, Half::lid}) {

@@ -80,12 +80,12 @@ TEST(ReadFindings, AFileThatStatesItsUnitIsNotMultipliedByAnother) {
 
 TEST(ReadFindings, AProjectInUtf16IsTheSameProject) {
     Project project;
-    project.object = {"a.stl", 7, ""};
+    project.objects.front().file = {"a.stl", 7, ""};
     const std::string text = project_json(project);
     for (const bool big : {false, true}) {
         const auto read = parse_project(test::utf16(text, big, true));
         ASSERT_TRUE(read) << snug::text(read.error().message);
-        EXPECT_EQ(read->object.name, "a.stl");
+        EXPECT_EQ(read->objects.front().file.name, "a.stl");
     }
 }
 

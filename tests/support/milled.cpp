@@ -63,9 +63,9 @@ void expect_clear(const GcodeStock& stock, const MillPlan& plan, const Object& o
             u = 1 - u;
             v = 1 - v;
         }
-        const Vec3d a = packing.placement(object.mesh.vertices[t[0]]);
-        const Vec3d b = packing.placement(object.mesh.vertices[t[1]]);
-        const Vec3d c = packing.placement(object.mesh.vertices[t[2]]);
+        const Vec3d a = packing.items.front().placement(object.mesh.vertices[t[0]]);
+        const Vec3d b = packing.items.front().placement(object.mesh.vertices[t[1]]);
+        const Vec3d c = packing.items.front().placement(object.mesh.vertices[t[2]]);
         check(a);
         check(a + (b - a) * u + (c - a) * v);
     }

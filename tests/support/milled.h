@@ -52,7 +52,7 @@ struct MilledCase {
         return {packing.space, packing.blocks, *packing.foams, packing.available, "vase"};
     }
     [[nodiscard]] MilledObject milled() const {
-        return {object.mesh, packing.placement, design.cut,
+        return {{{object.mesh, packing.items.front().placement, design.cut}},
                 packing.fitted_case ? &*packing.fitted_case : nullptr};
     }
 };

@@ -112,6 +112,7 @@ Design random_options(Random& random) {
         if (!random.chance(0.4)) continue;
         Design changed = design;
         const OptionList list = options_of(changed);
+        if (list.options[i].path == "items.0.object") continue;  // there is one alone
         std::visit(Drawing{random, list.options[i].row}, list.options[i].value);
         // What does not go together with what was drawn before is left as it was.
         if (auto possible = checked(changed)) design = *possible;

@@ -9,6 +9,7 @@
 #include "snug/picture/preview.h"
 #include "snug/solid/solid.h"
 #include "snug/space/available.h"
+#include "snug/space/placed_mesh.h"
 
 namespace snug {
 namespace {
@@ -53,7 +54,7 @@ std::string depths_csv(const Foams& foams, const Grid<Run>& available, int nx) {
     return text;
 }
 
-Result<void> make_output_files(const Object& object, const Project& project, Made& made,
+Result<void> make_output_files(std::span<const Object> objects, const Project& project, Made& made,
                                const TakeFile& take) {
     Packing& packing = made.packing;
     const Foams& foams = *packing.foams;
@@ -71,8 +72,9 @@ Result<void> make_output_files(const Object& object, const Project& project, Mad
             take(text_file("depths.csv", depths_csv(foams, packing.available, packing.space.blocks.x)));
         !done)
         return done;
-    const std::string preview = preview_svg(foams, packing.space, object.mesh, packing.placement,
-                                            text(caption(packing, project.object.name), made.language),
+    const PlacedMesh together(objects, packing.items);
+    const std::string preview = preview_svg(foams, packing.space, together.mesh(), together.placement(),
+                                            text(caption(packing, names_of_items(project)), made.language),
                                             made.fit.gap ? &*made.fit.gap : nullptr, made.language);
     if (auto done = take(text_file("preview.svg", preview)); !done) return done;
     return take(text_file("project.snug.json", project_json(project)));

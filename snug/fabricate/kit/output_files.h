@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 
 #include "snug/base/result.h"
@@ -23,7 +24,7 @@ using TakeFile = std::function<Result<void>(const PackFile&)>;
 /// The files of foams, whatever they are made of: foams in the design's formats, depths, preview, project;
 /// the report is left out, since it holds the time that writing took (report_json.h). Fills
 /// made.packing.timing.solids. Fails only where `take` does.
-[[nodiscard]] Result<void> make_output_files(const Object& object, const Project& project, Made& made,
-                                             const TakeFile& take);
+[[nodiscard]] Result<void> make_output_files(std::span<const Object> objects, const Project& project,
+                                             Made& made, const TakeFile& take);
 
 }  // namespace snug

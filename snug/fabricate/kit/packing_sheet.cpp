@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -38,7 +39,9 @@ void draw_pictures(PageFlow& flow, const PackedObject& packed) {
         const Vec2d at = corner + Vec2d{static_cast<double>(i) * (width + kPictureGap), 0};
         draw_packing_picture(flow.page(), at + Vec2d{2, 6}, {width - 4, height - 7}, kPictures[i].parts,
                              packed.design.foams, packed.design.space, packed.mesh, packed.placement);
-        flow.page().text(at + Vec2d{width / 2, height + 4.6}, say(kPictures[i].caption),
+        const bool items = packed.items.size() > 1 && i == 1;
+        flow.page().text(at + Vec2d{width / 2, height + 4.6},
+                         say(items ? "packing.picture_items" : kPictures[i].caption),
                          {kSmallText, kInk, true, TextAnchor::middle});
     }
 }
@@ -52,32 +55,44 @@ std::string column_at(Vec3d where, const DesignSpace& space) {
     return row_name(cell(1)) + column_name(cell(2));
 }
 
-Message lifting_text(const std::array<FingerRoom, 4>& room, const DesignSpace& space) {
+/// Room for fingers beside an object, the widest first.
+struct Grips {
+    std::vector<Message> places;    ///< where they fit
+    std::optional<Message> widest;  ///< none where there is no room at all
+};
+
+Grips grips(const Mesh& mesh, const Placement& placement, const FoamDesign& design) {
+    const std::array<FingerRoom, 4> room =
+        finger_room(mesh, placement, design.space, design.blocks, design.foams);
     std::array<std::size_t, 4> order{0, 1, 2, 3};
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return room[a].mm > room[b].mm; });
     const auto place = [&](const char* code, std::size_t side) {
         return say(code, {{"side", side_text(kSides[side])},
                           {"mm", number(room[side].mm, 0)},
-                          {"column", column_at(room[side].where, space)}});
+                          {"column", column_at(room[side].where, design.space)}});
     };
-    std::vector<Message> places;
+    Grips found;
     for (const std::size_t side : order)
-        if (room[side].mm >= kFingerWidth) places.push_back(place("packing.place", side));
-    if (!places.empty()) return say("packing.unpack", {{"places", places}});
-    const std::size_t widest = order[0];
+        if (room[side].mm >= kFingerWidth) found.places.push_back(place("packing.place", side));
+    if (room[order[0]].mm > 0) found.widest = place("packing.widest", order[0]);
+    return found;
+}
+
+Message lifting_text(const PackedObject& packed) {
+    if (packed.items.size() > 1) return say("packing.unpack_items");
+    const Grips found = grips(packed.mesh, packed.placement, packed.design);
+    if (!found.places.empty()) return say("packing.unpack", {{"places", found.places}});
     return say("packing.unpack_ribbons",
-               {{"mm", number(kFingerWidth, 0)},
-                {"widest", room[widest].mm > 0 ? place("packing.widest", widest) : say("figure.none")}});
+               {{"mm", number(kFingerWidth, 0)}, {"widest", found.widest.value_or(say("figure.none"))}});
 }
 
 void tell_order(PageFlow& flow, const PackedObject& packed) {
-    const std::array<FingerRoom, 4> room = finger_room(packed.mesh, packed.placement, packed.design.space,
-                                                       packed.design.blocks, packed.design.foams);
     flow.heading(say("packing.how"));
-    flow.steps({say("packing.stand"), say("packing.lay"), say("packing.close"),
-                lifting_text(room, packed.design.space)},
-               kMarkIndent);
+    flow.steps(
+        {say("packing.stand"), packed.items.size() == 1 ? say("packing.lay") : say("packing.lay_items"),
+         say("packing.close"), lifting_text(packed)},
+        kMarkIndent);
 }
 
 Message walls_text(const FitReport& fit) {
@@ -90,18 +105,35 @@ Message walls_text(const FitReport& fit) {
                                     {"right", number(wall[kRight], 1)}});
 }
 
-Message object_text(const PackedObject& packed) {
-    const std::string& name = packed.design.object_name;
-    const std::string size = dimensions(packed.size_mm);
-    if (!packed.options.mass_kg) return say("packing.object_unweighed", {{"name", name}, {"size", size}});
-    return say("packing.object_of",
-               {{"name", name}, {"size", size}, {"kg", number(*packed.options.mass_kg, 3)}});
+Message item_text(const PackedItem& item) {
+    const std::string size = dimensions(item.size_mm);
+    if (!item.mass_kg) return say("packing.object_unweighed", {{"name", item.name}, {"size", size}});
+    return say("packing.object_of", {{"name", item.name}, {"size", size}, {"kg", number(*item.mass_kg, 3)}});
+}
+
+/// With where to take hold of it, where there are several.
+Message listed_item(const PackedItem& item, const PackedObject& packed) {
+    const Message text = item_text(item);
+    if (packed.items.size() == 1) return text;
+    const Grips found = grips(item.mesh, item.placement, packed.design);
+    if (found.places.empty()) return say("packing.without_fingers", {{"item", text}});
+    return say("packing.with_fingers", {{"item", text}, {"places", found.places}});
+}
+
+/// Of all items, where each is known.
+std::optional<double> mass_of(const std::vector<PackedItem>& items) {
+    double sum = 0;
+    for (const PackedItem& item : items) {
+        if (!item.mass_kg) return {};
+        sum += *item.mass_kg;
+    }
+    return sum;
 }
 
 Message foam_text(const PackedObject& packed) {
     const std::string litres = number(packed.fit.foam_mm3 * 1e-6, 2);
     const std::optional<double>& foam_kg = packed.material.foam_kg;
-    const std::optional<double>& mass_kg = packed.options.mass_kg;
+    const std::optional<double> mass_kg = mass_of(packed.items);
     if (!foam_kg) return say("figure.litres", {{"litres", litres}});
     if (!mass_kg) return say("packing.foam_weighs", {{"litres", litres}, {"kg", number(*foam_kg, 3)}});
     return say("packing.foam_and_object",
@@ -115,7 +147,10 @@ void tell_facts(PageFlow& flow, const PackedObject& packed) {
         flow.space(-0.8);
     };
     flow.heading(say("packing.what"));
-    fact(say("summary.object"), object_text(packed));
+    for (std::size_t i = 0; i < packed.items.size(); ++i)
+        fact(packed.items.size() == 1 ? say("summary.object")
+                                      : say("packing.item", {{"number", std::to_string(i + 1)}}),
+             listed_item(packed.items[i], packed));
     fact(say("packing.closed"), say("packing.closed_of", {{"size", dimensions(packed.design.space.size())}}));
     fact(say("summary.walls"), walls_text(packed.fit));
     fact(say("summary.foam"), foam_text(packed));
@@ -135,7 +170,7 @@ void tell_findings(PageFlow& flow, const std::vector<Finding>& findings) {
         flow.item(say(danger                                  ? "severity.danger"
                       : finding.severity == Severity::warning ? "severity.warning"
                                                               : "severity.note"),
-                  finding.message, {kBodyText, danger ? kAlarm : kSoftInk, true}, kFindingIndent);
+                  said_of_item(finding), {kBodyText, danger ? kAlarm : kSoftInk, true}, kFindingIndent);
     }
 }
 
@@ -152,7 +187,10 @@ DrawingDocument packing_sheet(const PackedObject& packed) {
     const FoamDesign& design = packed.design;
     const std::string title = text(say("packing.title", {{"name", design.object_name}}), design.language);
     PageFlow flow(paper_mm(packed.options.paper), as_it_is(design.object_name),
-                  say("packing.subtitle", {{"size", dimensions(packed.size_mm)}}), kInk, design.language);
+                  packed.items.size() == 1
+                      ? say("packing.subtitle", {{"size", dimensions(packed.items.front().size_mm)}})
+                      : say("packing.subtitle_items", {{"items", packed.items.size()}}),
+                  kInk, design.language);
     draw_pictures(flow, packed);
     tell_order(flow, packed);
     tell_facts(flow, packed);

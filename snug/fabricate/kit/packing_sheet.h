@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "snug/check/fit_report.h"
@@ -10,14 +12,23 @@
 
 namespace snug {
 
+/// A line of what lies in the box. References live as long as the objects and the packing.
+struct PackedItem {
+    std::string name;  ///< as people know it
+    Vec3d size_mm;     ///< of its object as it was read, unturned
+    std::optional<double> mass_kg;
+    const Mesh& mesh;
+    const Placement& placement;
+};
+
 /// What the packing sheet tells of.
 struct PackedObject {
     const FoamDesign& design;
     const FitReport& fit;
     const std::vector<Finding>& findings;  ///< dangers first
-    const Mesh& mesh;
+    const Mesh& mesh;                      ///< of all items together
     const Placement& placement;
-    Vec3d size_mm;  ///< of the object as it was read, unturned
+    std::vector<PackedItem> items;  ///< one at least
     const PackMaterial& material;
     const WorkshopOptions& options;
 };

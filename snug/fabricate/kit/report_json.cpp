@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "snug/space/fitted_space.h"
 #include "snug/words/words.h"
 
 namespace snug {
@@ -89,7 +90,7 @@ Json findings_json(const std::vector<Finding>& findings, Language language) {
     for (const Finding& finding : findings)
         list.push_back({{"severity", severity_name(finding.severity)},
                         {"code", finding.code()},
-                        {"message", text(finding.message, language)},
+                        {"message", text(said_of_item(finding), language)},
                         {"where", finding.where ? array(*finding.where) : Json(nullptr)}});
     return list;
 }
@@ -104,6 +105,37 @@ Json foam_json(const Packing& packing) {
             {"rib_blocks", packing.rib_blocks}};
 }
 
+/// One number where all six are equal.
+Json clearance_json(const Clearance& clearance) {
+    const auto& [a, b] = clearance;
+    if (clearance.is_one()) return rounded(a.x);
+    Json list = array(a);
+    for (const Json& each : array(b)) list.push_back(each);
+    return list;
+}
+
+/// Each item as it finally lies.
+Json items_json(const Packing& packing, const Project& project) {
+    Json list = Json::array();
+    const Vec3d walls = shift_between_walls(project.design.space, packing.fitted_case.has_value());
+    for (std::size_t i = 0; i < packing.items.size(); ++i) {
+        const Item& item = packing.items[i];
+        const Box3d& box = item.placement.bounds;
+        list.push_back(
+            {{"name", item_name(project, project.design.items[i])},
+             {"file", project.objects[item.object].file.name},
+             {"number", i + 1},
+             {"layer", 1},
+             {"placement",
+              {{"rotation_deg", array(item.rotation_deg)}, {"offset_mm", array(item.offset_mm + walls)}}},
+             {"box_mm", Json::array({array(box.min), array(box.max)})},
+             {"clearance_mm", clearance_json(item.cut.clearance_mm)},
+             {"mass_kg", item.mass_kg ? Json(rounded(*item.mass_kg)) : Json(nullptr)}});
+        if (!item.group.empty()) list.back()["group"] = item.group;
+    }
+    return list;
+}
+
 Json bearing_json(const BearingReport& bearing, const Design& design) {
     const auto areas = [](const auto& mm2) {
         Json list = Json::array();
@@ -111,10 +143,10 @@ Json bearing_json(const BearingReport& bearing, const Design& design) {
         return list;
     };
     Json pressure = nullptr;
-    if (design.workshop.mass_kg) {
+    if (const auto kg = mass_kg(design)) {
         pressure = Json::array();
         for (const double area : bearing.lower_mm2) {
-            const auto kpa = static_pressure_kpa(*design.workshop.mass_kg, area);
+            const auto kpa = static_pressure_kpa(*kg, area);
             pressure.push_back(kpa ? Json(rounded(*kpa)) : Json(nullptr));
         }
     }
@@ -198,12 +230,17 @@ Json workshop_json(const WorkshopPack& pack, Language language) {
 
 }  // namespace
 
-std::string report_json(const Object& object, const Project& project, const Made& made) {
+std::string report_json(std::span<const Object> objects, const Project& project, const Made& made) {
     const Packing& packing = made.packing;
+    const bool one = packing.items.size() == 1;
     Json json;
-    json["object"] = object_json(object, project.object.name);
-    json["placement"] = {{"rotation_deg", array(packing.rotation_deg)},
-                         {"offset_mm", array(packing.offset_mm)}};
+    json["object"] = one ? object_json(objects[packing.items.front().object],
+                                       project.objects[packing.items.front().object].file.name)
+                         : Json(nullptr);
+    json["placement"] = one ? Json{{"rotation_deg", array(packing.items.front().rotation_deg)},
+                                   {"offset_mm", array(packing.items.front().offset_mm)}}
+                            : Json(nullptr);
+    json["items"] = items_json(packing, project);
     json["design_space"] = {{"blocks", array(packing.space.blocks)},
                             {"block_mm", array(packing.space.block_mm)}};
     json["foam"] = packing.foams ? foam_json(packing) : Json(nullptr);

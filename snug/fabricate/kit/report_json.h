@@ -11,6 +11,7 @@ namespace snug {
 /// What was made and what a person must know of it; fields as the command line's contract names them. Without
 /// foams the foam and wall fields are null; what was not measured is null or, for a search or a pack, left
 /// out. Messages, labels and values of figures are in the language of `made`.
-[[nodiscard]] std::string report_json(const Object& object, const Project& project, const Made& made);
+[[nodiscard]] std::string report_json(std::span<const Object> objects, const Project& project,
+                                      const Made& made);
 
 }  // namespace snug

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "snug/base/result.h"
 #include "snug/design/design.h"
@@ -13,12 +14,16 @@
 
 namespace snug {
 
-/// What foam that a round cutter leaves in corners must not reach into. References live as long as the
-/// packing.
-struct MilledObject {
+/// An item's surface where it lies. References live as long as the packing.
+struct MilledSurface {
     const Mesh& mesh;
     const Placement& placement;
     CutOptions cut;
+};
+
+/// What foam that a round cutter leaves in corners must not reach into.
+struct MilledObject {
+    std::vector<MilledSurface> surfaces;     ///< one for each item
     const CaseSpace* fitted_case = nullptr;  ///< nor beyond its walls; none: the space's box alone
 };
 

@@ -43,6 +43,15 @@ Grid<Run> columns_within(const std::optional<MilledObject>& object, const Design
     return within;
 }
 
+/// Lowers each column to where an item allows it.
+void keep_below(Grid<int>& steps, const ObjectDepths& depths, const DesignSpace& fine, Half half,
+                const MillField& field) {
+    const HalfDepths& own = half == Half::lower || !depths.upper ? depths.lower : *depths.upper;
+    for (int j = 0; j < fine.blocks.y; ++j)
+        for (int k = 0; k < fine.blocks.z; ++k)
+            steps(j, k) = std::min(steps(j, k), steps_below(own.depths(j, k), own.reach, fine, half, field));
+}
+
 }  // namespace
 
 Grid<int> field_heights(const MillField& field, const CarvedStock& stock) {
@@ -59,15 +68,16 @@ Grid<int> allowed_heights(const FoamDesign& design, Half half, const MillField& 
     if (!object) return allowed;
     const DesignSpace fine = fine_space(design.space, stock);
     const Grid<Run> within = columns_within(object, fine, half);
-    const ObjectDepths depths = object_depths(object->mesh, object->placement, fine, object->cut);
-    const HalfDepths& own = half == Half::lower || !depths.upper ? depths.lower : *depths.upper;
+    Grid<int> below(fine.blocks.y, fine.blocks.z, field.top);
+    for (const MilledSurface& surface : object->surfaces)
+        keep_below(below, object_depths(surface.mesh, surface.placement, fine, surface.cut), fine, half,
+                   field);
     for (int j = 0; j < fine.blocks.y; ++j)
         for (int k = 0; k < fine.blocks.z; ++k) {
             int& steps = allowed(mill_row(half, j, fine.blocks.y), k);
             // A column never stands higher than its object and its case allow; what is cut for other reasons
             // may stay.
-            steps = std::max(steps, std::min(steps_below(own.depths(j, k), own.reach, fine, half, field),
-                                             within(j, k).end * field.steps_a_block));
+            steps = std::max(steps, std::min(below(j, k), within(j, k).end * field.steps_a_block));
         }
     return allowed;
 }

@@ -17,7 +17,8 @@ export interface OptionRow {
     | 'words'
     | 'pieces'
     | 'weights'
-    | 'group';
+    | 'group'
+    | 'list';
   label: Pair;
   help?: Pair;
   unit?: string;
@@ -59,10 +60,12 @@ export function valueAt(design: Design, path: OptionPath): unknown {
 }
 
 export function withValue(design: Design, path: OptionPath, value: unknown): Design {
-  const set = (part: Tree, [name, ...rest]: readonly string[]): Tree => ({
-    ...part,
-    [name!]: rest.length > 0 ? set(part[name!] as Tree, rest) : value,
-  });
+  const set = (part: Tree, [name, ...rest]: readonly string[]): Tree => {
+    const inner = rest.length > 0 ? set(part[name!] as Tree, rest) : value;
+    // Of a list, such as the items, a copy with another at its number.
+    if (Array.isArray(part)) return part.map((one: unknown, at) => (at === Number(name) ? inner : one)) as unknown as Tree;
+    return {...part, [name!]: inner};
+  };
   return set(design as unknown as Tree, path.split('.')) as unknown as Design;
 }
 

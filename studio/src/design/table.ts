@@ -32,6 +32,8 @@ export interface Design {
     block_mm: [number, number, number];
     /** Least foam between object and case: all sides, or X,Y,Z, or floor,roof,back,front,left,right (mm). */
     wall_mm: number | number[] | null;
+    /** Least foam between two items that are of no common group (mm). */
+    between_mm: number | null;
   };
   placement: {
     /** Degrees about the fixed axes x, then y, then z (degrees). */
@@ -39,6 +41,22 @@ export interface Design {
     /** Shift from the centre of the space in mm (mm). */
     offset_mm: [number, number, number];
   };
+  items: {
+    /** Which of the project's objects it is, from 0. */
+    object: number;
+    /** What it is called on pages. */
+    name: string;
+    /** Items of one group may share a pocket. */
+    group: string;
+    /** Its own rotation (degrees). */
+    rotation_deg: [number, number, number] | null;
+    /** Its own shift from the middle of the space (mm). */
+    offset_mm: [number, number, number] | null;
+    /** Its own clearance (mm). */
+    clearance_mm: number | number[] | null;
+    /** Its own mass (kg). */
+    mass_kg: number | null;
+  }[];
   cut: {
     /** Grow the object by this on every side: one number, or X,Y,Z, or six: X,Y,Z for the lower foam, then for the upper; negative squeezes it, down to -0.4 of the smallest side of a block (mm). */
     clearance_mm: number | number[];
@@ -205,6 +223,7 @@ export interface Design {
 
 /** Every option by its path in a design. */
 export type OptionPath =
+  | 'items'
   | 'fit.notches'
   | 'object.units'
   | 'object.scale'
@@ -218,8 +237,16 @@ export type OptionPath =
   | 'space.blocks'
   | 'space.block_mm'
   | 'space.wall_mm'
+  | 'space.between_mm'
   | 'placement.rotation_deg'
   | 'placement.offset_mm'
+  | 'items.0.object'
+  | 'items.0.name'
+  | 'items.0.group'
+  | 'items.0.rotation_deg'
+  | 'items.0.offset_mm'
+  | 'items.0.clearance_mm'
+  | 'items.0.mass_kg'
   | 'cut.clearance_mm'
   | 'cut.liner_mm'
   | 'cut.cut_on_touch'

@@ -17,6 +17,7 @@ export const check = words({
     codes: byName({
       open: ['Foam would grow inside', '内側にフォームが残る'],
       outside: ['Does not fit', '入りきらない'],
+      items_near: ['Items too near each other', '間のフォームが足りない'],
       uncut_part: ['A part is not cut free', '切り抜かれない部品がある'],
       parts_not_checked: ['Parts that were not checked', '確認できなかった部品がある'],
       no_floor: ['No foam below', '下にフォームがない'],

@@ -29,7 +29,7 @@ describe('a project that waits for its object', () => {
     const {openFiles, openSample} = await import('../../src/import/open_files');
     const object = {name: 'box.stl', bytes: 684, sha256: await sha256(await bytesOf(box([120, 80, 60])))};
     const design = {...studio.defaults, cut: {...studio.defaults.cut, clearance_mm: 3}};
-    const text = JSON.stringify({...JSON.parse(await studio.engine.projectText(design)), object});
+    const text = JSON.stringify({...JSON.parse(await studio.engine.projectText(design)), objects: [object]});
     await openFiles(studio, [new File([text], 'work.snug.json')]);
     expect(studio.notice).toEqual(ALL.files.openObjectOf('box.stl'));
     const open = (content: Blob, name: string) => openFiles(studio, [new File([content], name)]);

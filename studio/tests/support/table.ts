@@ -16,6 +16,7 @@ function typeOf(row: OptionRow): string {
     pieces: 'Record<string, number>',
     weights: 'Record<string, number>',
     group: '',
+    list: '',
   };
   const none = row.none === undefined ? 'null' : `'${row.none}'`;
   return types[row.kind] + (row.optional ? ` | ${none}` : '');
@@ -27,12 +28,13 @@ function comment({help, unit}: OptionRow): string {
 
 /** The members below `prefix`, each with what it does. */
 function members(schema: Record<string, OptionRow>, prefix: string, indent: string): string {
-  const below = Object.keys(schema).filter((path) => path.startsWith(prefix) && schema[path]!.kind !== 'group');
+  const below = Object.keys(schema).filter((path) => path.startsWith(prefix) && !['group', 'list'].includes(schema[path]!.kind));
   const names = [...new Set(below.map((path) => path.slice(prefix.length).split('.')[0]!))];
   return names
     .map((name) => {
       const path = prefix + name;
       const row = schema[path];
+      if (row?.kind === 'list') return `${indent}${name}: {\n${members(schema, `${path}.0.`, `${indent}  `)}${indent}}[];\n`;
       if (row && row.kind !== 'group') return `${indent}${comment(row)}\n${indent}${name}: ${typeOf(row)};\n`;
       const inner = members(schema, `${path}.`, `${indent}  `);
       return `${indent}${name}: {\n${inner}${indent}}${row ? ' | null' : ''};\n`;

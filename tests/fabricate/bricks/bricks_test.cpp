@@ -234,7 +234,7 @@ TEST(BricksTest, StudsHaveRoomInTheCavity) {
     Mesh mesh = *sample("vase");
     const BrickCase brick = packed(mesh, {24, 20, 20}, 120);
     ASSERT_TRUE(brick.packing.foams);
-    const Placement& placement = brick.packing.placement;
+    const Placement& placement = brick.packing.items.front().placement;
     for (const Vec3f& vertex : brick.object.mesh.vertices) {
         const Vec3d p = placement(vertex);
         const DesignSpace& space = brick.packing.space;

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "snug/base/finding.h"
+#include "snug/foam/block_map.h"
+#include "snug/space/design_space.h"
+#include "snug/space/item.h"
+
+namespace snug {
+
+/// Items of one layer that are of no common group and between whose cut columns less foam stands than is
+/// wanted, in mm: `items_near` (danger), one for each pair of them, with how far to shift. The distance of
+/// two columns is the larger of those along y and z. `cut`: what each item cuts by itself.
+void find_near_items(const std::vector<Item>& items, const std::vector<BlockMap>& cut,
+                     const DesignSpace& space, double between_mm, std::vector<Finding>& findings);
+
+}  // namespace snug

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "snug/base/vec.h"
+#include "snug/design/clearance.h"
+#include "snug/design/option.h"
+
+namespace snug {
+
+constexpr int kMostItems = 1000;
+constexpr double kGreatestShift = 1e6;  // mm, of an item from the middle
+
+/// An object as it lies in the case. What it leaves open is as the design has it for all.
+struct ItemOptions {
+    int object = 0;     ///< which of the project's objects, from 0
+    std::string name;   ///< empty: its file's
+    std::string group;  ///< items of one group may share a pocket; empty: of none
+    std::optional<Vec3d> rotation_deg;
+    std::optional<Vec3d>
+        offset_mm;  ///< from the middle of the space; none: beside the others, see place_items()
+    std::optional<Clearance> clearance_mm;
+    std::optional<double> mass_kg;
+    friend bool operator==(const ItemOptions&, const ItemOptions&) = default;
+};
+
+template <class Visit>
+void visit_options(Visit& visit, ItemOptions& item) {
+    visit.option(item.object, {.json = "object",
+                               .range = {0, kMostItems - 1},
+                               .label = {"the number of the object", "対象物の番号"},
+                               .help = {"Which of the project's objects it is, from 0",
+                                        "プロジェクトの何番目の対象物か（0 から）"},
+                               .scope = Scope::item});
+    visit.option(item.name, {.json = "name",
+                             .label = {"the name", "名前"},
+                             .help = {"What it is called on pages", "印刷物に載る名前"},
+                             .usual = {"its file's", "ファイルの名前"},
+                             .scope = Scope::item,
+                             .word = "name"});
+    visit.option(item.group, {.json = "group",
+                              .label = {"the group", "グループ"},
+                              .help = {"Items of one group may share a pocket",
+                                       "同じグループのものは一つのくぼみに入れられます"},
+                              .usual = {"none", "なし"},
+                              .scope = Scope::item,
+                              .word = "group"});
+    visit.option(item.rotation_deg, {.json = "rotation_deg",
+                                     .unit = {"degrees", "度"},
+                                     .range = {-1e6, 1e6},
+                                     .step = 1,
+                                     .label = {"an angle", "角度"},
+                                     .help = {"Its own rotation", "これだけの回転"},
+                                     .usual = {"the design's", "全体の設定"},
+                                     .scope = Scope::item,
+                                     .word = "rotate"});
+    visit.option(item.offset_mm,
+                 {.json = "offset_mm",
+                  .unit = "mm",
+                  .range = {-kGreatestShift, kGreatestShift},
+                  .step = 1,
+                  .label = {"an offset", "移動量"},
+                  .help = {"Its own shift from the middle of the space", "空間の中心からの、これだけの移動"},
+                  .usual = {"beside the others", "ほかのものの隣"},
+                  .scope = Scope::item,
+                  .word = "move"});
+    visit.option(item.clearance_mm, {.json = "clearance_mm",
+                                     .unit = "mm",
+                                     .range = {-kGreatestShift, kGreatestShift},
+                                     .step = 0.1,
+                                     .label = {"the clearance", "すきま"},
+                                     .help = {"Its own clearance", "これだけのすきま"},
+                                     .usual = {"the design's", "全体の設定"},
+                                     .scope = Scope::item,
+                                     .word = "clearance"});
+    visit.option(item.mass_kg, {.json = "mass_kg",
+                                .unit = "kg",
+                                .range = {.least = 0, .most = 1e5, .above = true},
+                                .label = {"the mass", "質量"},
+                                .help = {"Its own mass", "これだけの質量"},
+                                .usual = {"the design's", "全体の設定"},
+                                .scope = Scope::item,
+                                .word = "mass"});
+}
+
+}  // namespace snug

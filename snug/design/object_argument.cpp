@@ -1,0 +1,184 @@
+#include "snug/design/object_argument.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "snug/base/text.h"
+#include "snug/design/flags.h"
+#include "snug/design/option_list.h"
+#include "snug/design/option_text.h"
+
+namespace snug {
+namespace {
+
+constexpr std::string_view kCount = "count", kUpright = "upright";
+
+template <class Options>
+OptionList list_of(Options& options) {
+    OptionList list;
+    visit_options(list, options);
+    return list;
+}
+
+bool is_word(std::string_view text) {
+    return !text.empty() &&
+           std::all_of(text.begin(), text.end(), [](char c) { return (c >= 'a' && c <= 'z') || c == '-'; });
+}
+
+/// "a=1,b=2x3"; empty where it is something else. A switch stands alone ("cap").
+std::vector<std::pair<std::string, std::string>> choices_of(std::string_view text) {
+    std::vector<std::pair<std::string, std::string>> choices;
+    for (bool more = true; more;) {
+        const std::size_t end = std::min(text.find(','), text.size());
+        more = end < text.size();
+        const std::string_view one = text.substr(0, end);
+        const std::size_t equals = one.find('=');
+        if (!is_word(one.substr(0, equals))) return {};
+        choices.emplace_back(one.substr(0, equals),
+                             equals == std::string_view::npos ? "" : one.substr(equals + 1));
+        text.remove_prefix(more ? end + 1 : text.size());
+    }
+    return choices;
+}
+
+/// Vectors are written with x here, since commas part the choices.
+Result<void> take(Option option, const std::string& text) {
+    OptionRow& row = option.row;
+    row.flag = row.word.empty() ? row.flag.substr(2) : row.word;  // what a refusal names
+    auto done = take_text(option, text);
+    if (done || text.find('x') == std::string::npos) return done;
+    std::string with_commas = text;
+    std::replace(with_commas.begin(), with_commas.end(), 'x', ',');
+    return take_text(option, with_commas) ? Result<void>() : done;
+}
+
+const Option* find_word(const OptionList& list, std::string_view word) {
+    const auto found = std::find_if(list.options.begin(), list.options.end(),
+                                    [&](const Option& option) { return option.row.word == word; });
+    return found == list.options.end() ? nullptr : &*found;
+}
+
+/// The turn that lets an axis of the file point up.
+std::optional<Vec3d> upright(std::string_view axis) {
+    if (axis == "x") return Vec3d{};
+    if (axis == "-x") return Vec3d{0, 180, 0};
+    if (axis == "y") return Vec3d{0, 0, -90};
+    if (axis == "-y") return Vec3d{0, 0, 90};
+    if (axis == "z") return Vec3d{0, 90, 0};
+    if (axis == "-z") return Vec3d{0, -90, 0};
+    return {};
+}
+
+struct Taken {
+    ItemOptions item;
+    std::optional<ObjectOptions> own;
+    int count = 1;
+};
+
+std::vector<Message> known_choices(const OptionList& item, const OptionList& object) {
+    std::vector<Message> names{as_it_is(kCount), as_it_is(kUpright)};
+    for (const OptionList* list : {&item, &object})
+        for (const Option& option : list->options) {
+            const OptionRow& row = option.row;
+            if (!row.word.empty()) names.push_back(as_it_is(row.word));
+            if (row.flag.size() > 2) names.push_back(as_it_is(row.flag.substr(2)));
+        }
+    return names;
+}
+
+Result<void> take_choice(const std::string& name, const std::string& text, const Design& design,
+                         Taken& taken) {
+    if (name == kCount) {
+        const auto count = typed_integer(text);
+        if (!count || *count < 1 || *count > kMostItems)
+            return not_what_it_takes(name, say("takes.count", {{"most", std::to_string(kMostItems)}}), text);
+        taken.count = *count;
+        return {};
+    }
+    if (name == kUpright) {
+        taken.item.rotation_deg = upright(text);
+        if (!taken.item.rotation_deg) return not_what_it_takes(name, say("takes.axis"), text);
+        return {};
+    }
+    const OptionList of_item = list_of(taken.item);
+    if (const Option* option = find_word(of_item, name)) return take(*option, text);
+    ObjectOptions own = taken.own.value_or(design.object);
+    const OptionList of_object = list_of(own);
+    const Option* const option = of_object.find_by_flag("--" + name);
+    if (!option)
+        return fail(ErrorKind::usage,
+                    say("object.no_choice", {{"name", name}, {"names", known_choices(of_item, of_object)}}));
+    if (auto done = take(*option, text); !done) return done;
+    taken.own = own;
+    return {};
+}
+
+Result<Taken> take_choices(const ObjectArgument& argument, const ItemOptions& usual, const Design& design) {
+    Taken taken{usual, {}};
+    for (auto at = argument.choices.begin(); at != argument.choices.end(); ++at) {
+        const auto same = [&](const auto& each) { return each.first == at->first; };
+        if (std::any_of(argument.choices.begin(), at, same))
+            return fail(ErrorKind::usage, say("object.twice", {{"name", at->first}}));
+        if (auto done = take_choice(at->first, at->second, design, taken); !done)
+            return tl::unexpected(done.error());
+    }
+    const auto chosen = [&](std::string_view name) {
+        return std::any_of(argument.choices.begin(), argument.choices.end(),
+                           [&](const auto& each) { return each.first == name; });
+    };
+    if (chosen(kUpright) && chosen("rotate"))
+        return fail(ErrorKind::usage, say("object.turned_twice", {{"one", "rotate"}, {"other", kUpright}}));
+    if (taken.own)
+        if (const auto found = problem_of(*taken.own)) return fail(ErrorKind::usage, found->message);
+    return taken;
+}
+
+std::size_t object_of(Project& project, std::vector<std::string>& files, const std::string& file,
+                      const std::optional<ObjectOptions>& own) {
+    for (std::size_t i = 0; i < files.size(); ++i)
+        if (files[i] == file && project.objects[i].own == own) return i;
+    files.push_back(file);
+    ProjectObject object;
+    object.own = own;
+    project.objects.push_back(std::move(object));
+    return files.size() - 1;
+}
+
+}  // namespace
+
+ObjectArgument object_argument(std::string_view text) {
+    const std::size_t colon = text.rfind(':');
+    if (colon == std::string_view::npos || colon == 0) return {std::string(text), {}};
+    auto choices = choices_of(text.substr(colon + 1));
+    // "C:name" is a file of another system.
+    const bool any = std::any_of(choices.begin(), choices.end(), [](const auto& each) {
+        return !each.second.empty() || each.first == "cap";
+    });
+    if (!any) return {std::string(text), {}};
+    return {std::string(text.substr(0, colon)), std::move(choices)};
+}
+
+Result<Project> with_objects(std::span<const ObjectArgument> arguments, Design design,
+                             std::vector<std::string>& files) {
+    Project project;
+    project.objects.clear();
+    files.clear();
+    // What --set says of the first item.
+    const ItemOptions first = design.items.front();
+    design.items.clear();
+    for (const ObjectArgument& argument : arguments) {
+        auto taken = take_choices(argument, design.items.empty() ? first : ItemOptions(), design);
+        if (!taken) return fail(taken.error().kind, in_file(argument.file, taken.error().message));
+        taken->item.object = static_cast<int>(object_of(project, files, argument.file, taken->own));
+        if (design.items.size() + static_cast<std::size_t>(taken->count) > kMostItems)
+            return fail(
+                ErrorKind::usage,
+                in_file(argument.file, say("object.too_many", {{"most", std::to_string(kMostItems)}})));
+        design.items.insert(design.items.end(), static_cast<std::size_t>(taken->count), taken->item);
+    }
+    project.design = std::move(design);
+    return project;
+}
+
+}  // namespace snug

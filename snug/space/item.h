@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "snug/base/vec.h"
+#include "snug/design/design.h"
+#include "snug/space/placement.h"
+
+namespace snug {
+
+/// An object where it lies in the case: its own choices and, where it has none, the design's.
+struct Item {
+    std::size_t object = 0;  ///< which of the objects
+    std::string name;        ///< its own or its object's, with its number where others are called the same
+    std::string group;
+    Vec3d rotation_deg;
+    Vec3d offset_mm;  ///< as chosen or, for an item beside others, as it came out
+    CutOptions cut;
+    std::optional<double> mass_kg;
+    Placement placement;
+};
+
+/// What an item takes up with its clearance; and what all of them take up together.
+[[nodiscard]] Box3d room_of(const Item& item);
+[[nodiscard]] Box3d room_of(const std::vector<Item>& items);
+/// Their placed bounding boxes together.
+[[nodiscard]] Box3d bounds_of(const std::vector<Item>& items);
+
+}  // namespace snug

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "snug/check/packing.h"
+#include "snug/mesh/mesh.h"
+
+#include "tests/support/brute_force.h"
+#include "tests/support/random.h"
+
+namespace snug::test {
+
+/// Triangles of all sizes within a box of this size.
+[[nodiscard]] Mesh random_soup(Random& random, Vec3d size, int triangles);
+
+/// What a half keeps where the object, grown for that half, cuts; and where one half lies in the other's way.
+struct Broken {
+    long long in_room = 0;
+    long long in_the_way = 0;
+    long long crossed = 0;  ///< columns whose lower foam has to end above where the upper may begin
+};
+
+/// Block by block, from a cut of its own for each half.
+[[nodiscard]] Broken broken_by(const Packing& packing, const Blocks& below, const Blocks& above);
+
+}  // namespace snug::test
