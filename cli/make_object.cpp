@@ -96,6 +96,17 @@ Result<ReadObject> read(const Reading& reading, StatusLine& status) {
     return read_whole(reading, status);
 }
 
+/// Different files of one name, which a project could not tell apart.
+void look_for_equal_names(const Project& project, std::vector<Object>& objects) {
+    for (std::size_t i = 1; i < objects.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k) {
+            const ObjectFile &one = project.objects[i].file, &other = project.objects[k].file;
+            if (one.name != other.name || (one.bytes == other.bytes && one.sha256 == other.sha256)) continue;
+            objects[i].findings.push_back({Severity::warning, say("object_same_name", {{"name", one.name}})});
+            break;
+        }
+}
+
 }  // namespace
 
 Result<ReadObjects> read_objects_of(Task& task, StatusLine& status) {
@@ -109,6 +120,7 @@ Result<ReadObjects> read_objects_of(Task& task, StatusLine& status) {
         all.objects.push_back(std::move(one->object));
         all.read_ms += one->read_ms;
     }
+    look_for_equal_names(task.project, all.objects);
     return all;
 }
 

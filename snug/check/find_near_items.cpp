@@ -60,6 +60,24 @@ std::optional<double> nearer_than(double wanted, const Footprint& a, const Footp
     return found ? std::optional<double>(least) : std::nullopt;
 }
 
+/// What parts them for sure: along y or z, to either side.
+double shift_apart(const Footprint& a, const Footprint& b, const DesignSpace& space, double between_mm) {
+    const auto along = [&](int first_a, int last_a, int first_b, int last_b, double size) {
+        // A block more, since a shift that is no whole block may cut another column.
+        const double foam = (std::ceil(between_mm / size - 1e-9) + 1) * size;
+        return std::min(last_a + 1 - first_b, last_b + 1 - first_a) * size + foam;
+    };
+    return std::min(along(a.j_first, a.j_last, b.j_first, b.j_last, space.block_mm.y),
+                    along(a.k_first, a.k_last, b.k_first, b.k_last, space.block_mm.z));
+}
+
+bool share_a_column(const Footprint& a, const Footprint& b) {
+    for (int j = std::max(a.j_first, b.j_first); j <= std::min(a.j_last, b.j_last); ++j)
+        for (int k = std::max(a.k_first, b.k_first); k <= std::min(a.k_last, b.k_last); ++k)
+            if (!(*a.cut)(j, k).none() && !(*b.cut)(j, k).none()) return true;
+    return false;
+}
+
 bool may_touch(const Item& a, const Item& b) {
     return !a.group.empty() && a.group == b.group;
 }
@@ -77,13 +95,16 @@ void find_near_items(const std::vector<Item>& items, const std::vector<BlockMap>
             const auto distance = nearer_than(between_mm, footprints[a], footprints[b], space);
             if (!distance) continue;
             ++told;
+            const bool meet = share_a_column(footprints[a], footprints[b]);
+            const double shift =
+                meet ? shift_apart(footprints[a], footprints[b], space, between_mm) : between_mm - *distance;
             findings.push_back(
                 {Severity::danger,
-                 say("items_near", {{"one", items[a].name},
-                                    {"other", items[b].name},
-                                    {"distance", number(*distance, 1)},
-                                    {"between", number(between_mm, 1)},
-                                    {"shift", number(between_mm - *distance, 1)}}),
+                 say(meet ? "items_near/meet" : "items_near", {{"one", items[a].name},
+                                                               {"other", items[b].name},
+                                                               {"distance", number(*distance, 1)},
+                                                               {"between", number(between_mm, 1)},
+                                                               {"shift", number(std::ceil(shift), 0)}}),
                  (items[a].placement.bounds.centre() + items[b].placement.bounds.centre()) * 0.5});
         }
 }

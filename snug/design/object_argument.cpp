@@ -12,7 +12,7 @@
 namespace snug {
 namespace {
 
-constexpr std::string_view kCount = "count", kUpright = "upright";
+constexpr std::string_view kCount = "count", kUpright = "upright", kCap = "cap";
 
 template <class Options>
 OptionList list_of(Options& options) {
@@ -21,36 +21,50 @@ OptionList list_of(Options& options) {
     return list;
 }
 
+/// What may be meant as a choice's name, also where no choice is called so.
 bool is_word(std::string_view text) {
-    return !text.empty() &&
-           std::all_of(text.begin(), text.end(), [](char c) { return (c >= 'a' && c <= 'z') || c == '-'; });
+    return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-' || c == '_' || c == ' ';
+    });
 }
 
-/// "a=1,b=2x3"; empty where it is something else. A switch stands alone ("cap").
+bool begins_a_choice(std::string_view text) {
+    const std::size_t equals = text.find('=');
+    return equals == std::string_view::npos ? text == kCap : is_word(text.substr(0, equals));
+}
+
+/// "a=1,b=2x3"; empty where it is something else. What begins no choice belongs to the one before, comma
+/// included: a name, or a vector as it is typed elsewhere.
 std::vector<std::pair<std::string, std::string>> choices_of(std::string_view text) {
     std::vector<std::pair<std::string, std::string>> choices;
     for (bool more = true; more;) {
         const std::size_t end = std::min(text.find(','), text.size());
         more = end < text.size();
         const std::string_view one = text.substr(0, end);
-        const std::size_t equals = one.find('=');
-        if (!is_word(one.substr(0, equals))) return {};
-        choices.emplace_back(one.substr(0, equals),
-                             equals == std::string_view::npos ? "" : one.substr(equals + 1));
+        const std::size_t equals = std::min(one.find('='), one.size());
+        if (begins_a_choice(one))
+            choices.emplace_back(one.substr(0, equals), one.substr(std::min(equals + 1, one.size())));
+        else if (choices.empty())
+            return {};
+        else
+            choices.back().second.append(",").append(one);
         text.remove_prefix(more ? end + 1 : text.size());
     }
     return choices;
 }
 
-/// Vectors are written with x here, since commas part the choices.
+/// Vectors are written with x here, since commas part the choices; as they are typed elsewhere they do, too.
 Result<void> take(Option option, const std::string& text) {
     OptionRow& row = option.row;
     row.flag = row.word.empty() ? row.flag.substr(2) : row.word;  // what a refusal names
     auto done = take_text(option, text);
-    if (done || text.find('x') == std::string::npos) return done;
-    std::string with_commas = text;
-    std::replace(with_commas.begin(), with_commas.end(), 'x', ',');
-    return take_text(option, with_commas) ? Result<void>() : done;
+    for (const auto& [from, to] : {std::pair('x', ','), std::pair(',', 'x')}) {
+        if (done) return done;
+        std::string other = text;
+        std::replace(other.begin(), other.end(), from, to);
+        if (take_text(option, other)) return {};
+    }
+    return done;
 }
 
 const Option* find_word(const OptionList& list, std::string_view word) {
@@ -74,6 +88,7 @@ struct Taken {
     ItemOptions item;
     std::optional<ObjectOptions> own;
     int count = 1;
+    std::optional<Upright> upright;
 };
 
 std::vector<Message> known_choices(const OptionList& item, const OptionList& object) {
@@ -98,6 +113,7 @@ Result<void> take_choice(const std::string& name, const std::string& text, const
     }
     if (name == kUpright) {
         taken.item.rotation_deg = upright(text);
+        taken.upright = value_named<Upright>(text);
         if (!taken.item.rotation_deg) return not_what_it_takes(name, say("takes.axis"), text);
         return {};
     }
@@ -115,7 +131,7 @@ Result<void> take_choice(const std::string& name, const std::string& text, const
 }
 
 Result<Taken> take_choices(const ObjectArgument& argument, const ItemOptions& usual, const Design& design) {
-    Taken taken{usual, {}};
+    Taken taken{usual, {}, 1, {}};
     for (auto at = argument.choices.begin(); at != argument.choices.end(); ++at) {
         const auto same = [&](const auto& each) { return each.first == at->first; };
         if (std::any_of(argument.choices.begin(), at, same))
@@ -129,6 +145,7 @@ Result<Taken> take_choices(const ObjectArgument& argument, const ItemOptions& us
     };
     if (chosen(kUpright) && chosen("rotate"))
         return fail(ErrorKind::usage, say("object.turned_twice", {{"one", "rotate"}, {"other", kUpright}}));
+    if (const auto found = out_of_range(taken.item)) return fail(ErrorKind::usage, found->message);
     if (taken.own)
         if (const auto found = problem_of(*taken.own)) return fail(ErrorKind::usage, found->message);
     return taken;
@@ -176,6 +193,9 @@ Result<Project> with_objects(std::span<const ObjectArgument> arguments, Design d
                 ErrorKind::usage,
                 in_file(argument.file, say("object.too_many", {{"most", std::to_string(kMostItems)}})));
         design.items.insert(design.items.end(), static_cast<std::size_t>(taken->count), taken->item);
+        // Of one item a search, too, must know it; several are not searched.
+        const bool alone = arguments.size() == 1 && taken->count == 1;
+        if (alone && taken->upright) design.search.upright = taken->upright;
     }
     project.design = std::move(design);
     return project;

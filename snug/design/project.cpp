@@ -186,6 +186,8 @@ Result<Project> parse_project(std::string_view text) {
     for (std::size_t i = 0; version > 1 && i < project.objects.size(); ++i) {
         const nlohmann::json& object = (*json)[objects][i];
         if (!object.contains("options")) continue;
+        if (!object["options"].is_object())
+            return fail(ErrorKind::input, not_an_object("objects." + std::to_string(i) + ".options"));
         auto own = own_options(object["options"], "objects." + std::to_string(i) + ".options.");
         if (!own) return tl::unexpected(own.error());
         project.objects[i].own = std::move(*own);

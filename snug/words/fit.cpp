@@ -20,6 +20,17 @@ constexpr Wording kWordsOfFit[] = {
      "{one} と {other} の間のフォームが {distance} mm しかありません（必要なのは {between} mm）。どちらかを "
      "y または z 方向に {shift} mm 動かすか、同じくぼみに入れてよければ同じグループにするか、--between を"
      "小さくしてください。"},
+    {"items_near/meet",
+     "{one} and {other} lie in the same columns ({distance} mm apart, and {between} mm of foam are wanted): "
+     "shift one of them by {shift} mm along y or z, or give both one group if they may share a pocket and do "
+     "not run into each other",
+     "{one} と {other} が同じ列にあります（間は {distance} mm、必要なフォームは {between} mm）。どちらかを y "
+     "または z 方向に {shift} mm 動かすか、ぶつからず同じくぼみに入れてよければ同じグループにしてください。"},
+    {"object_same_name",
+     "another object is called {name}, too, and is a different file: a project finds one alone beside it, so "
+     "rename one of them before you rely on the project",
+     "{name} という名前の別のファイルもあります。プロジェクトから作り直すときに区別できないため、どちらかの"
+     "名前を変えてください。"},
     {"items.no_object", "there is an item of object {number}, but only {objects} of them, counted from 0",
      "対象物 {number} のものがありますが、対象物は {objects} 個しかありません（0 から数えます）。"},
     {"search.one_item", "a search takes one object, and here lie {items}: place them yourself ({example})",

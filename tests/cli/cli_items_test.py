@@ -120,6 +120,21 @@ class ItemsTest(unittest.TestCase):
         self.assertMade(self.make("torus.stl:move=0x0x-40,group=a", "vase.stl:longest=100,move=0x0x40,group=a", "--units", "mm"))
         self.assertEqual([each for each in self.report()["findings"] if each["code"] == "items_near"], [])
 
+    def test_items_in_each_other_are_told_what_parts_them(self):
+        self.assertMade(self.make("vase.stl:longest=100,name=A,move=0x0x0", "torus.stl:name=B,move=0x0x40", "--units", "mm", "--blocks", "auto"))
+        near = [each["message"] for each in self.report()["findings"] if each["code"] == "items_near"]
+        self.assertEqual(len(near), 1)
+        self.assertIn("lie in the same columns", near[0])
+        shift = float(near[0].split("shift one of them by ")[1].split()[0])
+        self.assertMade(self.make("vase.stl:longest=100,name=A,move=0x0x0", f"torus.stl:name=B,move=0x0x{40 + shift}", "--units", "mm", "--blocks", "auto"))
+        self.assertEqual([each for each in self.report()["findings"] if each["code"] == "items_near"], [])
+
+    def test_different_files_of_one_name_are_told(self):
+        (self.work / "a").mkdir()
+        shutil.copy(self.work / "vase.stl", self.work / "a" / "torus.stl")
+        self.assertMade(self.make("torus.stl:longest=90", "a/torus.stl:longest=80", "--units", "mm", "--blocks", "auto"))
+        self.assertIn("object_same_name", [each["code"] for each in self.report()["findings"] if each["severity"] == "warning"])
+
     def test_items_of_one_name_are_told_apart_and_an_object_is_told_of_once(self):
         (self.work / "open.off").write_text(TETRAHEDRON.replace("4 4 6", "4 3 6").replace("3 1 2 3\n", ""))
         done = self.make("open.off:count=2,move=0x0x10", "torus.stl:move=0x0x110,cap", "--units", "mm")
@@ -129,7 +144,7 @@ class ItemsTest(unittest.TestCase):
         self.assertIn(("open", "open.off (2)"), found)
         self.assertEqual([name for code, name in found if code == "nothing_to_cap"], ["torus.stl"])
         near = [each["message"] for each in self.report()["findings"] if each["code"] == "items_near"]
-        self.assertTrue(any("between open.off (1) and open.off (2) stand" in message for message in near), near)
+        self.assertTrue(any("open.off (1) and open.off (2) lie in" in message for message in near), near)
         self.assertIn("open.off x2", done.stdout)
 
     def test_an_item_that_does_not_fit_is_named(self):
@@ -149,6 +164,10 @@ class ItemsTest(unittest.TestCase):
         self.assertRefused(self.make("torus.stl:turn=3"), 1, "torus.stl", "\"turn\"", "rotate", "longest")
         self.assertRefused(self.make("torus.stl:move=0x40"), 1, "torus.stl", "move")
         self.assertRefused(self.make("torus.stl:upright=up"), 1, "torus.stl", "x, y, z")
+        self.assertRefused(self.make("torus.stl:mass=0,5"), 1, "torus.stl", "mass takes")
+        self.assertRefused(self.make("torus.stl:COUNT=2"), 1, "torus.stl", "\"COUNT\"")
+        self.assertRefused(self.make("torus.stl:rotate=nanx0x0"), 1, "torus.stl")
+        self.assertRefused(self.make("torus.stl:move=1e9x0x0", "vase.stl"), 1, "torus.stl")
         self.assertRefused(self.make("torus.stl:mass=1,mass=2"), 1, "torus.stl", "twice")
         self.assertRefused(self.make("torus.stl:rotate=0x90x0,upright=z"), 1, "torus.stl", "rotate and upright")
         self.assertRefused(self.make("torus.stl:clearance=-9"), 1, "clearance")

@@ -18,8 +18,11 @@ TEST(ObjectArgument, TakesTheChoicesOffBehindTheLastColon) {
     EXPECT_EQ(split("a.stl:count=2,move=0x40x0").choices, (Choices{{"count", "2"}, {"move", "0x40x0"}}));
     EXPECT_EQ(split("a:b.stl:cap").file, "a:b.stl");
     EXPECT_EQ(split("a.stl:cut-plane=1x0x0x-5").choices, (Choices{{"cut-plane", "1x0x0x-5"}}));
+    EXPECT_EQ(split("a.stl:name=a,b, c,cap").choices, (Choices{{"name", "a,b, c"}, {"cap", ""}}));
+    EXPECT_EQ(split("a.stl:rotate=0,90,0,mass=1").choices, (Choices{{"rotate", "0,90,0"}, {"mass", "1"}}));
+    EXPECT_EQ(split("a.stl:COUNT=2").choices, (Choices{{"COUNT", "2"}})) << "so that it can be said";
     for (const char* whole :
-         {"C:/a.stl", "C:\\a.stl", "a:b", "a.stl:", ":count=2", "", ":", "a.stl:Count=2", "http://a/b=c"})
+         {"C:/a.stl", "C:\\a.stl", "a:b", "a.stl:", ":count=2", "", ":", "a.stl:count", "http://a/b=c"})
         EXPECT_EQ(split(whole).file, whole);
 }
 
@@ -54,6 +57,7 @@ TEST(ObjectArgument, WhatPointsUpPointsUp) {
         std::vector<std::string> files;
         const std::vector<ObjectArgument> typed{{"a.stl", {{"upright", names[i]}}}};
         const Project project = with_objects(typed, {}, files).value();
+        EXPECT_EQ(project.design.search.upright, static_cast<Upright>(i / 2 + (i % 2) * 3)) << names[i];
         const Rotation rotation = rotation_from_euler(*project.design.items.front().rotation_deg);
         EXPECT_EQ(rotation(axes[i]), (Vec3d{1, 0, 0})) << names[i];
     }

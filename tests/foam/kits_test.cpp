@@ -103,8 +103,10 @@ double distance(const Columns& a, const Columns& b, Vec3d block) {
 
 bool said_to_be_near(const Packing& packing, const std::string& one, const std::string& other) {
     return std::any_of(packing.findings.begin(), packing.findings.end(), [&](const Finding& finding) {
+        const std::string said = text(finding.message);
         return finding.code() == "items_near" &&
-               text(finding.message).find("between " + one + " and " + other + " stand") == 0;
+               (said.find("between " + one + " and " + other + " stand") == 0 ||
+                said.find(one + " and " + other + " lie in") == 0);
     });
 }
 
