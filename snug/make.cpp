@@ -168,8 +168,8 @@ Result<Made> make(std::span<Object> objects, Project& project, const Tools& tool
     Design& design = project.design;
     if (tools.search) {
         if (design.items.size() > 1)
-            return fail(ErrorKind::usage, say("search.one_item", {{"items", design.items.size()},
-                                                                  {"example", "lens.stl:move=0x40x0"}}));
+            return fail(ErrorKind::usage,
+                        say("search.one_item", {{"items", design.items.size()}, {"example", kPlacedItem}}));
         auto found = tools.search(objects.front(), design);
         if (!found) return tl::unexpected(found.error());
         made.search = std::move(*found);

@@ -50,6 +50,17 @@ Message too_small(const CaseSpace& fitted, Vec3d object_size, const Clearance& c
                                 {"least", case_size(least)}});
 }
 
+Message too_small_for_items(const CaseSpace& fitted, const Box3d& room, std::vector<Message> clearance,
+                            const Walls& walls) {
+    const Vec3d size = room.size();
+    const Vec3d least = least_inside(fitted.options, fitted.space.block_mm, size, {}, walls);
+    return say("outside/items_in_case", {{"foam", case_size(fitted.space.size())},
+                                         {"needed", case_size(size)},
+                                         {"clearance", std::move(clearance)},
+                                         {"least", case_size(least)},
+                                         {"example", kPlacedItem}});
+}
+
 void find_case_problems(const CaseSpace& fitted, const FitReport& fit, int parting_level,
                         std::vector<Finding>& findings) {
     if (fit.outside_blocks > 0)

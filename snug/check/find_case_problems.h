@@ -21,6 +21,9 @@ namespace snug {
 /// The sentence for an object that leaves the foam of its case: what is in the way, and which case would do.
 [[nodiscard]] Message too_small(const CaseSpace& fitted, Vec3d object_size, const Clearance& clearance_mm,
                                 const Walls& walls);
+/// The same for several items, which take `room` together; `clearance`: with_clearance() of them.
+[[nodiscard]] Message too_small_for_items(const CaseSpace& fitted, const Box3d& room,
+                                          std::vector<Message> clearance, const Walls& walls);
 
 /// An object that reaches into a rounded corner or leaning wall: `leaves_case` (danger). Foams that do not
 /// part at the lid's line: `off_lid_line` (note).

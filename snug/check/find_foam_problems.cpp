@@ -27,6 +27,19 @@ std::optional<Finding> outside_of(const Box3d& placed, const DesignSpace& space,
                    placed.centre()};
 }
 
+/// Of a plain space. Away from its centre the space must grow on both sides.
+Message too_small_for_items(const DesignSpace& space, const Box3d& room, const Clearance& clearance) {
+    const Vec3d least = fitted_blocks(room, space.block_mm);
+    const Vec3d least_mm{least.x * space.block_mm.x, least.y * space.block_mm.y, least.z * space.block_mm.z};
+    return say("outside/items", {{"space", dimensions(space.size())},
+                                 {"space_blocks", dimensions(vec_cast<double>(space.blocks), 0)},
+                                 {"needed", dimensions(room.size())},
+                                 {"clearance", with_clearance(clearance)},
+                                 {"least_blocks", dimensions(least, 0)},
+                                 {"least", dimensions(least_mm)},
+                                 {"example", kPlacedItem}});
+}
+
 SpaceChoice choice_of(const Packing& packing, const Design& design) {
     SpaceChoice choice{SpaceChoice::Kind::blocks, wanted_wall_mm(design.space), design.placement.offset_mm,
                        design.case_options.inside_mm};
@@ -46,9 +59,15 @@ void find_outside(const Item& item, const Packing& packing, const Design& design
     const Clearance clearance = item.cut.whole_clearance_mm();
     auto finding = outside_of(item.placement.bounds, packing.space, clearance);
     if (!finding) return;
-    if (packing.fitted_case)
-        finding->message = too_small(*packing.fitted_case, item.placement.bounds.size(), clearance,
-                                     wanted_wall_mm(design.space));
+    const Walls walls = wanted_wall_mm(design.space);
+    const bool alone = packing.items.size() == 1;
+    if (!alone && packing.fitted_case)
+        finding->message = too_small_for_items(*packing.fitted_case, room_of(packing.items),
+                                               with_clearance(clearance), walls);
+    else if (!alone)
+        finding->message = too_small_for_items(packing.space, room_of(packing.items), clearance);
+    else if (packing.fitted_case)
+        finding->message = too_small(*packing.fitted_case, item.placement.bounds.size(), clearance, walls);
     findings.push_back(std::move(*finding));
 }
 

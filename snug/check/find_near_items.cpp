@@ -11,6 +11,7 @@ namespace snug {
 namespace {
 
 constexpr std::size_t kMostPairs = 20;  // that are told
+constexpr double kTouch = 0.01;         // mm that boxes may lie in each other and only touch
 
 /// The rows and columns that an item cuts, and which of them.
 struct Footprint {
@@ -78,6 +79,25 @@ bool share_a_column(const Footprint& a, const Footprint& b) {
     return false;
 }
 
+/// How far two boxes lie in each other along each axis, mm; none where they do not.
+std::optional<Vec3d> overlap(const Box3d& a, const Box3d& b) {
+    Vec3d size;
+    for (int axis = 0; axis < 3; ++axis) {
+        size[axis] = std::min(a.max[axis], b.max[axis]) - std::max(a.min[axis], b.min[axis]);
+        if (size[axis] <= kTouch) return {};
+    }
+    return size;
+}
+
+void look_for_overlap(const Item& a, const Item& b, std::vector<Finding>& findings) {
+    const auto size = overlap(a.placement.bounds, b.placement.bounds);
+    if (!size) return;
+    findings.push_back(
+        {Severity::warning,
+         say("items_overlap", {{"one", a.name}, {"other", b.name}, {"size", dimensions(*size)}}),
+         (a.placement.bounds.centre() + b.placement.bounds.centre()) * 0.5});
+}
+
 bool may_touch(const Item& a, const Item& b) {
     return !a.group.empty() && a.group == b.group;
 }
@@ -91,7 +111,13 @@ void find_near_items(const std::vector<Item>& items, const std::vector<BlockMap>
     std::size_t told = 0;
     for (std::size_t a = 0; a < items.size(); ++a)
         for (std::size_t b = a + 1; b < items.size() && told < kMostPairs; ++b) {
-            if (may_touch(items[a], items[b])) continue;
+            const bool may = may_touch(items[a], items[b]) || between_mm == 0;
+            if (may && share_a_column(footprints[a], footprints[b])) {
+                const std::size_t before = findings.size();
+                look_for_overlap(items[a], items[b], findings);
+                told += findings.size() - before;
+            }
+            if (may) continue;
             const auto distance = nearer_than(between_mm, footprints[a], footprints[b], space);
             if (!distance) continue;
             ++told;

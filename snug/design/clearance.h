@@ -7,6 +7,8 @@
 
 namespace snug {
 
+constexpr double kGreatestLength = 1e6;  // mm: offsets, walls, clearances
+
 /// How far the object is grown before foam is cut, in mm along x, y and z on both sides, for each half of its
 /// own; negative: a squeeze fit.
 struct Clearance {

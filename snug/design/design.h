@@ -27,7 +27,6 @@ constexpr int kMostBlocks = 4096;
 constexpr double kLeastBlockSize = 0.1;        // mm
 constexpr double kGreatestBlockSize = 10000;   // mm
 constexpr double kLeastClearanceShare = -0.4;  // of the smallest block side
-constexpr double kGreatestLength = 1e6;        // mm: offsets, walls, clearances
 
 enum class Unit { mm, cm, m, in };
 [[nodiscard]] double millimetres(Unit unit);

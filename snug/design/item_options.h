@@ -10,7 +10,9 @@
 namespace snug {
 
 constexpr int kMostItems = 1000;
-constexpr double kGreatestShift = 1e6;  // mm, of an item from the middle
+
+/// How an item is given a place on the command line, for sentences that advise it.
+constexpr const char* kPlacedItem = "lens.stl:move=0x40x0";
 
 /// An object as it lies in the case. What it leaves open is as the design has it for all.
 struct ItemOptions {
@@ -58,7 +60,7 @@ void visit_options(Visit& visit, ItemOptions& item) {
     visit.option(item.offset_mm,
                  {.json = "offset_mm",
                   .unit = "mm",
-                  .range = {-kGreatestShift, kGreatestShift},
+                  .range = {-kGreatestLength, kGreatestLength},
                   .step = 1,
                   .label = {"an offset", "移動量"},
                   .help = {"Its own shift from the middle of the space", "空間の中心からの、これだけの移動"},
@@ -67,7 +69,7 @@ void visit_options(Visit& visit, ItemOptions& item) {
                   .word = "move"});
     visit.option(item.clearance_mm, {.json = "clearance_mm",
                                      .unit = "mm",
-                                     .range = {-kGreatestShift, kGreatestShift},
+                                     .range = {-kGreatestLength, kGreatestLength},
                                      .step = 0.1,
                                      .label = {"the clearance", "すきま"},
                                      .help = {"Its own clearance", "これだけのすきま"},
@@ -76,7 +78,7 @@ void visit_options(Visit& visit, ItemOptions& item) {
                                      .word = "clearance"});
     visit.option(item.mass_kg, {.json = "mass_kg",
                                 .unit = "kg",
-                                .range = {.least = 0, .most = 1e5, .above = true},
+                                .range = kAbove0,
                                 .label = {"the mass", "質量"},
                                 .help = {"Its own mass", "これだけの質量"},
                                 .usual = {"the design's", "全体の設定"},

@@ -61,6 +61,9 @@ struct Range {
     }
 };
 
+/// Of what weighs something: masses, densities.
+constexpr Range kAbove0{.least = 0, .most = 1e6, .above = true};
+
 /// One option: everything that is known of it beside its type and its default, which its struct has.
 struct OptionRow {
     std::string_view json = {};  ///< its name in a project file, within its struct's object

@@ -55,7 +55,6 @@ struct WorkshopOptions {
 
 template <class Visit>
 void visit_options(Visit& visit, WorkshopOptions& workshop) {
-    constexpr Range kAbove0{.least = 0, .most = 1e6, .above = true};
     visit.option(
         workshop.work,
         {.json = "for",

@@ -64,6 +64,10 @@ void PageBuilder::rectangle(Vec2d corner, Vec2d size, std::optional<Color> fill,
           std::move(pen));
 }
 
+void PageBuilder::circle(Vec2d centre, double radius, std::optional<Color> fill, std::optional<Pen> pen) {
+    drawing_.items.push_back({layer_, CircleItem{centre, radius, fill, std::move(pen)}});
+}
+
 void PageBuilder::lines(std::vector<std::vector<Vec2d>> lines, const Pen& pen) {
     drawing_.items.push_back({layer_, PathItem{std::move(lines), false, {}, pen}});
 }

@@ -60,6 +60,7 @@ class PageBuilder {
     /// Lines no wider than `width`, the first with its top at `at`; gives where the next may begin.
     double paragraph(Vec2d at, double width, std::string_view words, const TextLook& look = {});
     void rectangle(Vec2d corner, Vec2d size, std::optional<Color> fill, std::optional<Pen> pen = {});
+    void circle(Vec2d centre, double radius, std::optional<Color> fill, std::optional<Pen> pen = {});
     void lines(std::vector<std::vector<Vec2d>> lines, const Pen& pen);
     void line(Vec2d from, Vec2d to, const Pen& pen) { lines({{from, to}}, pen); }
     void loops(std::vector<std::vector<Vec2d>> loops, std::optional<Color> fill, std::optional<Pen> pen = {});

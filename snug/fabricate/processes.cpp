@@ -162,7 +162,8 @@ Result<WorkshopPack> workshop_pack(std::span<const Object> objects, const Packin
     const PlacedMesh together(objects, packing.items);
     pack->documents.push_back(
         packing_sheet({foams, packing.fit, findings, together.mesh(), together.placement(),
-                       packed_items(objects, packing, project), pack->material, project.design.workshop}));
+                       packed_items(objects, packing, project), numbered_places(packing.items),
+                       pack->material, project.design.workshop}));
     return pack;
 }
 

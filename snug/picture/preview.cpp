@@ -140,7 +140,7 @@ void draw_caption(Canvas& canvas, const std::vector<std::string>& lines, double 
 
 Drawing preview_drawing(const Foams& foams, const DesignSpace& space, const Mesh& mesh,
                         const Placement& placement, const std::string& caption, const GapReport* gap,
-                        Language language) {
+                        Language language, std::span<const Vec3d> numbered) {
     const OpenedPair pair = opened(space, foams.parting.front());
     const HalfScene lower = half_scene(foams, space, pair, Half::lower);
     const HalfScene lid = half_scene(foams, space, pair, Half::lid);
@@ -172,6 +172,7 @@ Drawing preview_drawing(const Foams& foams, const DesignSpace& space, const Mesh
     draw_sizes(canvas, page, lower.relief, Half::lower, space);
     draw_back_label(canvas, page, space);
     draw_object(canvas, page, outlines);
+    draw_numbers(canvas, page, pair, numbered);
     canvas.layer("legend");
     draw_legend(canvas, kLegendAt, space, !outlines.whole.empty(), language);
     draw_axes(canvas, axes);
@@ -182,8 +183,8 @@ Drawing preview_drawing(const Foams& foams, const DesignSpace& space, const Mesh
 
 std::string preview_svg(const Foams& foams, const DesignSpace& space, const Mesh& mesh,
                         const Placement& placement, const std::string& caption, const GapReport* gap,
-                        Language language) {
-    return drawing_svg(preview_drawing(foams, space, mesh, placement, caption, gap, language));
+                        Language language, std::span<const Vec3d> numbered) {
+    return drawing_svg(preview_drawing(foams, space, mesh, placement, caption, gap, language, numbered));
 }
 
 }  // namespace snug

@@ -131,6 +131,17 @@ void draw_back_label(Canvas& canvas, const Page& page, const DesignSpace& space)
     flat_text(canvas, back_label_centre(page, space), {1, 0, 0}, {0, 1, 0}, 22, kBackText, "BACK");
 }
 
+void draw_numbers(Canvas& canvas, const Page& page, const OpenedPair& pair, std::span<const Vec3d> places) {
+    constexpr double kRadius = 11, kBaseline = 5;  // px
+    if (!places.empty()) canvas.layer("numbers");
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const Vec2d at = page.at(pair.lower(places[i]));
+        canvas.circle(at, kRadius, {kWhite, .92}, {kObjectInk, 1.6});
+        canvas.text(at + Vec2d{0, kBaseline}, 14, anchored(kBackText, TextAnchor::middle),
+                    std::to_string(i + 1));
+    }
+}
+
 void draw_axes(Canvas& canvas, Vec2d at) {
     struct Axis {
         Vec3d direction;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "snug/picture/canvas.h"
 #include "snug/picture/isometric.h"
 #include "snug/picture/relief.h"
@@ -24,6 +26,9 @@ void draw_sizes(Canvas& canvas, const Page& page, const Relief& relief, Half hal
 void draw_hinge(Canvas& canvas, const Page& page, const DesignSpace& space);
 [[nodiscard]] Vec2d back_label_centre(const Page& page, const DesignSpace& space);
 void draw_back_label(Canvas& canvas, const Page& page, const DesignSpace& space);
+
+/// The numbers of items over their places, in design coordinates, in the lower half.
+void draw_numbers(Canvas& canvas, const Page& page, const OpenedPair& pair, std::span<const Vec3d> places);
 
 /// The design axes as the lower half has them.
 void draw_axes(Canvas& canvas, Vec2d at);

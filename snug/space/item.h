@@ -26,6 +26,8 @@ struct Item {
 /// What an item takes up with its clearance; and what all of them take up together.
 [[nodiscard]] Box3d room_of(const Item& item);
 [[nodiscard]] Box3d room_of(const std::vector<Item>& items);
+/// Where pictures number them: the middle of each; empty where one lies there alone.
+[[nodiscard]] std::vector<Vec3d> numbered_places(const std::vector<Item>& items);
 /// Their placed bounding boxes together.
 [[nodiscard]] Box3d bounds_of(const std::vector<Item>& items);
 

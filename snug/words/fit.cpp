@@ -13,6 +13,23 @@ constexpr Wording kWordsOfFit[] = {
      "対象物には{clearance}{needed} mm が必要で、設計空間 {space} mm（{space_blocks} ブロック）に収まりま"
      "せん。壁なしでも最小で {least_blocks} ブロック（{least} mm）が必要です。--blocks auto で壁を含めて決"
      "められます。"},
+    {"outside/items",
+     "it leaves the design space of {space} mm ({space_blocks} blocks): all items together take {needed} "
+     "mm{clearance} as they lie, and the smallest that would do here is {least_blocks} blocks ({least} mm) "
+     "without any wall. --blocks auto adds walls, or place the items yourself ({example})",
+     "設計空間 {space} mm（{space_blocks} ブロック）に収まりません。このままの並びでは全部で{clearance}"
+     "{needed} mm になり、壁なしでも最小で {least_blocks} ブロック（{least} mm）が必要です。--blocks auto で"
+     "壁を含めて決めるか、自分で置いてください（{example}）。"},
+    {"outside/items_in_case",
+     "it leaves the foam of the case, which is {foam} mm: all items together take {needed} mm{clearance} as "
+     "they lie. A case would do from {least} mm inside, or place the items yourself ({example})",
+     "ケースの中のフォーム {foam} mm に収まりません。このままの並びでは全部で{clearance}{needed} mm になりま"
+     "す。内寸 {least} mm 以上のケースにするか、自分で置いてください（{example}）。"},
+    {"items_overlap",
+     "{one} and {other} share a pocket, and the boxes around them overlap by {size} mm: look in the preview "
+     "whether they run into each other",
+     "{one} と {other} は同じくぼみに入り、外接する箱が {size} mm 重なっています。互いにぶつからないか、図で"
+     "確かめてください。"},
     {"items_near",
      "between {one} and {other} stand only {distance} mm of foam, and {between} mm are wanted: shift one of "
      "them by {shift} mm along y or z, give both one group if they may share a pocket, or ask for less "

@@ -149,7 +149,29 @@ class ItemsTest(unittest.TestCase):
 
     def test_an_item_that_does_not_fit_is_named(self):
         done = self.make("torus.stl:move=0x0x0", "vase.stl:longest=100,move=0x0x900,name=spare vase", "--units", "mm")
-        self.assertRefused(done, 3, "spare vase", "leaves the design space")
+        self.assertRefused(done, 3, "spare vase", "leaves the design space", "all items together take")
+        done = self.make("torus.stl:name=ring", "vase.stl:longest=270", "--units", "mm", "--case", "425x284x200:45")
+        self.assertRefused(done, 3, "all items together take", "place the items yourself")
+        length = done.stderr.split("A case would do from ")[1].split(" ")[0]
+        self.assertMade(self.make("torus.stl:name=ring", "vase.stl:longest=270", "--units", "mm", "--case", f"{length}x400x400"))
+
+    def test_items_that_share_a_place_are_told(self):
+        for more in (["--between", "0"], []):
+            group = "" if more else ",group=a"
+            self.assertMade(self.make(f"torus.stl:name=A,move=0x0x0{group}", f"torus.stl:name=B,move=0x0x0{group}", "--units", "mm", *more))
+            found = [each for each in self.report()["findings"] if each["code"] == "items_overlap"]
+            self.assertEqual([each["severity"] for each in found], ["warning"])
+            self.assertIn("A and B share a pocket", found[0]["message"])
+        self.assertMade(self.make("tetra.off:name=A,move=0x0x-32,group=a", "tetra.off:name=B,move=0x0x32,group=a", "--units", "mm"))
+        self.assertEqual([each["code"] for each in self.report()["findings"] if each["code"].startswith("items_")], [])
+
+    def test_pictures_number_several_items_and_never_one(self):
+        self.assertMade(self.make("torus.stl", "vase.stl:longest=90,count=2", "--units", "mm", "--blocks", "auto"))
+        preview = (self.out / "preview.svg").read_text()
+        for number in ("1", "2", "3"):
+            self.assertIn(f">{number}</text>", preview)
+        self.assertMade(self.make("torus.stl", "--units", "mm"))
+        self.assertNotIn(">1</text>", (self.out / "preview.svg").read_text())
 
     def test_a_path_that_exists_is_taken_whole(self):
         odd = "a:count=3"

@@ -73,9 +73,10 @@ Result<void> make_output_files(std::span<const Object> objects, const Project& p
         !done)
         return done;
     const PlacedMesh together(objects, packing.items);
+    const std::vector<Vec3d> places = numbered_places(packing.items);
     const std::string preview = preview_svg(foams, packing.space, together.mesh(), together.placement(),
                                             text(caption(packing, names_of_items(project)), made.language),
-                                            made.fit.gap ? &*made.fit.gap : nullptr, made.language);
+                                            made.fit.gap ? &*made.fit.gap : nullptr, made.language, places);
     if (auto done = take(text_file("preview.svg", preview)); !done) return done;
     return take(text_file("project.snug.json", project_json(project)));
 }

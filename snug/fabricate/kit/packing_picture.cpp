@@ -1,6 +1,7 @@
 #include "snug/fabricate/kit/packing_picture.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include "snug/drawing/svg.h"
@@ -75,11 +76,22 @@ void draw_object(PageBuilder& builder, const Page& page, const ObjectOutlines& o
     draw_outlines(builder, page, outlines.visible, {}, Pen{kInk, 0.35, {}});
 }
 
+void draw_numbers(PageBuilder& builder, const Page& page, const OpenedPair& pair,
+                  std::span<const Vec3d> places) {
+    constexpr double kRadius = 1.9;  // mm
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const Vec2d at = page.at(pair.lower(places[i]));
+        builder.circle(at, kRadius, kPaper, Pen{kInk, 0.25, {}});
+        builder.text(at + Vec2d{0, 0.95}, std::to_string(i + 1),
+                     {kSmallText, kInk, true, TextAnchor::middle});
+    }
+}
+
 }  // namespace
 
 void draw_packing_picture(PageBuilder& builder, Vec2d corner, Vec2d size, PictureParts parts,
                           const Foams& foams, const DesignSpace& space, const Mesh& mesh,
-                          const Placement& placement) {
+                          const Placement& placement, std::span<const Vec3d> numbered) {
     const OpenedPair pair = opened(space, foams.parting.front());
     const HalfScene lower = half_scene(foams, space, pair, Half::lower);
     const HalfScene lid = parts.lid ? half_scene(foams, space, pair, Half::lid) : HalfScene{};
@@ -99,6 +111,7 @@ void draw_packing_picture(PageBuilder& builder, Vec2d corner, Vec2d size, Pictur
     if (parts.object)
         draw_object(builder, page,
                     object_outlines(vertices, mesh.triangles, lower.faces, kFinestOutline / page.scale));
+    draw_numbers(builder, page, pair, numbered);
     const Vec3d back_left{lower.relief.right_faces.front(), lower.relief.front_faces.front(), 0};
     const Vec2d hinge = parts.lid ? Vec2d{-2, -3.5} : Vec2d{-1, -1.5};
     builder.text(page.at(back_left) + hinge, "BACK", {kSmallText, kInk, true, TextAnchor::end});

@@ -38,7 +38,8 @@ void draw_pictures(PageFlow& flow, const PackedObject& packed) {
     for (std::size_t i = 0; i < kPictures.size(); ++i) {
         const Vec2d at = corner + Vec2d{static_cast<double>(i) * (width + kPictureGap), 0};
         draw_packing_picture(flow.page(), at + Vec2d{2, 6}, {width - 4, height - 7}, kPictures[i].parts,
-                             packed.design.foams, packed.design.space, packed.mesh, packed.placement);
+                             packed.design.foams, packed.design.space, packed.mesh, packed.placement,
+                             packed.numbered);
         const bool items = packed.items.size() > 1 && i == 1;
         flow.page().text(at + Vec2d{width / 2, height + 4.6},
                          say(items ? "packing.picture_items" : kPictures[i].caption),

@@ -29,6 +29,7 @@ struct PackedObject {
     const Mesh& mesh;                      ///< of all items together
     const Placement& placement;
     std::vector<PackedItem> items;  ///< one at least
+    std::vector<Vec3d> numbered;    ///< where pictures number them, see numbered_places()
     const PackMaterial& material;
     const WorkshopOptions& options;
 };

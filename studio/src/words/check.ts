@@ -18,6 +18,7 @@ export const check = words({
       open: ['Foam would grow inside', '内側にフォームが残る'],
       outside: ['Does not fit', '入りきらない'],
       items_near: ['Items too near each other', '間のフォームが足りない'],
+      items_overlap: ['Two items may touch', '二つのものが触れるおそれ'],
       object_same_name: ['Two files of one name', '同じ名前のファイルが二つある'],
       uncut_part: ['A part is not cut free', '切り抜かれない部品がある'],
       parts_not_checked: ['Parts that were not checked', '確認できなかった部品がある'],
