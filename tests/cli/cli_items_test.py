@@ -173,6 +173,46 @@ class ItemsTest(unittest.TestCase):
         self.assertMade(self.make("torus.stl", "--units", "mm"))
         self.assertNotIn(">1</text>", (self.out / "preview.svg").read_text())
 
+    def test_each_combination_is_made_twice_and_again_from_its_project(self):
+        """Faults sit where two parts meet."""
+        two = ["torus.stl:longest=80,move=0x0x-60", "vase.stl:longest=90,move=0x0x60", "--units", "mm"]
+        leaning = [*two, "--case", "300x250x200:60", "--case-base", "290x240", "--case-top", "290x240"]
+        self.assertEqual(snug("sample", "figurine", "-o", self.work / "figurine.obj").returncode, 0)
+        points = [line[2:] for line in (self.work / "figurine.obj").read_text().splitlines() if line.startswith("v ")]
+        (self.work / "cloud.xyz").write_text("\n".join(points))
+        for arguments, project_too in (
+                (["torus.stl:clearance=0x1x2x3x2x1", "vase.stl:longest=90,clearance=2", "--units", "mm", "--blocks", "auto"], []),
+                ([*two, "--notches", "60x30", "--least-rib", "25", "--liner", "1", "--mass", "2"], []),
+                ([*two, "--case", "425x284x155:45", "--case-radius", "40", "--for", "sponge"], []),
+                ([*leaning, "--for", "sheets"], []),
+                ([*leaning, "--for", "print"], []),
+                ([*leaning, "--for", "mould"], []),
+                ([*leaning, "--for", "mill", "--block-size", "5x5x5", "--flute", "200"], []),
+                ([*two, "--for", "bricks"], []),
+                (["cloud.xyz:units=mm", "vase.stl:longest=90,units=mm", "--blocks", "auto", "--for", "sponge"], []),
+                (["torus.stl:count=2", "vase.stl", "--units", "mm", "--blocks", "auto"], ["--stream"]),
+                (["torus.stl:name=輪", "vase.stl:name=花瓶,count=2", "--units", "mm", "--blocks", "auto"], ["--language", "ja"])):
+            with self.subTest(" ".join(arguments)):
+                again = self.work / "again"
+                for _ in range(2):
+                    self.assertMade(self.make(*arguments, *project_too))
+                shutil.copy(self.out / "project.snug.json", self.work)
+                self.assertMade(self.make("project.snug.json", *project_too, out=again))
+                names = [path.relative_to(self.out) for path in self.out.rglob("*") if path.is_file()]
+                self.assertEqual(sorted(names), sorted(path.relative_to(again) for path in again.rglob("*") if path.is_file()))
+                for name in names:
+                    if name.name not in ("report.json", ".snug-files") and name.suffix not in (".pdf", ".3mf"):
+                        self.assertEqual((self.out / name).read_bytes(), (again / name).read_bytes(), name)
+                shutil.rmtree(self.out)
+                shutil.rmtree(again)
+
+    def test_streamed_objects_give_the_same_foams(self):
+        kit = ["torus.stl:count=2,rotate=0x90x0", "vase.stl", "--units", "mm", "--blocks", "auto"]
+        self.assertMade(self.make(*kit))
+        self.assertMade(self.make(*kit, "--stream", out=self.work / "streamed"))
+        for name in ("depths.csv", "lower.stl", "upper.ply"):
+            self.assertEqual((self.out / name).read_bytes(), (self.work / "streamed" / name).read_bytes(), name)
+
     def test_a_path_that_exists_is_taken_whole(self):
         odd = "a:count=3"
         shutil.copy(self.work / "tetra.off", self.work / odd)

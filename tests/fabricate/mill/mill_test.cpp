@@ -9,7 +9,9 @@
 #include <gtest/gtest.h>
 
 #include "snug/design/presets.h"
+#include "snug/fabricate/mill/carved_stock.h"
 #include "snug/fabricate/mill/gcode.h"
+#include "snug/fabricate/mill/mill_allowed.h"
 #include "snug/fabricate/mill/mill_plan.h"
 #include "snug/formats/read.h"
 #include "snug/make.h"
@@ -284,6 +286,41 @@ TEST(MillTest, TheCarvedStockRebuildsRandomHeightFieldsAndNothingStaysInCorners)
                     ASSERT_LE(stock.height()(row, column),
                               height_of(plan.field, stock.middle(row, column)) + 1e-3);
         }
+    }
+}
+
+TEST(MillTest, OfSeveralItemsFoamStandsWhereEachOfThemAllowsIt) {
+    Design design;
+    design.object.units = Unit::mm;
+    design.object.longest_mm = 90;
+    apply(*find_preset(built_in_presets(), "mill"), design);
+    design.space.blocks.reset();
+    std::vector<Object> objects;
+    for (const char* name : {"vase", "camera"}) objects.push_back(prepare(*sample(name), design).value());
+    design.items = {{}, {}};
+    design.items[1].object = 1;
+    design.items[1].clearance_mm = Clearance{{0.5, 1, 2}, {2, 0, 1}};
+    const Packing packing = pack(objects, checked(design).value()).value();
+    ASSERT_TRUE(packing.foams);
+    const FoamDesign foams{packing.space, packing.blocks, *packing.foams, packing.available, "kit"};
+    const auto surface = [&](std::size_t i) {
+        const Item& item = packing.items[i];
+        return MilledSurface{objects[item.object].mesh, item.placement, item.cut};
+    };
+    for (const Half half : {Half::lower, Half::lid}) {
+        const MillField field = mill_field(foams, half, 3);
+        const CarvedStock stock(field, 3, 1);
+        const auto allowed = [&](std::vector<MilledSurface> surfaces) {
+            return allowed_heights(foams, half, field, stock, MilledObject{std::move(surfaces)});
+        };
+        const Grid<int> both = allowed({surface(0), surface(1)}), one = allowed({surface(0)}),
+                        other = allowed({surface(1)});
+        long long lowered = 0;
+        for (std::size_t cell = 0; cell < both.size(); ++cell) {
+            ASSERT_EQ(both[cell], std::min(one[cell], other[cell]));
+            lowered += one[cell] != other[cell];
+        }
+        EXPECT_GT(lowered, 1000);
     }
 }
 
