@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -9,7 +10,6 @@
 #include "snug/check/find_foam_problems.h"
 #include "snug/check/find_near_items.h"
 #include "snug/check/find_object_problems.h"
-#include "snug/depth/object_depths.h"
 #include "snug/foam/object_cut.h"
 #include "snug/foam/parting.h"
 #include "snug/foam/ribs.h"
@@ -50,23 +50,18 @@ void of_each(Packing& packing, const Find& find) {
 
 /// What the items see of their columns, and what they cut.
 struct ItemCuts {
-    std::vector<ObjectDepths> depths;
+    std::vector<std::shared_ptr<const ObjectDepths>> depths;
     std::vector<HalfCuts> cuts;
 };
 
-Result<ItemCuts> cut_each(std::span<const Object> objects, Packing& packing, const Progress& progress) {
-    ItemCuts all;
+Result<ItemCuts> cut_each(std::span<const Object> objects, Packing& packing, KeptDepths* kept,
+                          const Progress& progress) {
     Stopwatch watch;
-    const double share = 1 / static_cast<double>(packing.items.size());
-    for (const Item& item : packing.items) {
-        const double done = share * static_cast<double>(all.depths.size());
-        auto depths = object_depths(objects[item.object], item.placement, packing.space, item.cut,
-                                    part_of(progress, done, done + share));
-        if (!depths) return tl::unexpected(depths.error());
-        all.depths.push_back(std::move(*depths));
-    }
+    auto depths = item_depths(objects, packing.items, packing.space, kept, progress);
+    if (!depths) return tl::unexpected(depths.error());
+    ItemCuts all{std::move(*depths), {}};
     packing.timing.depth_map = watch.lap();
-    for (const ObjectDepths& depths : all.depths) all.cuts.push_back(half_cuts(depths, packing.space));
+    for (const auto& each : all.depths) all.cuts.push_back(half_cuts(*each, packing.space));
     packing.timing.block_map = watch.lap();
     return all;
 }
@@ -75,7 +70,7 @@ void find_problems(std::span<const Object> objects, const ItemCuts& cuts, const 
                    Packing& packing) {
     of_each(packing, [&](std::size_t i, std::vector<Finding>& findings) {
         const Item& item = packing.items[i];
-        find_object_problems(objects[item.object], item.placement, packing.space, cuts.depths[i],
+        find_object_problems(objects[item.object], item.placement, packing.space, *cuts.depths[i],
                              cuts.cuts[i], findings);
     });
     if (packing.items.size() > 1) {
@@ -132,7 +127,8 @@ Progress told(const Tools& tools, Stage stage) {
 
 }  // namespace
 
-Result<Packing> pack(std::span<const Object> objects, const Design& design, const Progress& progress) {
+Result<Packing> pack(std::span<const Object> objects, const Design& design, const Progress& progress,
+                     KeptDepths* kept) {
     auto packing = placed(objects, design, part_of(progress, 0, 0.4));
     if (!packing) return packing;
     of_each(*packing, [&](std::size_t i, std::vector<Finding>& findings) {
@@ -140,7 +136,7 @@ Result<Packing> pack(std::span<const Object> objects, const Design& design, cons
     });
     if (!packing->findings.empty()) return packing;
 
-    const auto items = cut_each(objects, *packing, part_of(progress, 0.4, 1));
+    const auto items = cut_each(objects, *packing, kept, part_of(progress, 0.4, 1));
     if (!items) return tl::unexpected(items.error());
 
     Stopwatch watch;

@@ -6,6 +6,7 @@
 #include "snug/base/progress.h"
 #include "snug/base/result.h"
 #include "snug/check/packing.h"
+#include "snug/depth/item_depths.h"
 #include "snug/design/design.h"
 #include "snug/design/project.h"
 #include "snug/fabricate/kit/made.h"
@@ -54,9 +55,9 @@ struct Tools {
 /// Without foams, but with the findings `outside`, where an item leaves the space. Fails with kind `usage`
 /// where a fitted space would need too many blocks or the parting level lies outside it, with kind
 /// `does_not_fit` where not one block goes into the case, and, for a stream, as place() and object_depths()
-/// do.
+/// do. `kept`: what items saw at the last packing, see item_depths(); what they see now takes its place.
 [[nodiscard]] Result<Packing> pack(std::span<const Object> objects, const Design& design,
-                                   const Progress& progress = {});
+                                   const Progress& progress = {}, KeptDepths* kept = nullptr);
 [[nodiscard]] Result<Packing> pack(const Object& object, const Design& design, const Progress& progress = {});
 
 /// Everything that a person gets, ready to be written. What a search finds is written into the project, and a

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -58,7 +59,10 @@ struct MissingSurface {
 
 /// An object in millimetres, ready to be packed any number of times.
 struct Object {
-    std::string name;       ///< its file's, without folders; may be empty
+    std::string name;  ///< its file's, without folders; may be empty
+    /// Tells it apart from every other object, and from itself before a change, where results are kept for
+    /// later (depth/item_depths.h); 0: nothing is kept of it.
+    std::uint64_t edition = 0;
     ObjectOptions options;  ///< that it was prepared with
     Surface surface;
     /// With its caps if the design asks for them. Of another kind than OwnMesh a closed stand-in around the
