@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "snug/design/object_argument.h"
 #include "snug/design/option_json.h"
 #include "snug/design/option_text.h"
 
@@ -121,6 +122,20 @@ std::string file_in_shell(std::string_view name) {
     return in_shell((name.starts_with('-') ? "./" : "") + std::string(name));
 }
 
+/// `made_of`: what the folder is named after.
+std::string line_of(const std::vector<std::string>& objects, std::string_view made_of, const Design& design,
+                    const KnownNames& known, Language language) {
+    std::string line = "snug make";
+    for (const std::string& object : objects) line += " " + file_in_shell(object);
+    // With "=", since a value may begin with a minus sign.
+    for (const TypedFlag& typed : flags_for(design, known)) {
+        line += " " + typed.flag;
+        if (!typed.text.empty()) line += "=" + in_shell(typed.text);
+    }
+    if (language != Language::english) line += " --language=" + std::string(language_name(language));
+    return line + " -o " + file_in_shell(std::string(made_of.substr(0, made_of.rfind('.'))) + "-foam");
+}
+
 }  // namespace
 
 std::vector<TypedFlag> flags_for(const Design& design, const KnownNames& known) {
@@ -129,15 +144,17 @@ std::vector<TypedFlag> flags_for(const Design& design, const KnownNames& known) 
 
 std::string command_line(std::string_view file, const Design& design, const KnownNames& known,
                          Language language) {
-    std::string line = "snug make " + file_in_shell(file);
-    // With "=", since a value may begin with a minus sign.
-    for (const TypedFlag& typed : flags_for(design, known)) {
-        line += " " + typed.flag;
-        if (!typed.text.empty()) line += "=" + in_shell(typed.text);
-    }
-    if (language != Language::english) line += " --language=" + std::string(language_name(language));
-    const std::size_t dot = file.rfind('.');
-    return line + " -o " + file_in_shell(std::string(file.substr(0, dot)) + "-foam");
+    return line_of({std::string(file)}, file, design, known, language);
+}
+
+std::string command_line(Project project, std::span<const std::string> files, const KnownNames& known,
+                         Language language) {
+    take_over_one_item(project);
+    Design& design = project.design;
+    if (design.items.size() == 1) return command_line(files.front(), design, known, language);
+    const std::vector<std::string> items = typed_items(project, files);
+    design.items = {ItemOptions()};  // they have said all that is theirs
+    return line_of(items, files.front(), design, known, language);
 }
 
 }  // namespace snug

@@ -8,6 +8,7 @@
 #include "snug/design/flags.h"
 #include "snug/design/option_list.h"
 #include "snug/design/option_text.h"
+#include "snug/design/options_schema.h"
 
 namespace snug {
 namespace {
@@ -162,6 +163,26 @@ std::size_t object_of(Project& project, std::vector<std::string>& files, const s
     return files.size() - 1;
 }
 
+/// ",mass=0.6,move=0x40x0": what `options` say other than `usual`.
+template <class Options>
+std::string typed_choices(Options options, Options usual) {
+    const OptionList list = list_of(options), untouched = list_of(usual);
+    std::string typed;
+    for (std::size_t i = 0; i < list.options.size(); ++i) {
+        const Option& option = list.options[i];
+        const OptionRow& row = option.row;
+        const std::string word(row.word.empty() ? row.flag.substr(std::min<std::size_t>(2, row.flag.size()))
+                                                : row.word);
+        auto text = text_of(option);
+        if (word.empty() || !text || text == text_of(untouched.options[i])) continue;
+        const bool is_text = kind_of(option) == "text";
+        if (is_text && text->find(':') != std::string::npos) continue;
+        if (!is_text) std::replace(text->begin(), text->end(), ',', 'x');
+        typed += "," + word + (text->empty() ? "" : "=" + *text);
+    }
+    return typed;
+}
+
 }  // namespace
 
 ObjectArgument object_argument(std::string_view text) {
@@ -199,6 +220,21 @@ Result<Project> with_objects(std::span<const ObjectArgument> arguments, Design d
     }
     project.design = std::move(design);
     return project;
+}
+
+std::vector<std::string> typed_items(const Project& project, std::span<const std::string> files) {
+    std::vector<std::string> typed;
+    const std::vector<ItemOptions>& items = project.design.items;
+    for (std::size_t i = 0, end = 0; i < items.size(); i = end) {
+        while (end < items.size() && items[end] == items[i]) ++end;
+        const auto object = static_cast<std::size_t>(items[i].object);
+        const auto& own = project.objects[object].own;
+        std::string choices = end - i > 1 ? ",count=" + std::to_string(end - i) : "";
+        choices += typed_choices(items[i], ItemOptions());
+        if (own) choices += typed_choices(*own, project.design.object);
+        typed.push_back(files[object] + (choices.empty() ? "" : ":" + choices.substr(1)));
+    }
+    return typed;
 }
 
 }  // namespace snug

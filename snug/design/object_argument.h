@@ -29,4 +29,10 @@ struct ObjectArgument {
 [[nodiscard]] Result<Project> with_objects(std::span<const ObjectArgument> arguments, Design design,
                                            std::vector<std::string>& files);
 
+/// What to type for the project's items, one after the other: "lens.stl:count=2,mass=0.6" for two of an
+/// object that follow each other. `files`: of each object. An item's name with a colon in it cannot be typed
+/// and is left out.
+[[nodiscard]] std::vector<std::string> typed_items(const Project& project,
+                                                   std::span<const std::string> files);
+
 }  // namespace snug

@@ -50,6 +50,27 @@ TEST(ObjectArgument, OneFileWithEqualChoicesIsOneObject) {
     EXPECT_EQ(project.design.items[5].name, "lid, \"top\"");
 }
 
+TEST(ObjectArgument, WhatIsToldOfItemsReadsBackAsTheSameItems) {
+    Design all;
+    all.object.cap = true;
+    const std::vector<ObjectArgument> typed{
+        {"a.stl", {{"mass", "1"}, {"move", "0x40.5x-3"}, {"group", "pair"}}},
+        {"b.stl", {{"units", "cm"}, {"cut-plane", "0x0x1x-2.5"}, {"clearance", "1x2x3x4x5x6"}}},
+        {"a.stl", {{"count", "3"}, {"rotate", "10x-20x30.25"}}},
+        {"b.stl", {{"units", "cm"}, {"name", "lid, \"top\""}}}};
+    std::vector<std::string> files;
+    const Project project = with_objects(typed, all, files).value();
+    const std::vector<std::string> told = typed_items(project, files);
+    ASSERT_EQ(told.size(), 4u);
+    EXPECT_EQ(told[0], "a.stl:group=pair,move=0x40.5x-3,mass=1");
+    EXPECT_EQ(told[2], "a.stl:count=3,rotate=10x-20x30.25");
+    std::vector<ObjectArgument> again;
+    for (const std::string& text : told) again.push_back(object_argument(text));
+    std::vector<std::string> same_files;
+    EXPECT_EQ(with_objects(again, all, same_files).value(), project);
+    EXPECT_EQ(same_files, files);
+}
+
 TEST(ObjectArgument, WhatPointsUpPointsUp) {
     const Vec3d axes[] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
     const char* const names[] = {"x", "-x", "y", "-y", "z", "-z"};
