@@ -8,9 +8,9 @@
 namespace snug {
 namespace {
 
-using Problem = std::optional<OptionProblem>;
+using DesignProblem = std::optional<OptionProblem>;
 
-Problem problem_of_clearance(const CutOptions& cut, Vec3d block) {
+DesignProblem problem_of_clearance(const CutOptions& cut, Vec3d block) {
     const double least = least_clearance_mm(block);
     const Clearance whole = cut.whole_clearance_mm();
     const double most =
@@ -22,7 +22,7 @@ Problem problem_of_clearance(const CutOptions& cut, Vec3d block) {
                                                                      {"found", number(whole.least(), 4)}})};
 }
 
-Problem problem_of_parting(const Design& design) {
+DesignProblem problem_of_parting(const Design& design) {
     const int most = highest_parting(design);
     if (!design.parting.level || *design.parting.level <= most) return {};
     return OptionProblem{"parting.level",
@@ -65,13 +65,13 @@ int highest_parting(const Design& design) {
     return blocks && !fitted_to_case ? blocks->x : kMostBlocks;
 }
 
-Problem problem_of(const ObjectOptions& object) {
+DesignProblem problem_of(const ObjectOptions& object) {
     if (auto found = out_of_range(object)) return found;
     if (auto found = problem_of(object.clean)) return found->within("clean");
     return {};
 }
 
-Problem problem_of(const Design& design) {
+DesignProblem problem_of(const Design& design) {
     if (auto found = out_of_range(design)) return found;
     if (auto found = problem_of(design.object)) return found->within("object");
     if (auto found = problem_of_clearance(design.cut, design.space.block_mm)) return found;

@@ -7,7 +7,7 @@
 namespace snug {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 struct Kind {
     std::string_view operator()(std::monostate) const { return "missing"; }
@@ -75,13 +75,13 @@ struct MayBeNone {
 };
 
 /// English, Japanese.
-Json in_both(const Words& words) {
-    return Json::array({words.english, words.japanese});
+OrderedJson in_both(const Words& words) {
+    return OrderedJson::array({words.english, words.japanese});
 }
 
-Json described(const Option& option) {
+OrderedJson described(const Option& option) {
     const OptionRow& row = option.row;
-    Json json{{"kind", kind_of(option)}, {"label", in_both(row.label)}, {"help", in_both(row.help)}};
+    OrderedJson json{{"kind", kind_of(option)}, {"label", in_both(row.label)}, {"help", in_both(row.help)}};
     if (!row.unit.empty()) json["unit"] = row.unit.english;
     if (!row.range.any()) {
         json["least"] = row.range.least;
@@ -119,7 +119,7 @@ int count_of(const Option& option) {
 std::string options_schema() {
     Design design;
     const OptionList list = all_options(design);
-    Json json = Json::object();
+    OrderedJson json = OrderedJson::object();
     for (const OptionGroup& group : list.groups)
         if (group.list)
             json[group.path] = {{"kind", "list"}, {"label", in_both(group.row.title)}};
@@ -135,10 +135,11 @@ std::string options_schema() {
 std::string dependent_options(const Design& design) {
     const double depth = design.space.block_mm.x;
     const WorkshopOptions& workshop = design.workshop;
-    return Json{{"cut.clearance_mm", {{"least", least_clearance_mm(design.space.block_mm)}}},
-                {"parting.level", {{"most", highest_parting(design)}}},
-                {"workshop.sheets.thickness_mm", {{"usual", wanted_thickness_mm(workshop.sheets, depth)}}},
-                {"workshop.mill.step_down_mm", {{"usual", wanted_step_down_mm(workshop.mill)}}}}
+    return OrderedJson{
+        {"cut.clearance_mm", {{"least", least_clearance_mm(design.space.block_mm)}}},
+        {"parting.level", {{"most", highest_parting(design)}}},
+        {"workshop.sheets.thickness_mm", {{"usual", wanted_thickness_mm(workshop.sheets, depth)}}},
+        {"workshop.mill.step_down_mm", {{"usual", wanted_step_down_mm(workshop.mill)}}}}
         .dump();
 }
 

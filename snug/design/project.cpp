@@ -13,15 +13,15 @@
 namespace snug {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 constexpr int kVersion = 2;
 
-Json to_json(const Design& design) {
+OrderedJson to_json(const Design& design) {
     Design copy = design;
     return json_of(options_of(copy));
 }
 
-Json to_json(const ObjectOptions& options) {
+OrderedJson to_json(const ObjectOptions& options) {
     ObjectOptions copy = options;
     OptionList list;
     visit_options(list, copy);
@@ -82,8 +82,8 @@ std::optional<Message> look_at_items(const Project& project) {
     return {};
 }
 
-std::string text_of(const Json& json) {
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+std::string text_of(const OrderedJson& json) {
+    return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 }  // namespace
@@ -143,10 +143,11 @@ std::string names_of_items(const Project& project) {
 }
 
 std::string project_json(const Project& project) {
-    Json json;
+    OrderedJson json;
     json["snug"] = kVersion;
     for (const ProjectObject& object : project.objects) {
-        Json one = {{"name", object.file.name}, {"bytes", object.file.bytes}, {"sha256", object.file.sha256}};
+        OrderedJson one = {
+            {"name", object.file.name}, {"bytes", object.file.bytes}, {"sha256", object.file.sha256}};
         if (object.own) one["options"] = to_json(*object.own);
         json["objects"].push_back(one);
     }
