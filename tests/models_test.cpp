@@ -16,6 +16,7 @@
 #include "snug/words/words.h"
 
 #include "tests/support/brute_force.h"
+#include "tests/support/cases.h"
 #include "tests/support/random_design.h"
 #include "tests/support/solid_checks.h"
 
@@ -85,7 +86,9 @@ TEST_P(Models, EqualTheBruteForceOnACoarseGrid) {
     const auto mesh = load(GetParam().name);
     if (!mesh) GTEST_SKIP() << "the shared models are not here";
     const auto object = prepare(*mesh, design_of({8, 8, 8}, {}));
-    for (const double clearance : {0.0, 2.0, -3.0}) {
+    int left = test::cases_at_most(3);
+    for (const double clearance : {-3.0, 2.0, 0.0}) {
+        if (left-- <= 0) break;
         Design design = design_of({12, 7, 8}, {12, 34, 56});
         design.cut.clearance_mm = clearance;
         const auto packing = pack(*object, design);

@@ -12,6 +12,7 @@
 #include "snug/check/line_hits.h"
 #include "snug/depth/depth_map.h"
 
+#include "tests/support/cases.h"
 #include "tests/support/gap_cases.h"
 #include "tests/support/random.h"
 #include "tests/support/random_gap.h"
@@ -250,9 +251,9 @@ TEST(Gap, VolumesOfRandomClosedMeshesAgreeWithRandomPoints) {
         test::Random random(seed + 1000);
         const Box3d all = c.space.box();
         const double volume = all.size().x * all.size().y * all.size().z;
-        constexpr int kPoints = 20000;
+        const int points_tried = test::cases(20000);
         int solid = 0, hull = 0, step = 0, undercut = 0;
-        for (int i = 0; i < kPoints; ++i) {
+        for (int i = 0; i < points_tried; ++i) {
             const Vec3d p{random.between(all.min.x, all.max.x), random.between(all.min.y, all.max.y),
                           random.between(all.min.z, all.max.z)};
             const bool cut = test::distance_to_foam(c, p) > 0;
@@ -264,8 +265,8 @@ TEST(Gap, VolumesOfRandomClosedMeshesAgreeWithRandomPoints) {
             undercut += cut && is_hull && !is_solid;
         }
         const auto expect_near = [&](double sampled, int points) {
-            const double share = static_cast<double>(points) / kPoints;
-            const double chance = volume * std::sqrt(share * (1 - share) / kPoints);
+            const double share = static_cast<double>(points) / points_tried;
+            const double chance = volume * std::sqrt(share * (1 - share) / points_tried);
             EXPECT_NEAR(sampled, share * volume, r.error_mm3 + 4 * chance + 1);
         };
         expect_near(r.hull_mm3, hull);
@@ -278,7 +279,8 @@ TEST(Gap, VolumesOfRandomClosedMeshesAgreeWithRandomPoints) {
 
 TEST(Gap, TheStatedErrorHoldsAgainstAFinerLattice) {
     int compared = 0, within = 0;
-    for (std::uint64_t seed = 50; seed < 80; ++seed) {
+    const auto end = 50 + static_cast<std::uint64_t>(test::cases(30));
+    for (std::uint64_t seed = 50; seed < end; ++seed) {
         SCOPED_TRACE(seed);
         const test::RandomCase c = test::random_case(seed);
         const GapReport coarse = report(c.mesh, c.space, c.blocks, true, c.placement);

@@ -20,6 +20,7 @@ import unittest
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+from some_of import some_of
 from ways import WAYS
 
 SNUG, KILLED_AT = (Path(sys.argv.pop(1)).resolve() for _ in range(2))
@@ -202,7 +203,7 @@ class FolderTest(unittest.TestCase):
         self.make("--for", "print")
         before = contents(self.out)
         random.seed(SEED)
-        for _ in range(8):
+        for _ in some_of(range(8), 2):
             process = subprocess.Popen([SNUG, "make", self.object, "--formats", "stl", "-o", self.out],
                                        stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
             time.sleep(random.uniform(0.005, 0.08))
@@ -349,14 +350,14 @@ class FolderTest(unittest.TestCase):
         with ThreadPoolExecutor(2) as pool:
             # While files are written beside their places each moment is like the others.
             moments = [*range(1, changes // 2, 4), *range(changes // 2, changes + 1)]
-            for done in [pool.submit(self.look_at_kill, at, first, second, arguments) for at in moments]:
+            for done in [pool.submit(self.look_at_kill, at, first, second, arguments) for at in some_of(moments, 8)]:
                 done.result()
 
     def test_kills_one_after_another_lose_nothing_of_what_is_known(self):
         random.seed(SEED)
         works = [["--for", work] for work in ["mill", "sponge", "print"]] + [["--formats", "ply"]]
         self.make("--for", "mill")
-        for _ in range(8):
+        for _ in some_of(range(8), 3):
             arguments = random.choice(works)
             self.run_make(*arguments, env=os.environ | {"LD_PRELOAD": str(KILLED_AT),
                                                         "KILLED_AT": str(random.randint(20, 60))})

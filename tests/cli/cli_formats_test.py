@@ -17,6 +17,7 @@ import unittest
 import zipfile
 from pathlib import Path
 
+from some_of import some_of
 from written_objects import l_shape, write_stl
 
 SNUG = Path(sys.argv.pop(1)).resolve()
@@ -282,7 +283,7 @@ class Formats(unittest.TestCase):
         write_3mf(path, vertices, triangles)
         chosen = random.Random(11)
         for name, whole in (("a.glb", scene), ("a.3mf", path.read_bytes())):
-            for turn in range(60):
+            for turn in some_of(range(60)):
                 data = bytearray(whole)
                 for _ in range(chosen.randint(1, 8)):
                     data[chosen.randrange(len(data))] = chosen.randrange(256)
@@ -322,7 +323,7 @@ class Formats(unittest.TestCase):
 
     def test_equal_points_beside_others_take_no_time(self):
         path = self.folder / "a.xyz"
-        path.write_text("1 2 3\n" * 1000000 + "61 2 3\n")
+        path.write_text("1 2 3\n" * len(some_of(range(1000000))) + "61 2 3\n")
         done = snug("make", path, "-o", self.folder / "out", "--quiet")
         self.assertEqual(done.returncode, 0, done.stderr)
 

@@ -17,6 +17,7 @@ import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 from read_maps import Map, area_of, layers_named, loops_of
+from some_of import some_of
 from ways import WAYS
 from written_objects import LETTER_L, prism
 
@@ -99,7 +100,7 @@ class WorkshopTest(unittest.TestCase):
     # ---- the sponge's maps
 
     def test_maps_of_every_sample_make_its_foams(self):
-        for name in SAMPLES:
+        for name in some_of(SAMPLES):
             with self.subTest(name):
                 report = self.make(self.sample(name), "--for", "sponge", "--rotate", "10,20,30")
                 self.assertMapsMakeTheFoams(report)
@@ -205,7 +206,7 @@ class WorkshopTest(unittest.TestCase):
         plans = {"sponge": {"sponge-maps", "sponge-plan"}, "sheets": {"sheets-assembly"}, "print": set(),
                  "bricks": {"bricks-plan"}, "mill": {"mill-setup"}, "mould": {"mould-guide"}}
         for work in WAYS:
-            for paper, size in PAPER.items():
+            for paper, size in some_of(PAPER.items()):
                 with self.subTest(f"{work} {paper}"):
                     self.make(vase, "--for", work, "--longest", 60, "--paper", paper)
                     found = {path.stem: path for path in self.out.glob("**/*.pdf")}
@@ -224,7 +225,7 @@ class WorkshopTest(unittest.TestCase):
         vase = self.sample("vase").read_bytes()
         names = [b"=1+1,\"<&>'\n\r\t0 FILE x.ldr ]]> \x01\x1b[31m \xe5\xa3\xba \xe2\x80\xa8.stl", b"bad\xff\xfe(!~?%;).stl",
                  b"FILE a.stl", b"\xe2\x80\xae.stl"]
-        for name in names:
+        for name in some_of(names):
             path = os.path.join(os.fsencode(self.work), name)
             with open(path, "wb") as file:
                 file.write(vase)

@@ -10,6 +10,7 @@
 #include "snug/depth/depth_builder.h"
 #include "snug/depth/depth_map.h"
 
+#include "tests/support/cases.h"
 #include "tests/support/random.h"
 
 namespace snug {
@@ -70,7 +71,7 @@ DepthMap column_by_column(const Mesh& mesh, const Placement& placement, Reach re
 }
 
 TEST(DepthTiles, LargeTrianglesGiveTheSameDepthsToTheBitAsEveryColumnByItself) {
-    for (int seed = 0; seed < 12; ++seed) {
+    for (int seed = 0; seed < test::cases(12); ++seed) {
         SCOPED_TRACE(seed);
         Random random(static_cast<std::uint64_t>(seed) + 4700);
         const Mesh mesh = large_triangles_of(random);

@@ -15,6 +15,7 @@
 #include "snug/object/turned_bounds.h"
 #include "snug/samples/samples.h"
 
+#include "tests/support/cases.h"
 #include "tests/support/models.h"
 #include "tests/support/random_design.h"
 #include "tests/support/small_meshes.h"
@@ -91,7 +92,7 @@ TEST(PreparedDepthMap, OfRandomSoupsIsThatOfThePlainPass) {
 }
 
 TEST(PreparedDepthMap, OfScansIsThatOfThePlainPassAtAnyResolutionAndReach) {
-    for (int seed = 0; seed < 12; ++seed) {
+    for (int seed = 0; seed < test::cases(12); ++seed) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         Random random(static_cast<std::uint64_t>(seed));
         const Mesh mesh = noisy_scan(random, random.integer(20, 120));

@@ -14,6 +14,7 @@
 #include "snug/samples/samples.h"
 #include "snug/words/words.h"
 
+#include "tests/support/cases.h"
 #include "tests/support/models.h"
 #include "tests/support/random_design.h"
 
@@ -99,7 +100,7 @@ Design random_design_for(Random& random) {
 }
 
 TEST(Stream, RandomSoupsHaveTheFoamsThatTheyHaveInMemory) {
-    for (int seed = 0; seed < 60; ++seed) {
+    for (int seed = 0; seed < test::cases(60); ++seed) {
         SCOPED_TRACE(seed);
         Random random(static_cast<std::uint64_t>(seed));
         test::RandomDesign soup = test::random_design(random);
@@ -168,7 +169,7 @@ class PlyBytes {
 };
 
 TEST(Stream, RandomPlyFilesHaveTheFoamsThatTheyHaveInMemory) {
-    for (int seed = 0; seed < 60; ++seed) {
+    for (int seed = 0; seed < test::cases(60); ++seed) {
         SCOPED_TRACE(seed);
         Random random(static_cast<std::uint64_t>(seed));
         const Mesh mesh = test::random_design(random).mesh;
@@ -221,7 +222,7 @@ TEST(Stream, SamplesAndSharedObjectsHaveTheFoamsThatTheyHaveInMemory) {
     }
     Random random(7);
     for (const FileBytes& bytes : objects)
-        for (int turn = 0; turn < 4; ++turn) {
+        for (int turn = 0; turn < test::cases_at_most(4); ++turn) {
             SCOPED_TRACE(turn);
             expect_the_same_streamed(bytes, random_design_for(random));
         }
@@ -301,7 +302,7 @@ FileBytes with_bad_records(FileBytes bytes, std::size_t begin, std::size_t recor
 }
 
 TEST(Stream, WhatIsLeftOutInPiecesIsLeftOutInMemory) {
-    for (int seed = 0; seed < 40; ++seed) {
+    for (int seed = 0; seed < test::cases(40, 10); ++seed) {
         SCOPED_TRACE(seed);
         Random random(static_cast<std::uint64_t>(seed));
         Mesh mesh = test::random_design(random).mesh;

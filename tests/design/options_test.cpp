@@ -18,6 +18,7 @@
 #include "snug/design/project.h"
 #include "snug/words/words.h"
 
+#include "tests/support/cases.h"
 #include "tests/support/random_options.h"
 
 // What follows from the table of options. SNUG_CASES sets how many random designs there are.
@@ -28,8 +29,7 @@ namespace {
 using test::Random;
 
 int cases() {
-    const char* text = std::getenv("SNUG_CASES");
-    return text ? std::atoi(text) : 150;
+    return test::cases(150);
 }
 
 std::string line_of(const Design& design) {

@@ -14,6 +14,7 @@
 
 #include "tests/support/broken_foams.h"
 #include "tests/support/brute_force.h"
+#include "tests/support/cases.h"
 #include "tests/support/fit_designs.h"
 #include "tests/support/heights.h"
 #include "tests/support/random_design.h"
@@ -76,7 +77,7 @@ TEST(Clearance, EachHalfGivesWayToTheObjectGrownForItAndToNothingElse) {
 }
 
 TEST(Clearance, OfEachHalfHoldsInEveryDesignWhateverElseIsCut) {
-    const int designs = std::max(100, test::fit_cases() / 2);
+    const int designs = test::cases(250, 40);
     int unlike = 0, squeezed = 0, in_cases = 0, crossed = 0;
     for (int seed = 0; seed < designs; ++seed) {
         SCOPED_TRACE(seed);

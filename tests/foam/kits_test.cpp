@@ -12,6 +12,7 @@
 
 #include "tests/support/broken_foams.h"
 #include "tests/support/brute_force.h"
+#include "tests/support/cases.h"
 #include "tests/support/fit_designs.h"
 #include "tests/support/random.h"
 #include "tests/support/random_design.h"
@@ -112,7 +113,7 @@ bool said_to_be_near(const Packing& packing, const std::string& one, const std::
 
 TEST(Kits, EveryItemHasItsRoomComesOutAndStandsFarEnoughFromOthers) {
     int packed = 0, near = 0, far = 0, rows = 0, in_cases = 0;
-    const int kits = std::max(60, test::fit_cases() / 3);
+    const int kits = test::cases(166, 30);
     for (int seed = 0; seed < kits; ++seed) {
         SCOPED_TRACE(seed);
         Random random(static_cast<std::uint64_t>(seed) + 77000);

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cstdlib>
 #include <optional>
 
 #include <gtest/gtest.h>
@@ -11,6 +10,7 @@
 #include "snug/solid/solid.h"
 
 #include "tests/support/brute_force.h"
+#include "tests/support/cases.h"
 #include "tests/support/heights.h"
 #include "tests/support/random_design.h"
 #include "tests/support/solid_checks.h"
@@ -23,11 +23,6 @@ namespace {
 using test::Blocks;
 using test::Random;
 using test::RandomDesign;
-
-int case_count() {
-    const char* text = std::getenv("SNUG_CASES");
-    return text ? std::atoi(text) : 2000;
-}
 
 BlockMap cut(const RandomDesign& design) {
     const Reach grown = reach(design.clearance, design.cut_on_touch);
@@ -44,7 +39,7 @@ Blocks brute_force_of_design(const RandomDesign& design, double touch) {
 
 TEST(Method, EveryBlockEqualsTheBruteForce) {
     long long snapped = 0, cut_blocks = 0, ties = 0;
-    const int cases = case_count();
+    const int cases = test::cases(2000);
     for (int seed = 0; seed < cases; ++seed) {
         Random random(static_cast<std::uint64_t>(seed));
         const RandomDesign design = test::random_design(random);
@@ -134,7 +129,7 @@ TEST(Method, MovingTheObjectOutNeverMeetsFoamAndNothingIsLost) {
 }
 
 TEST(Method, SolidsOfRandomDesignsAreClosedAndHoldTheirBlocks) {
-    const int cases = std::max(1, case_count() / 4);
+    const int cases = test::cases(500);
     for (int seed = 0; seed < cases; ++seed) {
         SCOPED_TRACE(seed);
         Random random(static_cast<std::uint64_t>(seed));

@@ -10,6 +10,7 @@
 #include "snug/mesh/triangle_tree.h"
 #include "snug/samples/samples.h"
 
+#include "tests/support/cases.h"
 #include "tests/support/random.h"
 
 namespace snug {
@@ -19,7 +20,7 @@ namespace {
 double farthest(const Mesh& from, const Mesh& to, test::Random& random) {
     double result = 0;
     for (const Triangle& t : from.triangles) {
-        if (from.triangles.size() > 400 && !random.chance(0.05)) continue;
+        if (from.triangles.size() > 400 && !random.chance(0.0005 * test::cases_at_most(100))) continue;
         const double a = random.unit(), b = random.unit() * (1 - a);
         const auto corner = [&](std::size_t i) { return vec_cast<double>(from.vertices[t[i]]); };
         for (const Vec3d p : {corner(0), corner(0) * a + corner(1) * b + corner(2) * (1 - a - b)}) {

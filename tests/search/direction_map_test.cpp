@@ -10,6 +10,7 @@
 #include "snug/make.h"
 #include "snug/samples/samples.h"
 
+#include "tests/support/cases.h"
 #include "tests/support/random.h"
 
 namespace snug {
@@ -53,7 +54,9 @@ void expect_as_named(const Object& object, Design design, const std::string& wha
 TEST(DirectionMap, WhatIsTakenFromItCutsWhatItNamesAndKeepsTheWalls) {
     const std::uint64_t seed = 20240611;
     test::Random random(seed);
+    int left = test::cases_at_most(2);
     for (const char* name : {"camera", "figurine"}) {
+        if (left-- <= 0) return;
         Design design;
         design.object.units = Unit::mm;
         const Object object = packed(name, design);

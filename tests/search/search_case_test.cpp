@@ -8,6 +8,7 @@
 #include "snug/search/search_design.h"
 #include "snug/words/words.h"
 
+#include "tests/support/cases.h"
 #include "tests/support/random.h"
 
 namespace snug {
@@ -43,7 +44,7 @@ TEST(SearchInACase, NeverCutsMoreKeepsTheWallsAndStaysAmongTheBlocksThatExist) {
         ASSERT_TRUE(before);
         SearchTask task;
         task.placement = true;
-        task.evaluations = 700;
+        task.evaluations = test::cases_at_most(700);
         const auto report = search_design(object->mesh, *object->prepared, design, task);
         ASSERT_TRUE(report) << text(report.error().message);
         const auto after = pack(*object, design);

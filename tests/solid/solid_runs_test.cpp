@@ -7,6 +7,7 @@
 
 #include "snug/solid/solid.h"
 
+#include "tests/support/cases.h"
 #include "tests/support/closedness.h"
 #include "tests/support/random.h"
 #include "tests/support/voxels.h"
@@ -132,7 +133,8 @@ TEST(SolidRuns, EveryTwoByTwoGridIsSound) {
 /// two levels (all of them hold, in three minutes).
 TEST(SolidRuns, ThreeByThreeGridsOfTwoLevelsAreSound) {
     const std::vector<Column> all = all_runs(2);
-    for (int code = 0; code < 1 << 18; code += 37) {
+    const int step = (1 << 18) / test::cases(7084) | 1;  // odd, so that every run stands everywhere
+    for (int code = 0; code < 1 << 18; code += step) {
         Grid<Column> runs(3, 3);
         for (std::size_t i = 0; i < 9; ++i) runs[i] = all[static_cast<std::size_t>(code >> (2 * i) & 3)];
         expect_sound_runs(runs);
@@ -178,7 +180,8 @@ Grid<Column> random_runs(Random& random, int longest) {
 }
 
 TEST(SolidRuns, RandomRunsAreClosedAndExact) {
-    for (std::uint64_t seed = 0; seed < 2000; ++seed) {
+    const auto seeds = static_cast<std::uint64_t>(test::cases(2000));
+    for (std::uint64_t seed = 0; seed < seeds; ++seed) {
         SCOPED_TRACE(seed);
         Random random(seed);
         expect_sound_runs(random_runs(random, seed % 50 == 0 ? 40 : seed % 3 == 0 ? 3 : 10));

@@ -1,20 +1,19 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdlib>
 
 #include <gtest/gtest.h>
 
 #include "snug/make.h"
 
+#include "tests/support/cases.h"
 #include "tests/support/random.h"
 
 namespace snug::test {
 
 /// Random designs to look at, by SNUG_CASES.
 [[nodiscard]] inline int fit_cases() {
-    const char* text = std::getenv("SNUG_CASES");
-    return (text ? std::atoi(text) : 2000) / 4;
+    return cases(500);
 }
 
 /// Of each half and axis, squeezed or wide, in shares of the smallest side.

@@ -1,7 +1,6 @@
 #include "snug/fabricate/bricks/brick_layout.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <map>
 #include <numeric>
 #include <string>
@@ -12,16 +11,15 @@
 #include "snug/words/words.h"
 
 #include "tests/support/brick_design.h"
+#include "tests/support/cases.h"
 
 namespace snug {
 namespace {
 
 using test::Random;
 
-/// Fewer under sanitizers, where SNUG_CASES says so: each takes ten times as long there.
 int cases() {
-    const char* text = std::getenv("SNUG_CASES");
-    return text ? std::min(300, std::max(20, std::atoi(text) / 10)) : 300;
+    return test::cases(300);
 }
 
 /// What stands at each plate of each stud.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <string>
 #include <vector>
 
@@ -18,6 +17,7 @@
 #include "snug/samples/samples.h"
 #include "snug/words/words.h"
 
+#include "tests/support/cases.h"
 #include "tests/support/gcode_stock.h"
 #include "tests/support/milled.h"
 #include "tests/support/models.h"
@@ -42,11 +42,6 @@ using test::milled_case;
 using test::MilledCase;
 using test::Random;
 using test::text_of;
-
-int cases(int most) {
-    const char* text = std::getenv("SNUG_CASES");
-    return text ? std::min(most, std::max(4, std::atoi(text) / 20)) : most;
-}
 
 TEST(MillTest, NoFoamIsLeftWhereTheSamplesAreAndNoMoreIsLostThanTold) {
     Random random(1);
@@ -109,7 +104,7 @@ std::optional<MilledCase> random_milled_case(Random& random) {
 TEST(MillTest, WhatIsTakenOfTheBlocksIsToldWithItsWidthAndVolume) {
     Lost all;
     double told_mm3 = 0;
-    for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(cases(14)); ++seed) {
+    for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(test::cases(14, 4)); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
         const auto milled = random_milled_case(random);
@@ -155,7 +150,7 @@ bool within_case(const CaseSpace& fitted, double x, double y, double z) {
 
 TEST(MillTest, WhatIsMilledGoesIntoItsCase) {
     int places = 0;
-    for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(cases(10)); ++seed) {
+    for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(test::cases(10, 4)); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(1000 + seed);
         const auto milled = random_milled_case(random);
@@ -243,7 +238,7 @@ TEST(MillTest, WhatIsLeftOutBesideMissingColumnsIsNoSlot) {
 }
 
 TEST(MillTest, TheCarvedStockRebuildsRandomHeightFieldsAndNothingStaysInCorners) {
-    for (int seed = 0; seed < cases(40); ++seed) {
+    for (int seed = 0; seed < test::cases(40); ++seed) {
         SCOPED_TRACE(seed);
         Random random(static_cast<std::uint64_t>(seed));
         const DesignSpace space{

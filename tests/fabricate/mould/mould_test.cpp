@@ -15,6 +15,7 @@
 #include "snug/words/words.h"
 
 #include "tests/support/assembled_mould.h"
+#include "tests/support/cases.h"
 #include "tests/support/models.h"
 #include "tests/support/print_design.h"
 #include "tests/support/printed_checks.h"
@@ -126,7 +127,8 @@ WorkshopOptions random_options(test::Random& random) {
 
 TEST(MouldPack, TheComplementOfRandomMouldsOnAnyBedIsTheFoam) {
     int packs = 0;
-    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const int seeds = test::cases(60, 15);
+    for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(seeds); ++seed) {
         SCOPED_TRACE(seed);
         test::Random random(seed);
         const test::PrintDesign design = test::random_print_design(random);
@@ -135,14 +137,15 @@ TEST(MouldPack, TheComplementOfRandomMouldsOnAnyBedIsTheFoam) {
         expect_moulds_of(design.view(), options);
         ++packs;
     }
-    EXPECT_GT(packs, 20);
+    EXPECT_GT(packs, seeds / 3);
 }
 
 /// With draft and dowels: what comes out of the mould is never more than the half, the mould never less than
 /// without draft, every part closed, on its bed and apart from the others.
 TEST(MouldPack, DraftedFoamNeverExceedsTheHalf) {
     int packs = 0, points = 0;
-    for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const int seeds = test::cases(60, 15);
+    for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(seeds); ++seed) {
         SCOPED_TRACE(seed);
         test::Random random(seed);
         const test::PrintDesign design = test::random_print_design(random);
@@ -177,8 +180,8 @@ TEST(MouldPack, DraftedFoamNeverExceedsTheHalf) {
             }
         }
     }
-    EXPECT_GT(packs, 20);
-    EXPECT_GT(points, 2000);
+    EXPECT_GT(packs, seeds / 3);
+    EXPECT_GT(points, seeds * 33);
 }
 
 /// An L in a full frame, so that each mirror image differs. The foam is taken out of its mould, turned over

@@ -10,6 +10,7 @@
 #include "snug/polygon/lattice.h"
 #include "snug/polygon/plan_outline.h"
 
+#include "tests/support/cases.h"
 #include "tests/support/closedness.h"
 #include "tests/support/random.h"
 
@@ -86,7 +87,7 @@ std::vector<Vec3f> as_floats(const StepSolid& solid) {
 }
 
 TEST(SlabSolid, IsClosedAndNothingOverhangsOrIsFlat) {
-    for (std::uint64_t seed = 0; seed < 1500; ++seed) {
+    for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(test::cases(1500)); ++seed) {
         SCOPED_TRACE(seed);
         test::Random random(seed);
         const RandomField field(random);
@@ -107,7 +108,7 @@ TEST(SlabSolid, IsClosedAndNothingOverhangsOrIsFlat) {
 }
 
 TEST(SlabSolid, GrowingMovesEveryCornerAndMakesNone) {
-    for (std::uint64_t seed = 0; seed < 500; ++seed) {
+    for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(test::cases(500)); ++seed) {
         SCOPED_TRACE(seed);
         test::Random random(seed);
         const RandomField field(random);
@@ -140,8 +141,9 @@ int winding(const StepSolid& solid, Vec3d p) {
 
 /// What is within is what leaning columns fill, but for the gaps that close within one slab.
 TEST(SlabSolid, IsTheUnionOfLeaningColumns) {
+    const int seeds = test::cases(300);
     int inside = 0, filled = 0;
-    for (std::uint64_t seed = 0; seed < 300; ++seed) {
+    for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(seeds); ++seed) {
         SCOPED_TRACE(seed);
         test::Random random(seed);
         const RandomField field(random);
@@ -158,7 +160,7 @@ TEST(SlabSolid, IsTheUnionOfLeaningColumns) {
             if (turns == 1 && !field.contains(p, 3)) ++filled;
         }
     }
-    EXPECT_GT(inside, 5000);
+    EXPECT_GT(inside, seeds * 50 / 3);
     EXPECT_LT(filled, inside / 50);
 }
 
