@@ -10,6 +10,7 @@ import subprocess
 import sys
 import tempfile
 import zipfile
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
@@ -66,6 +67,7 @@ def unpacked(found):
 
 
 def check(programs, wasm, path, options, work):
+    work.mkdir()
     language = options[options.index("--language") + 1] if "--language" in options else "en"
     made = []
     for number, program in enumerate(programs):
@@ -98,10 +100,10 @@ def main():
             cases += [(MODELS / name, options) for name, options in MODEL_CASES]
         else:
             print(f"skipped: the models are not at {MODELS}")
-        for number, (path, options) in enumerate(cases):
-            folder = work / str(number)
-            folder.mkdir()
-            check(programs, wasm, path, options, folder)
+        # Node takes one processor.
+        with ThreadPoolExecutor(os.cpu_count()) as pool:
+            folders = [work / str(number) for number in range(len(cases))]
+            list(pool.map(lambda case, folder: check(programs, wasm, *case, folder), cases, folders))
     print(f"{len(cases)} passed, 0 failed")
 
 
