@@ -1,6 +1,7 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include <emscripten/bind.h>
 
@@ -12,6 +13,7 @@
 #include "snug/object/prepare.h"
 #include "snug/samples/samples.h"
 
+#include "wasm/projects.h"
 #include "wasm/scene_tools.h"
 #include "wasm/session.h"
 #include "wasm/values.h"
@@ -55,38 +57,23 @@ val bricks() {
     return result;
 }
 
-/// {object, design, dependent}, the last two as JSON texts (dependent_options()).
-val parse(const std::string& project_text) {
-    auto project = parse_project(project_text);
+/// {text}: `objects` as in projects.h.
+val project_text(const std::string& design, const val& objects) {
+    const auto project = project_from(design, objects);
     if (!project) return to_val(project.error());
     val result = val::object();
-    if (project->design.items.size() > 1)
-        return to_val(
-            Error{ErrorKind::usage, say("session.one_item", {{"items", project->design.items.size()}})});
-    take_over_one_item(*project);
-    result.set("object", to_val(project->objects.front().file));
-    result.set("design", design_json(project->design));
-    result.set("dependent", dependent_options(project->design));
+    result.set("text", project_json(*project));
     return result;
 }
 
-/// {text}
-val project_text(const std::string& design_text, const std::string& name, double bytes,
-                 const std::string& sha256) {
-    const auto design = parse_design(design_text);
-    if (!design) return to_val(design.error());
+/// {text}: the `snug make` that gives the design from the objects' files, in a language ("en", "ja").
+val command_line_text(const std::string& design, const val& objects, const std::string& language) {
+    const auto project = project_from(design, objects);
+    if (!project) return to_val(project.error());
+    std::vector<std::string> files;
+    for (const ProjectObject& object : project->objects) files.push_back(object.file.name);
     val result = val::object();
-    result.set("text",
-               project_json({{{{name, static_cast<unsigned long long>(bytes), sha256}, {}}}, *design}));
-    return result;
-}
-
-/// {text}: the `snug make` that gives the design from the file, in a language ("en", "ja").
-val command_line_text(const std::string& file, const std::string& design_text, const std::string& language) {
-    const auto design = parse_design(design_text);
-    if (!design) return to_val(design.error());
-    val result = val::object();
-    result.set("text", command_line(file, *design, built_in_names(), language_of(language)));
+    result.set("text", command_line(*project, files, built_in_names(), language_of(language)));
     return result;
 }
 
@@ -114,7 +101,7 @@ val make(const val& object_bytes, const std::string& project_text, const val& to
     auto object = prepare(std::move(*mesh), design_for(*project, 0));
     if (!object) return to_val(object.error());
     object->name = name;
-    return make_files(*object, *project, language_of(language), {});
+    return make_files({&*object, 1}, *project, language_of(language), {});
 }
 
 }  // namespace
@@ -137,6 +124,7 @@ EMSCRIPTEN_BINDINGS(snug) {
     emscripten::class_<bound::Session>("Session")
         .constructor<>()
         .function("load", &bound::Session::load)
+        .function("keep", &bound::Session::keep)
         .function("describe", &bound::Session::describe)
         .function("mesh", &bound::Session::mesh)
         .function("pack", &bound::Session::pack)

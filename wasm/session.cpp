@@ -2,16 +2,18 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 #include "snug/base/stopwatch.h"
 #include "snug/design/options_schema.h"
 #include "snug/formats/read_object.h"
 #include "snug/make.h"
-#include "snug/mesh/measure.h"
 #include "snug/search/rank_cases.h"
 #include "snug/search/search_design.h"
+#include "snug/space/place_items.h"
 
+#include "wasm/projects.h"
 #include "wasm/scene_tools.h"
 #include "wasm/workshop_values.h"
 
@@ -28,26 +30,28 @@ const Error kNoObject{ErrorKind::usage, say("session.no_object")};
 const Error kNotOfClouds{ErrorKind::usage, say("session.cloud")};
 const Error kNoFoams{ErrorKind::usage, say("session.no_foams")};
 
-bool asks_for_unit(const Mesh& mesh, const Box3d& box, const Design& design) {
-    return !mesh.read.in_mm && box.longest_side() > 0 && !design.object.units && !design.object.longest_mm;
+std::vector<int> numbers_from(const val& list) {
+    std::vector<int> numbers(list["length"].as<std::size_t>());
+    for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = list[i].as<int>();
+    return numbers;
 }
 
-Object unscaled(const Mesh& mesh) {
-    Object object;
-    object.mesh.read = mesh.read;
-    if (mesh.is_cloud()) object.surface = PointBalls{};
-    object.read = {mesh.vertices.size(), mesh.triangles.size()};
-    object.measure = measure(mesh);
-    return object;
+/// Cases that hold several items as they lie: they are not turned together.
+CaseRanking as_they_lie(CaseRanking ranking) {
+    const auto turned = [](const RankedCase& each) { return each.lay != kLays.front(); };
+    ranking.fitting.erase(std::remove_if(ranking.fitting.begin(), ranking.fitting.end(), turned),
+                          ranking.fitting.end());
+    if (ranking.nearest && turned(*ranking.nearest)) ranking.nearest.reset();
+    return ranking;
 }
 
 }  // namespace
 
-val make_files(Object& object, Project project, Language language, const Progress& progress) {
+val make_files(std::span<Object> objects, Project project, Language language, const Progress& progress) {
     Tools tools;
     tools.language = language;
     tools.progress = [&progress](Stage stage) { return stage == Stage::gaps ? progress : Progress(); };
-    auto made = make(object, project, tools);
+    auto made = make(objects, project, tools);
     if (!made) return to_val(made.error());
     if (!made->packing.foams)
         return to_val(Error{ErrorKind::does_not_fit, made->packing.findings.front().message});
@@ -57,116 +61,141 @@ val make_files(Object& object, Project project, Language language, const Progres
         files.call<void>("push", to_val(file));
         return {};
     };
-    if (auto done = make_output_files({&object, 1}, project, *made, take); !done) return to_val(done.error());
+    if (auto done = make_output_files(objects, project, *made, take); !done) return to_val(done.error());
     result.set("files", files);
-    result.set("report", report_json({&object, 1}, project, *made));
+    result.set("report", report_json(objects, project, *made));
     if (made->pack) result.set("pack", to_val(*made->pack));
     return result;
 }
 
-val Session::load(const val& bytes, const std::string& name, const std::string& design_text,
+val Session::load(int number, const val& bytes, const std::string& name, const std::string& design_text,
                   const val& tools) {
     const auto design = parse_design(design_text);
     if (!design) return to_val(design.error());
     auto mesh = read_object(bytes_from(bytes), name, scene_tools_from(tools));
     if (!mesh) return to_val(mesh.error());
-    const Box3d box = bounds(*mesh);
-    auto object = prepare(*mesh, *design);
-    if (!object && !asks_for_unit(*mesh, box, *design)) return to_val(object.error());
+    const auto error = store_.load(number, std::move(*mesh), *design);
+    const ObjectStore::Entry* const entry = store_.find(number);
+    if (!entry) return to_val(*error);
+    forget_results();
+    if (error) return to_val(unscaled(entry->read), entry->box.size(), error);
+    return to_val(store_.object_of(*entry), entry->box.size(), {});
+}
 
+void Session::keep(const val& numbers) {
+    store_.keep(numbers_from(numbers));
+    forget_results();
+}
+
+/// What is of objects that are not what they were.
+void Session::forget_results() {
+    if (edition_ == store_.edition()) return;
+    edition_ = store_.edition();
     search_.reset();
     map_.reset();
     packing_.reset();
-    surface_.reset();
-    object_.reset();
-    read_ = std::move(*mesh);
-    box_ = box;
-    options_ = design->object;
-    if (!object) return to_val(unscaled(*read_), box.size(), object.error());
-    object_ = std::move(*object);
-    return to_val(*object_, box.size(), {});
 }
 
-std::optional<Error> Session::prepare_for(const Design& design) {
-    if (!read_) return kNoObject;
-    if (object_ && options_ == design.object)
-        return object_->mesh.read.in_mm ? std::nullopt : implausible_size(box_.size(), design);
-    auto object = prepare(*read_, design);
-    if (!object) return object.error();
-    search_.reset();
-    map_.reset();
-    packing_.reset();
-    surface_.reset();
-    options_ = design.object;
-    object_ = std::move(*object);
-    return {};
+Result<Project> Session::lay_out(const std::string& design, const val& objects) {
+    auto project = project_from(design, objects);
+    if (!project) return project;
+    std::vector<int> numbers;
+    for (std::size_t i = 0; i < project->objects.size(); ++i)
+        numbers.push_back(objects[i]["number"].as<int>());
+    const auto error = store_.lay_out(numbers, *project);
+    forget_results();
+    if (error) return tl::unexpected(*error);
+    return project;
 }
 
-val Session::describe(const std::string& design_text) {
+/// What is done for one item alone.
+Result<Project> Session::lay_out_one(const std::string& design, const val& objects) {
+    auto project = lay_out(design, objects);
+    if (project && project->design.items.size() > 1)
+        return fail(ErrorKind::usage, say("session.one_item", {{"items", project->design.items.size()}}));
+    return project;
+}
+
+val Session::describe(int number, const std::string& design_text) {
     const auto design = parse_design(design_text);
     if (!design) return to_val(design.error());
-    const auto error = prepare_for(*design);
-    if (!error) return to_val(*object_, box_.size(), {});
-    if (!read_ || !asks_for_unit(*read_, box_, *design)) return to_val(*error);
-    return to_val(unscaled(*read_), box_.size(), error);
+    const auto error = store_.prepare(number, *design);
+    forget_results();
+    const ObjectStore::Entry* const entry = store_.find(number);
+    if (!error) return to_val(store_.object_of(*entry), entry->box.size(), {});
+    if (!entry || !asks_for_unit(*entry, *design)) return to_val(*error);
+    return to_val(unscaled(entry->read), entry->box.size(), error);
 }
 
-val Session::mesh() const {
-    if (object_) return to_val(object_->mesh);
-    return to_val(read_.value_or(Mesh{}));
+val Session::mesh(int number) const {
+    const ObjectStore::Entry* const entry = store_.find(number);
+    if (!entry) return to_val(Mesh{});
+    return to_val(entry->prepared ? store_.object_of(*entry).mesh : entry->read);
 }
 
-val Session::pack(const std::string& design_text) {
+/// The first packing should be seen at once. After it what changes may change many times: all objects, but
+/// where the items alone differ those of the items that do.
+void Session::prepare_what_changes(const Design& design) {
+    if (!packing_) return;
+    Design same_items = design;
+    same_items.items = packed_.items;
+    const bool items_alone = same_items == packed_ && design.items.size() == packed_.items.size();
+    for (std::size_t i = 0; i < design.items.size(); ++i)
+        if (!items_alone || !(design.items[i] == packed_.items[i]))
+            prepare_for_many(store_.objects()[static_cast<std::size_t>(design.items[i].object)]);
+}
+
+val Session::pack(const std::string& design_text, const val& objects) {
     Stopwatch watch;
-    const auto design = parse_design(design_text);
-    if (!design) return to_val(design.error());
-    if (const auto error = prepare_for(*design)) return to_val(*error);
-    if (packing_) prepare_for_many(*object_);  // the first should be seen at once
-    auto packing = snug::pack(*object_, *design);
+    const auto project = lay_out(design_text, objects);
+    if (!project) return to_val(project.error());
+    const Design& design = project->design;
+    prepare_what_changes(design);
+    auto packing = snug::pack(store_.objects(), design, {}, &depths_);
     if (!packing) return to_val(packing.error());
     packing_ = std::move(*packing);
-    packed_ = *design;
+    packed_ = design;
     val result = to_val(*packing_, watch.lap());
-    result.set("dependent", dependent_options(*design));
+    result.set("dependent", dependent_options(design));
     return result;
 }
 
-val Session::gaps(const val& progress) const {
+val Session::gaps(const val& progress) {
     if (!packing_ || !packing_->foams) return to_val(kNoFoams);
-    if (!object_->whole()) return to_val(kNotOfClouds);
+    for (const Object& object : store_.objects())
+        if (!object.whole()) return to_val(kNotOfClouds);
     Packing packing = *packing_;
-    const auto measured = measure_fit({&*object_, 1}, packing, packed_, progress_from(progress));
+    const auto measured = measure_fit(store_.objects(), packing, packed_, progress_from(progress));
     if (!measured) return to_val(measured.error());
     val result = to_val(*measured->gap);
     result.set("bearing", to_val(*measured->bearing, packed_));
-    result.set("findings", to_val(packing.findings));
+    result.set("findings", to_val(packing.findings, packing.items));
     return result;
 }
 
 val Session::distances(const val& points) {
     if (!packing_) return to_val(kNoFoams);
-    if (!surface_) {
-        auto surface = SurfaceDistance::build(object_->mesh);
-        if (!surface) return to_val(surface.error());
-        surface_.emplace(std::move(*surface));
-    }
     const std::vector<float> places = floats_from(points);
-    std::vector<float> distances(places.size() / 3);
-    for (std::size_t i = 0; i < distances.size(); ++i) {
-        const Vec3d place{places[3 * i], places[3 * i + 1], places[3 * i + 2]};
-        distances[i] = static_cast<float>(surface_->at(place, packing_->items.front().placement));
+    std::vector<float> distances(places.size() / 3, std::numeric_limits<float>::infinity());
+    for (const Item& item : packing_->items) {
+        const auto surface = store_.surface_of(item.object);
+        if (!surface) return to_val(surface.error());
+        for (std::size_t i = 0; i < distances.size(); ++i) {
+            const Vec3d place{places[3 * i], places[3 * i + 1], places[3 * i + 2]};
+            distances[i] = std::min(distances[i], static_cast<float>((*surface)->at(place, item.placement)));
+        }
     }
     return typed_array(distances.data(), distances.size());
 }
 
-val Session::start_search(const std::string& design_text) {
-    const auto design = parse_design(design_text);
-    if (!design) return to_val(design.error());
-    if (const auto error = prepare_for(*design)) return to_val(*error);
-    prepare_for_many(*object_);
-    const auto packing = snug::pack(*object_, *design);
+val Session::start_search(const std::string& design_text, const val& objects) {
+    const auto project = lay_out_one(design_text, objects);
+    if (!project) return to_val(project.error());
+    Object& object = store_.objects().front();
+    prepare_for_many(object);
+    const auto packing = snug::pack(object, project->design);
     if (!packing) return to_val(packing.error());
-    auto search = PlacementSearch::start(object_->mesh, *object_->prepared, *design, packing->space,
+    auto search = PlacementSearch::start(object.mesh, *object.prepared, project->design, packing->space,
                                          kSearchSeed, packing->available);
     if (!search) return to_val(search.error());
     search_ = std::move(*search);
@@ -192,30 +221,30 @@ val Session::distinct() const {
     return list;
 }
 
-val Session::fit_case(const std::string& design_text, const val& progress) {
-    auto design = parse_design(design_text);
-    if (!design) return to_val(design.error());
-    if (const auto error = prepare_for(*design)) return to_val(*error);
-    prepare_for_many(*object_);
+val Session::fit_case(const std::string& design_text, const val& objects, const val& progress) {
+    auto project = lay_out_one(design_text, objects);
+    if (!project) return to_val(project.error());
+    Object& object = store_.objects().front();
+    prepare_for_many(object);
     SearchTask task;
     task.fit_case = true;
     const Progress told = progress_from(progress);
     const auto news = [&](double share, std::optional<long long>) { return go_on(told, share); };
-    const auto report = search_design(object_->mesh, *object_->prepared, *design, task, news);
+    const auto report = search_design(object.mesh, *object.prepared, project->design, task, news);
     if (!report) return to_val(report.error());
     val result = val::object();
-    result.set("design", design_json(*design));
+    result.set("design", design_json(project->design));
     return result;
 }
 
-val Session::start_map(const std::string& design_text) {
-    const auto design = parse_design(design_text);
-    if (!design) return to_val(design.error());
-    if (const auto error = prepare_for(*design)) return to_val(*error);
-    prepare_for_many(*object_);
-    const auto packing = snug::pack(*object_, *design);
+val Session::start_map(const std::string& design_text, const val& objects) {
+    const auto project = lay_out_one(design_text, objects);
+    if (!project) return to_val(project.error());
+    Object& object = store_.objects().front();
+    prepare_for_many(object);
+    const auto packing = snug::pack(object, project->design);
     if (!packing) return to_val(packing.error());
-    map_.emplace(object_->mesh, *object_->prepared, *design, packing->space, kMapDirections,
+    map_.emplace(object.mesh, *object.prepared, project->design, packing->space, kMapDirections,
                  packing->available);
     return to_val(*map_);
 }
@@ -227,31 +256,32 @@ val Session::map_step() {
     return to_val(*map_);
 }
 
-val Session::rank_cases(const std::string& design_text) {
-    const auto design = parse_design(design_text);
-    if (!design) return to_val(design.error());
-    if (const auto error = prepare_for(*design)) return to_val(*error);
-    const Placement placement = place(object_->mesh, design->placement.rotation_deg, {});
-    const Cargo cargo{placement.bounds.size(), design->workshop.mass_kg, design->search.billed_divisor};
-    return to_val(snug::rank_cases(built_in_cases(), *design, cargo), *design);
+val Session::rank_cases(const std::string& design_text, const val& objects) {
+    const auto project = lay_out(design_text, objects);
+    if (!project) return to_val(project.error());
+    const Design& design = project->design;
+    const auto items = place_items(store_.objects(), design);
+    if (!items) return to_val(items.error());
+    const Cargo cargo{bounds_of(*items).size(), mass_kg(design), design.search.billed_divisor};
+    auto ranking = snug::rank_cases(built_in_cases(), design, cargo);
+    return to_val(items->size() > 1 ? as_they_lie(std::move(ranking)) : ranking, design);
 }
 
-val Session::workshop_figures(const std::string& project_text) {
-    const auto project = parse_project(project_text);
+val Session::workshop_figures(const std::string& design_text, const val& objects) {
+    const auto project = lay_out(design_text, objects);
     if (!project) return to_val(project.error());
-    if (const auto error = prepare_for(project->design)) return to_val(*error);
-    const auto packing = snug::pack(*object_, project->design);
+    const auto packing = snug::pack(store_.objects(), project->design);
     if (!packing) return to_val(packing.error());
     if (!packing->foams) return to_val(kNoFoams);
-    const auto pack = workshop_pack({&*object_, 1}, *packing, *project);
+    const auto pack = workshop_pack(store_.objects(), *packing, *project);
     return pack ? figures_val(*pack) : to_val(pack.error());
 }
 
-val Session::output_files(const std::string& project_text, const std::string& language, const val& progress) {
-    const auto project = parse_project(project_text);
+val Session::output_files(const std::string& design_text, const val& objects, const std::string& language,
+                          const val& progress) {
+    const auto project = lay_out(design_text, objects);
     if (!project) return to_val(project.error());
-    if (const auto error = prepare_for(project->design)) return to_val(*error);
-    return make_files(*object_, *project, language_of(language), progress_from(progress));
+    return make_files(store_.objects(), *project, language_of(language), progress_from(progress));
 }
 
 }  // namespace snug::wasm

@@ -1,74 +1,86 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "snug/check/packing.h"
-#include "snug/check/surface_distance.h"
-#include "snug/mesh/mesh.h"
+#include "snug/depth/item_depths.h"
 #include "snug/object/object.h"
 #include "snug/search/direction_map.h"
 #include "snug/search/placement_search.h"
 
+#include "wasm/object_store.h"
 #include "wasm/values.h"
 
 namespace snug::wasm {
 
-/// {files: [{name, bytes}], report, pack}: what `snug make` writes for an object; no pack where the design
+/// {files: [{name, bytes}], report, pack}: what `snug make` writes for objects; no pack where the design
 /// asks for none, and PDF and zip are left to the caller.
-[[nodiscard]] val make_files(Object& object, Project project, Language language, const Progress& progress);
+[[nodiscard]] val make_files(std::span<Object> objects, Project project, Language language,
+                             const Progress& progress);
 
-/// Keeps the object between calls, so that only designs and results pass between JavaScript and the library.
-/// Designs are JSON texts as they stand in a project. Failures are {error, kind} and change nothing.
+/// Keeps objects between calls, so that only designs and results pass between JavaScript and the library.
+/// Designs are JSON texts as they stand in a project; `objects` are those that the design's items are of,
+/// each {number, name, bytes, sha256, own}: the number that it was loaded by, its file, and its own choices
+/// as a design's JSON text or null. Failures are {error, kind} and change nothing.
 class Session {
   public:
-    /// Reads a file and makes it the object. An implausible size is no failure: the object is kept, and its
-    /// size_mm is null until a design chooses the unit. `tools`: what scenes need (scene_tools.h).
-    val load(const val& bytes, const std::string& name, const std::string& design, const val& tools);
-    /// What the design's object options make of the object that is loaded.
-    val describe(const std::string& design);
-    /// The object in mm, before the placement; as the file has it while it has no size in mm. {positions,
+    /// Reads a file and keeps its object under a number of its own. An implausible size is no failure: the
+    /// object is kept, and its size_mm is null until a design chooses the unit. `tools`: what scenes need
+    /// (scene_tools.h).
+    val load(int number, const val& bytes, const std::string& name, const std::string& design,
+             const val& tools);
+    /// Forgets the objects of all other numbers.
+    void keep(const val& numbers);
+    /// What the design's object options make of an object.
+    val describe(int number, const std::string& design);
+    /// An object in mm, before the placement; as the file has it while it has no size in mm. {positions,
     /// indices}.
-    [[nodiscard]] val mesh() const;
-    val pack(const std::string& design);
-    /// Of the last packing: its gaps, what the object lies on, and all findings.
-    [[nodiscard]] val gaps(const val& progress) const;
+    [[nodiscard]] val mesh(int number) const;
+    val pack(const std::string& design, const val& objects);
+    /// Of the last packing: its gaps, what the objects lie on, and all findings.
+    [[nodiscard]] val gaps(const val& progress);
     /// Of points (x, y, z after each other, design coordinates) from the surface of the last packing's
-    /// object.
+    /// objects.
     val distances(const val& points);
-    /// Starts a search where the design stands; another object ends it.
-    val start_search(const std::string& design);
+    /// Starts a search where the design stands, for one item; another object ends it.
+    val start_search(const std::string& design, const val& objects);
     /// Looks on for some milliseconds.
     val search_step();
     /// Of the search: the best few placements that differ.
     [[nodiscard]] val distinct() const;
-    /// The design with the fewest blocks that hold the object and its walls, and the placement for them:
+    /// The design with the fewest blocks that hold the one item and its walls, and the placement for them:
     /// {design}.
-    val fit_case(const std::string& design, const val& progress);
-    /// Starts a map of what is cut by direction, for the design's space; another object ends it.
-    val start_map(const std::string& design);
+    val fit_case(const std::string& design, const val& objects, const val& progress);
+    /// Starts a map of what is cut by direction, for one item in the design's space; another object ends it.
+    val start_map(const std::string& design, const val& objects);
     /// Goes on with it for some milliseconds.
     val map_step();
-    /// The known cases that hold the object as the design places it, the best fill first.
-    val rank_cases(const std::string& design);
+    /// The known cases that hold the items as the design places them, the best fill first.
+    val rank_cases(const std::string& design, const val& objects);
     /// What the design's way of working takes: {figures, findings}.
-    val workshop_figures(const std::string& project);
-    /// Everything that `snug make` writes for the design and the object's file, in a language ("en", "ja").
-    val output_files(const std::string& project, const std::string& language, const val& progress);
+    val workshop_figures(const std::string& design, const val& objects);
+    /// Everything that `snug make` writes for the design and the objects' files, in a language ("en", "ja").
+    val output_files(const std::string& design, const val& objects, const std::string& language,
+                     const val& progress);
 
   private:
-    [[nodiscard]] std::optional<Error> prepare_for(const Design& design);
+    [[nodiscard]] Result<Project> lay_out(const std::string& design, const val& objects);
+    [[nodiscard]] Result<Project> lay_out_one(const std::string& design, const val& objects);
+    void forget_results();
+    void prepare_what_changes(const Design& design);
 
-    std::optional<Mesh> read_;  ///< as the file has it, in its own unit
-    Box3d box_;                 ///< of read_
-    ObjectOptions options_;     ///< that object_ was prepared with
-    std::optional<Object> object_;
+    ObjectStore store_;
+    std::uint64_t edition_ = 0;  ///< of the store, that everything below is of
     std::optional<Packing> packing_;
-    Design packed_;                           ///< that packing_ is of
-    std::optional<SurfaceDistance> surface_;  ///< of object_, once it was asked for
-    std::optional<PlacementSearch> search_;   ///< of object_
+    Design packed_;      ///< that packing_ is of
+    KeptDepths depths_;  ///< of packing_
+    std::optional<PlacementSearch> search_;
     DesignSpace searched_;
-    std::optional<DirectionMap> map_;  ///< of object_
+    std::optional<DirectionMap> map_;
 };
 
 }  // namespace snug::wasm

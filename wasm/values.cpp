@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace snug::wasm {
@@ -217,7 +218,40 @@ val to_val(const Mesh& mesh) {
     return result;
 }
 
-val to_val(const std::vector<Finding>& findings) {
+namespace {
+
+/// The items that a finding is of, or that it names, by their places among all of them.
+val items_named(const Finding& finding, const std::vector<Item>& items) {
+    val numbers = val::array();
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        const std::string& name = items[i].name;
+        const auto& values = finding.message.values;
+        const bool named = std::any_of(values.begin(), values.end(), [&](const Value& value) {
+            const auto* const text = std::get_if<std::string>(&value.content);
+            return (value.name == "one" || value.name == "other") && text && *text == name;
+        });
+        if (!name.empty() && (finding.of == name || named)) numbers.call<void>("push", i);
+    }
+    return numbers;
+}
+
+val item_val(const Item& item) {
+    val bounds = val::object();
+    bounds.set("min", to_val(item.placement.bounds.min));
+    bounds.set("max", to_val(item.placement.bounds.max));
+    val result = val::object();
+    result.set("name", item.name);
+    result.set("object", item.object);
+    result.set("rotation_deg", to_val(item.rotation_deg));
+    result.set("offset_mm", to_val(item.offset_mm));
+    result.set("placement", matrix(item.placement));
+    result.set("bounds", bounds);
+    return result;
+}
+
+}  // namespace
+
+val to_val(const std::vector<Finding>& findings, const std::vector<Item>& items) {
     val list = val::array();
     for (const Finding& finding : findings) {
         val entry = val::object();
@@ -225,25 +259,23 @@ val to_val(const std::vector<Finding>& findings) {
         entry.set("code", std::string(finding.code()));
         entry.set("message", to_val(said_of_item(finding)));
         entry.set("where", finding.where ? to_val(*finding.where) : val::null());
+        entry.set("items", items_named(finding, items));
         list.call<void>("push", entry);
     }
     return list;
 }
 
 val to_val(const Packing& packing, double library_ms) {
-    const Placement& placement = packing.items.front().placement;
-    val bounds = val::object();
-    bounds.set("min", to_val(placement.bounds.min));
-    bounds.set("max", to_val(placement.bounds.max));
+    val items = val::array();
+    for (const Item& item : packing.items) items.call<void>("push", item_val(item));
     val result = val::object();
     result.set("blocks", to_val(packing.space.blocks));
     result.set("block_mm", to_val(packing.space.block_mm));
     set_columns(result, packing);
     result.set("partingLevel", packing.foams ? packing.foams->parting.front() : 0);
-    result.set("placement", matrix(placement));
-    result.set("bounds", bounds);
+    result.set("items", items);
     result.set("fit", packing.foams ? fit_val(packing.fit) : val::null());
-    result.set("findings", to_val(packing.findings));
+    result.set("findings", to_val(packing.findings, packing.items));
     result.set("library_ms", library_ms);
     return result;
 }
@@ -283,7 +315,7 @@ val to_val(const BearingReport& bearing, const Design& design) {
     };
     val pressure = val::array();
     for (const double area : bearing.lower_mm2) {
-        const auto& mass = design.workshop.mass_kg;
+        const auto mass = mass_kg(design);
         pressure.call<void>("push", mass ? or_null(static_pressure_kpa(*mass, area)) : val::null());
     }
     val result = val::object();

@@ -57,7 +57,8 @@ template <class T>
 [[nodiscard]] val to_val(const Packing& packing, double library_ms);
 [[nodiscard]] val to_val(const GapReport& gap);
 [[nodiscard]] val to_val(const BearingReport& bearing, const Design& design);
-[[nodiscard]] val to_val(const std::vector<Finding>& findings);
+/// `items`: of the packing that they are of, whose numbers they then tell.
+[[nodiscard]] val to_val(const std::vector<Finding>& findings, const std::vector<Item>& items = {});
 [[nodiscard]] val to_val(const FoundPlacement& placement);
 [[nodiscard]] val to_val(const PlacementSearch& search, const DesignSpace& space);
 /// Directions that fit alone.

@@ -10,9 +10,8 @@ constexpr Wording kWordsOfSession[] = {
     {"session.no_foams", "there are no foams yet that could be measured", "測るフォームがまだありません。"},
     {"session.cloud", "gaps, undercuts and what the object lies on are not known of a point cloud",
      "点群では、すきま、陰になる部分、対象物が載る面はわかりません。"},
-    {"session.one_item", "the project has {items} items, and this page shows one: make it with `snug make`",
-     "このプロジェクトには {items} 個のものがありますが、このページが扱えるのは一つです。`snug make` で作成"
-     "してください。"},
+    {"session.one_item", "this looks at one item, and {items} lie in the case",
+     "これは一つのものだけを調べますが、ケースには {items} 個あります。"},
     {"session.no_object", "there is no object yet: open one first",
      "まだ対象物がありません。先に開いてください。"},
 };

@@ -55,14 +55,14 @@ export function withCase(design: Design, to: Partial<Design['case']>, {divisor}:
   return {...design, case: {...design.case, ...other, ...to}};
 }
 
-/** A case that is known, with the object laid as it was ranked. */
-export function withKnownCase(design: Design, known: KnownCase): Design {
+/** A case that is known, with the object laid as it was ranked; several items stay as they lie. */
+export function withKnownCase(design: Design, known: KnownCase, several = false): Design {
   const {name, inside_mm, lid_mm, divisor, rotation_deg} = known;
   const sides = {base_mm: null, top_mm: null, corner_radius_mm: 0};
   return {
     ...design,
     case: {...design.case, name, inside_mm, lid_mm, divisor, ...sides},
-    placement: {rotation_deg, offset_mm: [0, 0, 0]},
+    placement: several ? design.placement : {rotation_deg, offset_mm: [0, 0, 0]},
     parting: {level: 'auto'},
   };
 }
@@ -165,7 +165,11 @@ export function mmPerFileUnit(design: Design, fileSize: Triple, statesUnit = fal
 
 /** A design of another version, with what it does not say as it is by default. */
 export function completed(design: Design, defaults: Design): Design {
-  const parts = Object.entries(defaults).map(([name, part]) => [name, {...part, ...design[name as keyof Design]}]);
+  const parts = Object.entries(defaults).map(([name, part]) => {
+    const own = design[name as keyof Design];
+    const [one] = Array.isArray(part) ? (part as unknown[]) : [];
+    return [name, one ? ((own as object[] | undefined) ?? [one]).map((each) => ({...one, ...each})) : {...part, ...own}];
+  });
   return Object.fromEntries(parts) as Design;
 }
 
@@ -185,6 +189,7 @@ export function forNewObject(design: Design, defaults: Design, presets: readonly
     ...design,
     object: defaults.object,
     placement: defaults.placement,
+    items: defaults.items,
     parting: {level: 'auto'},
     space: {...design.space, blocks: 'auto', wall_mm: defaults.space.wall_mm},
     cut: {...design.cut, clearance_mm: preset?.clearance_mm ?? defaults.cut.clearance_mm},

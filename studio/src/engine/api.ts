@@ -2,6 +2,7 @@
 // the page holds the design, in whose units and coordinates all of this is.
 
 import type {BrickRange, Design, KnownCase, Preset, Triple} from '../design/design';
+import type {ObjectUse} from '../design/moment';
 import type {Dependent, Schema} from '../design/options';
 import type {Pair} from '../words/words';
 
@@ -45,8 +46,14 @@ export interface ObjectFile {
   sha256: string;
 }
 
+/** `own`: what was chosen for this object alone. */
+export interface ProjectObject extends ObjectFile {
+  own: Design['object'] | null;
+}
+
 export interface Project {
-  object: ObjectFile;
+  /** One at least; of a design alone one without a name. */
+  objects: ProjectObject[];
   design: Design;
   dependent: Dependent;
 }
@@ -61,6 +68,8 @@ export interface ObjectPart {
 }
 
 export interface ObjectInfo {
+  /** What it is called from now on: by its content where that is all there is to it. */
+  id: string;
   file: ObjectFile;
   /** Names of the files beside it that it was read with, such as a .gltf's .bin. */
   beside: string[];
@@ -99,6 +108,23 @@ export interface Finding {
   code: string;
   message: Pair;
   where: Triple | null;
+  /** The items that it is of, or that it names, by their numbers in the packing. */
+  items?: readonly number[];
+}
+
+/** An item as it lies in the case. */
+export interface PackedItem {
+  /** Its own, or its object's, told apart from others of the same name. */
+  name: string;
+  /** The number of its object. */
+  object: number;
+  rotation_deg: Triple;
+  /** As it came out, chosen or not. */
+  offset_mm: Triple;
+  /** Column-major 4 x 4: from the object's own mm to design coordinates. */
+  placement: number[];
+  /** Of the placed object, design coordinates. */
+  bounds: {min: Triple; max: Triple};
 }
 
 export interface Packing {
@@ -115,10 +141,8 @@ export interface Packing {
   existsFirst: Int16Array<ArrayBuffer>;
   existsEnd: Int16Array<ArrayBuffer>;
   partingLevel: number;
-  /** Column-major 4 x 4: from the object's own mm to design coordinates. */
-  placement: number[];
-  /** Of the placed object, design coordinates. */
-  bounds: {min: Triple; max: Triple};
+  /** In the design's order. */
+  items: PackedItem[];
   fit: {
     lower_blocks: number;
     upper_blocks: number;
@@ -203,7 +227,16 @@ export interface OutputFile {
 /** Is told how much of long work is done, 0 to 1. */
 export type OnProgress = (fraction: number) => void;
 
-/** Calls may overlap: pack() answers while gaps(), search() and outputFiles() go on. */
+/** How an object is loaded. */
+export interface Loading {
+  /** The objects that are there stay; as a rule the new one takes the place of all. */
+  joins?: boolean;
+  /** What it is called, where that was said before. */
+  id?: string;
+}
+
+/** Calls may overlap: pack() answers while gaps(), search() and outputFiles() go on. `objects`: those that the design's
+ *  items are of; as a rule the one that was loaded last. */
 export interface Engine {
   version(): Promise<string>;
   defaultDesign(): Promise<Design>;
@@ -215,55 +248,81 @@ export interface Engine {
   samples(): Promise<string[]>;
   /** One of them as a file for load(), the same bytes as `snug sample NAME -o NAME.ply`. */
   sampleFile(name: string): Promise<OutputFile | Failure>;
-  /** Reads, measures and keeps the object (every format that the library reads); a failed load keeps the last good
-   *  object. An implausible size is no failure: size_mm is null then, and pack() says why it cannot. `bytes` stays the
-   *  caller's; `beside`: files that a scene may need, such as a .gltf's .bin. */
+  /** Reads, measures and keeps the object (every format that the library reads); a failed load keeps what was there. An
+   *  implausible size is no failure: size_mm is null then, and pack() says why it cannot. `bytes` stays the caller's;
+   *  `beside`: files that a scene may need, such as a .gltf's .bin. */
   load(
     name: string,
     bytes: ArrayBuffer | Blob,
     object: Design['object'],
     beside?: readonly BesideFile[],
+    how?: Loading,
   ): Promise<ObjectInfo | Failure>;
-  /** Ends load() and everything else that the object is asked for, at once: they give a Failure of kind `cancelled`, and
-   *  the last good object is read again. */
+  /** Forgets all other objects. */
+  keep(ids: readonly string[]): Promise<void>;
+  /** Ends load() and everything else that objects are asked for, at once: they give a Failure of kind `cancelled`, and
+   *  what was there before is read again. */
   stopReading(): Promise<void>;
-  /** Applies other object options (units, scale, cap) to the object that is loaded. pack() does so by itself,
-   *  too; this tells what they made of the object. */
-  reprepare(design: Design): Promise<ObjectInfo | Failure>;
+  /** Applies other object options (units, scale, cap) to an object, as a rule the one that was loaded last. pack() does
+   *  so by itself, too; this tells what they made of it. */
+  reprepare(design: Design, id?: string): Promise<ObjectInfo | Failure>;
   /** Cached until the object changes. */
-  displayMesh(mostTriangles: number): Promise<DisplayMesh>;
+  displayMesh(mostTriangles: number, id?: string): Promise<DisplayMesh>;
   /** Validates a whole project text, or a design alone (then the object has no name). */
   parseProject(text: string): Promise<Project | Failure>;
   /** Rejects a design that parseProject() would refuse, with the library's sentence. */
-  projectText(design: Design): Promise<string>;
-  /** The `snug make` that gives this design from the file; a Failure for a design that parseProject() would refuse.
-   *  `language`: of what it makes, "en" or "ja". */
-  commandLine(file: string, design: Design, language?: string): Promise<string | Failure>;
+  projectText(design: Design, objects?: readonly ObjectUse[]): Promise<string>;
+  /** The `snug make` that gives this design from the file, or from one for each object; a Failure for a design that
+   *  parseProject() would refuse. `language`: of what it makes, "en" or "ja". */
+  commandLine(
+    file: string | readonly string[],
+    design: Design,
+    language?: string,
+    objects?: readonly ObjectUse[],
+  ): Promise<string | Failure>;
   /** While one packing is being made only the newest waiting request survives; the others get a Failure of kind
    *  `cancelled`. */
-  pack(design: Design): Promise<Packing | Failure>;
+  pack(design: Design, objects?: readonly ObjectUse[]): Promise<Packing | Failure>;
   /** Of the last packing. Cancelled by cancel(). */
   gaps(onProgress?: OnProgress): Promise<Gap | Failure>;
-  /** How far points (x, y, z after each other, design coordinates) lie from the surface of the object in the last
+  /** How far points (x, y, z after each other, design coordinates) lie from the surface of the objects in the last
    *  packing. */
   distances(points: Float32Array<ArrayBuffer>): Promise<Float32Array<ArrayBuffer> | Failure>;
-  /** The placement that cuts the least foam away: every rotation, and offsets of up to half a block; the space and
-   *  its walls stay those of the start. `onStep` hears where it stands several times a second. After cancel() the
-   *  best so far is returned. */
-  search(design: Design, onStep: (step: SearchStep) => void): Promise<SearchResult | Failure>;
-  /** The design with the fewest blocks that hold the object and its walls, however it is turned. Cancelled by
+  /** The placement of one item that cuts the least foam away: every rotation, and offsets of up to half a block; the
+   *  space and its walls stay those of the start. `onStep` hears where it stands several times a second. After cancel()
+   *  the best so far is returned. */
+  search(
+    design: Design,
+    onStep: (step: SearchStep) => void,
+    objects?: readonly ObjectUse[],
+  ): Promise<SearchResult | Failure>;
+  /** The design with the fewest blocks that hold the one item and its walls, however it is turned. Cancelled by
    *  cancel(). */
-  fitCase(design: Design, onProgress?: OnProgress): Promise<{design: Design} | Failure>;
-  /** The map of directions for the design's space; `onStep` hears it grow. Ended by cancel(), it is what it is. */
-  directions(design: Design, onStep: (map: DirectionMap) => void): Promise<DirectionMap | Failure>;
+  fitCase(
+    design: Design,
+    onProgress?: OnProgress,
+    objects?: readonly ObjectUse[],
+  ): Promise<{design: Design} | Failure>;
+  /** The map of directions for one item in the design's space; `onStep` hears it grow. Ended by cancel(), it is what it
+   *  is. */
+  directions(
+    design: Design,
+    onStep: (map: DirectionMap) => void,
+    objects?: readonly ObjectUse[],
+  ): Promise<DirectionMap | Failure>;
   /** Ends gaps(), search(), directions() and outputFiles(), whichever runs; the first and the last then give a Failure of kind
    *  `cancelled`. */
   cancel(): Promise<void>;
-  /** The known cases that hold the object as it is placed, the best fill first. */
-  rankCases(design: Design): Promise<CaseRanking | Failure>;
+  /** The known cases that hold the items as they are placed, the best fill first. */
+  rankCases(design: Design, objects?: readonly ObjectUse[]): Promise<CaseRanking | Failure>;
   /** What the design's way of working takes; its pack comes with outputFiles(). */
-  workshopFigures(design: Design): Promise<WorkshopFigures | Failure>;
+  workshopFigures(design: Design, objects?: readonly ObjectUse[]): Promise<WorkshopFigures | Failure>;
   /** Everything that `snug make` writes for this design, byte for byte (report.json's timing_ms, PDF and zip aside).
    *  `language`: of pages, preview and report, "en" or "ja". Cancelled by cancel(). */
-  outputFiles(design: Design, language?: string, onProgress?: OnProgress): Promise<OutputFile[] | Failure>;
+  outputFiles(
+    design: Design,
+    language?: string,
+    onProgress?: OnProgress,
+    objects?: readonly ObjectUse[],
+  ): Promise<OutputFile[] | Failure>;
 }

@@ -1,5 +1,6 @@
-import type {Pack, SceneTools, Session, SnugModule} from 'snug-wasm/snug.mjs';
+import type {GivenObject, Pack, SceneTools, Session, SnugModule} from 'snug-wasm/snug.mjs';
 import type {BrickRange, Design, Preset} from '../design/design';
+import type {ObjectUse} from '../design/moment';
 import type {Dependent, Schema} from '../design/options';
 import type {
   BesideFile,
@@ -10,6 +11,7 @@ import type {
   DisplayMesh,
   Failure,
   Gap,
+  Loading,
   ObjectFile,
   ObjectInfo,
   OnProgress,
@@ -24,6 +26,8 @@ import {sha256} from './sha256';
 
 // Often enough for a progress bar.
 const PROGRESS_EVERY_MS = 50;
+
+const NO_FILE: ObjectFile = {name: '', bytes: 0, sha256: ''};
 
 /** The tools for one file: what the library asks for in the middle of reading it. */
 export interface FileTools {
@@ -41,13 +45,23 @@ export interface CoreParts {
   packFiles(pack: Pack): Promise<OutputFile[]>;
 }
 
-/** What runs in a worker: one object and the library. After a Failure of kind `memory` it is of no more use. */
+interface Loaded {
+  /** That the session knows it by. */
+  number: number;
+  file: ObjectFile;
+  beside: string[];
+}
+
+type Objects = readonly ObjectUse[];
+
+/** What runs in a worker: objects and the library. After a Failure of kind `memory` it is of no more use. */
 export class EngineCore {
   readonly #snug: SnugModule;
   readonly #session: Session;
   readonly #parts: CoreParts;
-  #file: Promise<ObjectFile> = Promise.resolve({name: '', bytes: 0, sha256: ''});
-  #beside: string[] = [];
+  /** By what they are called, the one that was loaded last at the end. */
+  readonly #loaded = new Map<string, Loaded>();
+  #numbers = 0;
   #stepping = 0;
 
   constructor(snug: SnugModule, parts: CoreParts) {
@@ -89,51 +103,100 @@ export class EngineCore {
     content: Blob,
     object: Design['object'],
     beside: readonly BesideFile[] = [],
+    {joins = false, id}: Loading = {},
   ): Promise<ObjectInfo | Failure> {
     const bytes = new Uint8Array(await content.arrayBuffer());
-    const design = JSON.stringify({...(await this.defaultDesign()), object});
+    const design = await this.#designOf(object);
     const box = this.#parts.toolsFor(beside);
-    const read = () => guarded(() => this.#session.load(bytes, name, design, box.tools));
+    const number = ++this.#numbers;
+    const read = () => guarded(() => this.#session.load(number, bytes, name, design, box.tools));
     let info = read();
     while (isFailure(info) && info.kind === 'input' && (await box.fetchMissing())) info = read();
     if (isFailure(info)) return info;
-    this.#beside = box.used;
     this.#stepping++;
-    this.#file = sha256(bytes).then((hash) => ({name: withoutFolders(name), bytes: bytes.length, sha256: hash}));
-    return {file: await this.#file, beside: this.#beside, ...info};
+    const file = {name: withoutFolders(name), bytes: bytes.length, sha256: await sha256(bytes)};
+    // The checksum is the file's own: the same .gltf may come with another .bin.
+    const called = id ?? ((box.used.length === 0 && file.sha256) || newId());
+    if (!joins) this.#loaded.clear();
+    this.#loaded.delete(called);
+    this.#loaded.set(called, {number, file, beside: box.used});
+    this.#forgetOthers();
+    return {id: called, file, beside: box.used, ...info};
   }
 
-  async reprepare(design: Design): Promise<ObjectInfo | Failure> {
-    const info = guarded(() => this.#session.describe(JSON.stringify(design)));
-    return isFailure(info) ? info : {file: await this.#file, beside: this.#beside, ...info};
+  async keep(ids: readonly string[]): Promise<void> {
+    for (const id of [...this.#loaded.keys()]) if (!ids.includes(id)) this.#loaded.delete(id);
+    this.#forgetOthers();
   }
 
-  async displayMesh(mostTriangles: number): Promise<DisplayMesh | Failure> {
-    const mesh = guarded(() => this.#session.mesh());
+  #forgetOthers() {
+    guarded(() => this.#session.keep([...this.#loaded.values()].map(({number}) => number)));
+  }
+
+  /** As a rule the one that was loaded last; number 0 where there is none. */
+  #object(id = [...this.#loaded.keys()].at(-1)): Loaded & {id: string} {
+    const loaded = id === undefined ? undefined : this.#loaded.get(id);
+    return {id: id ?? '', ...(loaded ?? {number: 0, file: NO_FILE, beside: []})};
+  }
+
+  async #designOf(object: Design['object']): Promise<string> {
+    return JSON.stringify({...(await this.defaultDesign()), object});
+  }
+
+  /** For the session. */
+  async #given(objects: Objects = [{id: this.#object().id, own: null}]): Promise<GivenObject[]> {
+    return Promise.all(
+      objects.map(async ({id, own}) => {
+        const {number, file} = this.#object(id);
+        return {number, ...file, own: own && (await this.#designOf(own))};
+      }),
+    );
+  }
+
+  async reprepare(design: Design, id?: string): Promise<ObjectInfo | Failure> {
+    const {number, ...known} = this.#object(id);
+    const info = guarded(() => this.#session.describe(number, JSON.stringify(design)));
+    return isFailure(info) ? info : {...known, ...info};
+  }
+
+  async displayMesh(mostTriangles: number, id?: string): Promise<DisplayMesh | Failure> {
+    const mesh = guarded(() => this.#session.mesh(this.#object(id).number));
     if (isFailure(mesh)) return mesh;
     return simplified(mesh, mostTriangles).catch(brokenModule);
   }
 
   async parseProject(text: string): Promise<Project | Failure> {
-    const project = isDesignAlone(text) ? this.#snug.projectText(text, 'unnamed', 0, '') : {text};
+    const project = isDesignAlone(text) ? this.#snug.projectText(text, unnamedObjects(text)) : {text};
     if (isFailure(project)) return project;
     const parsed = guarded(() => this.#snug.parseProject(project.text));
     if (isFailure(parsed)) return parsed;
-    const object = project.text === text ? parsed.object : {name: '', bytes: 0, sha256: ''};
-    return {object, design: JSON.parse(parsed.design) as Design, dependent: JSON.parse(parsed.dependent) as Dependent};
+    const objects = parsed.objects.map(({own, ...file}: ObjectFile & {own: string | null}) => ({
+      ...(project.text === text ? file : NO_FILE),
+      own: own === null ? null : (JSON.parse(own) as Design).object,
+    }));
+    return {objects, design: JSON.parse(parsed.design) as Design, dependent: JSON.parse(parsed.dependent) as Dependent};
   }
 
-  async projectText(design: Design): Promise<{text: string} | Failure> {
-    const {name, bytes, sha256: hash} = await this.#file;
-    return guarded(() => this.#snug.projectText(JSON.stringify(design), name, bytes, hash));
+  async projectText(design: Design, objects?: Objects): Promise<{text: string} | Failure> {
+    const given = await this.#given(objects);
+    return guarded(() => this.#snug.projectText(JSON.stringify(design), given));
   }
 
-  async commandLine(file: string, design: Design, language = 'en'): Promise<{text: string} | Failure> {
-    return guarded(() => this.#snug.commandLine(file, JSON.stringify(design), language));
+  /** `file`: one for each object. */
+  async commandLine(
+    file: string | readonly string[],
+    design: Design,
+    language = 'en',
+    objects?: Objects,
+  ): Promise<{text: string} | Failure> {
+    const files = [file].flat();
+    const given = (await this.#given(objects)).map((object, i) => ({...object, name: files[i] ?? ''}));
+    return guarded(() => this.#snug.commandLine(JSON.stringify(design), given, language));
   }
 
-  async pack(design: Design): Promise<Packing | Failure> {
-    const packing = guarded(() => this.#session.pack(JSON.stringify(design)));
+  async pack(design: Design, objects?: Objects): Promise<Packing | Failure> {
+    const given = await this.#given(objects);
+    const packing = guarded(() => this.#session.pack(JSON.stringify(design), given));
     return isFailure(packing) ? packing : {...packing, dependent: JSON.parse(packing.dependent) as Dependent};
   }
 
@@ -148,10 +211,15 @@ export class EngineCore {
   }
 
   /** Step by step, so that cancel() and everything else is heard in between. */
-  async search(design: Design, onStep: (step: SearchStep) => void): Promise<SearchResult | Failure> {
+  async search(
+    design: Design,
+    onStep: (step: SearchStep) => void,
+    objects?: Objects,
+  ): Promise<SearchResult | Failure> {
     const text = JSON.stringify(design);
+    const given = await this.#given(objects);
     const end = await this.#stepwise(
-      () => this.#session.startSearch(text),
+      () => this.#session.startSearch(text, given),
       () => this.#session.searchStep(),
       onStep,
     );
@@ -160,15 +228,25 @@ export class EngineCore {
     return isFailure(distinct) ? distinct : {...end, distinct};
   }
 
-  async fitCase(design: Design, onProgress?: OnProgress): Promise<{design: Design} | Failure> {
-    const fitted = guarded(() => this.#session.fitCase(JSON.stringify(design), throttled(onProgress)));
+  async fitCase(
+    design: Design,
+    onProgress?: OnProgress,
+    objects?: Objects,
+  ): Promise<{design: Design} | Failure> {
+    const given = await this.#given(objects);
+    const fitted = guarded(() => this.#session.fitCase(JSON.stringify(design), given, throttled(onProgress)));
     return isFailure(fitted) ? fitted : {design: JSON.parse(fitted.design) as Design};
   }
 
-  async directions(design: Design, onStep: (map: DirectionMap) => void): Promise<DirectionMap | Failure> {
+  async directions(
+    design: Design,
+    onStep: (map: DirectionMap) => void,
+    objects?: Objects,
+  ): Promise<DirectionMap | Failure> {
     const text = JSON.stringify(design);
+    const given = await this.#given(objects);
     return this.#stepwise(
-      () => this.#session.startMap(text),
+      () => this.#session.startMap(text, given),
       () => this.#session.mapStep(),
       onStep,
     );
@@ -199,19 +277,25 @@ export class EngineCore {
     this.#stepping++;
   }
 
-  async rankCases(design: Design): Promise<CaseRanking | Failure> {
-    return guarded(() => this.#session.rankCases(JSON.stringify(design)));
+  async rankCases(design: Design, objects?: Objects): Promise<CaseRanking | Failure> {
+    const given = await this.#given(objects);
+    return guarded(() => this.#session.rankCases(JSON.stringify(design), given));
   }
 
-  async workshopFigures(design: Design): Promise<WorkshopFigures | Failure> {
-    const project = await this.projectText(design);
-    return isFailure(project) ? project : guarded(() => this.#session.workshopFigures(project.text));
+  async workshopFigures(design: Design, objects?: Objects): Promise<WorkshopFigures | Failure> {
+    const given = await this.#given(objects);
+    return guarded(() => this.#session.workshopFigures(JSON.stringify(design), given));
   }
 
-  async outputFiles(design: Design, language = 'en', onProgress?: OnProgress): Promise<OutputFile[] | Failure> {
-    const project = await this.projectText(design);
-    if (isFailure(project)) return project;
-    const made = guarded(() => this.#session.outputFiles(project.text, language, throttled(onProgress)));
+  async outputFiles(
+    design: Design,
+    language = 'en',
+    onProgress?: OnProgress,
+    objects?: Objects,
+  ): Promise<OutputFile[] | Failure> {
+    const given = await this.#given(objects);
+    const text = JSON.stringify(design);
+    const made = guarded(() => this.#session.outputFiles(text, given, language, throttled(onProgress)));
     if (isFailure(made)) return made;
     const files = [...made.files, {name: 'report.json', bytes: new TextEncoder().encode(made.report)}];
     if (!made.pack) return files;
@@ -253,10 +337,22 @@ function isDesignAlone(text: string): boolean {
   try {
     const value: unknown = JSON.parse(text);
     if (typeof value !== 'object' || value === null || 'snug' in value || 'design' in value) return false;
-    return ['space', 'placement', 'cut', 'parting', 'output'].some((name) => name in value);
+    return ['space', 'placement', 'items', 'cut', 'parting', 'output'].some((name) => name in value);
   } catch {
     return false;
   }
+}
+
+/** As many as the items of a design are of; one where it says nothing of them. */
+function unnamedObjects(design: string): GivenObject[] {
+  const {items = []} = JSON.parse(design) as {items?: {object?: number}[]};
+  const most = Math.max(0, ...items.map(({object}) => object ?? 0));
+  return Array.from({length: Math.min(most, 999) + 1}, () => ({...NO_FILE, name: 'unnamed', number: 0, own: null}));
+}
+
+/** randomUUID() is there on secure pages only. */
+function newId(): string {
+  return Array.from(crypto.getRandomValues(new Uint8Array(16)), (byte) => byte.toString(16).padStart(2, '0')).join('');
 }
 
 function afterWaitingMessages(): Promise<void> {

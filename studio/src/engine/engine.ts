@@ -1,6 +1,7 @@
 import {proxy} from 'comlink';
 import type {Design} from '../design/design';
 import {firstDesign} from '../design/edit';
+import type {ObjectUse} from '../design/moment';
 import {failures} from '../words/failures';
 import type {
   BesideFile,
@@ -10,6 +11,7 @@ import type {
   Engine,
   Failure,
   Gap,
+  Loading,
   ObjectInfo,
   OnProgress,
   OutputFile,
@@ -38,7 +40,11 @@ export async function createEngine(options: EngineOptions): Promise<Engine> {
 
 const SUPERSEDED = failure('cancelled', failures.failures.superseded);
 
+type Objects = readonly ObjectUse[] | undefined;
+
+/** What a new core needs of an object. A Blob lies outside the page's memory. */
 interface Kept {
+  id: string;
   name: string;
   content: Blob;
   options: Design['object'];
@@ -50,17 +56,18 @@ interface Kept {
 class PageEngine implements Engine {
   readonly #options: EngineOptions;
   #quick: CoreHandle;
-  /** Settles when #quick has its object back after a restart. */
+  /** Settles when #quick has its objects back after a restart. */
   #restored: Promise<void> = Promise.resolve();
-  /** `ready`: it has its object, and hears a cancel() that comes after what it was asked. */
-  #slow: {handle: CoreHandle; loaded: Promise<ObjectInfo | Failure | null>; ready: boolean} | null = null;
+  /** `ready`: it has its objects, and hears a cancel() that comes after what it was asked. */
+  #slow: {handle: CoreHandle; loaded: Promise<unknown>; ready: boolean} | null = null;
   #slowWork = {gaps: 0, searches: 0, outputs: 0};
   /** How often a reading was stopped. */
   #stops = 0;
-  /** What a new core needs. A Blob lies outside the page's memory. */
-  #object: Kept | null = null;
-  #packed: Design | null = null;
-  #displayMeshes = new Map<number, Promise<DisplayMesh>>();
+  /** As they were loaded, one after the other. */
+  #kept: readonly Kept[] = [];
+  #packed: {design: Design; objects: Objects} | null = null;
+  /** By object, then by their most triangles. */
+  #displayMeshes = new Map<string, Map<number, Promise<DisplayMesh>>>();
   #defaults: Design | null = null;
 
   constructor(options: EngineOptions) {
@@ -80,14 +87,20 @@ class PageEngine implements Engine {
   samples = () => this.#quickly((core) => core.samples()).then(orThrow);
   sampleFile = (name: string) => this.#quickly((core) => core.sampleFile(name));
   parseProject = (text: string) => this.#quickly((core) => core.parseProject(text));
-  projectText = (design: Design) => {
-    const plain = copied(design);
-    return this.#quickly((core) => core.projectText(plain)).then((answer) => orThrow(answer).text);
+  projectText = (design: Design, objects?: Objects) => {
+    const [plain, uses] = sent(design, objects);
+    return this.#quickly((core) => core.projectText(plain, uses)).then((answer) => orThrow(answer).text);
   };
 
-  commandLine = async (file: string, design: Design, language?: string): Promise<string | Failure> => {
-    const plain = copied(design);
-    const answer = await this.#quickly((core) => core.commandLine(file, plain, language));
+  commandLine = async (
+    file: string | readonly string[],
+    design: Design,
+    language?: string,
+    objects?: Objects,
+  ): Promise<string | Failure> => {
+    const [plain, uses] = sent(design, objects);
+    const files = [file].flat();
+    const answer = await this.#quickly((core) => core.commandLine(files, plain, language, uses));
     return isFailure(answer) ? answer : answer.text;
   };
 
@@ -96,6 +109,7 @@ class PageEngine implements Engine {
     bytes: ArrayBuffer | Blob,
     object: Design['object'],
     beside: readonly BesideFile[] = [],
+    how: Loading = {},
   ): Promise<ObjectInfo | Failure> {
     const options = copied(object);
     const content = bytes instanceof Blob ? bytes : new Blob([bytes]);
@@ -103,41 +117,62 @@ class PageEngine implements Engine {
     await this.#restored;
     // Stopped while it waited for its turn.
     if (stops !== this.#stops) return CANCELLED;
-    const answer = await this.#quickly((core) => core.load(name, content, options, beside)).catch((reason: unknown) =>
+    const answer = await this.#quickly((core) => core.load(name, content, options, beside, how)).catch((reason: unknown) =>
       failure('input', failures.failures.unreadable(name, reason instanceof Error ? reason.message : String(reason))),
     );
     if (isFailure(answer)) return answer.kind === 'memory' ? this.#tooLarge(name, options) : answer;
     this.#endSlow();
-    this.#object = {name, content, options, beside};
+    const {id} = answer;
+    const others = how.joins ? this.#kept.filter((one) => one.id !== id) : [];
+    this.#holds([...others, {id, name, content, options, beside}]);
+    this.#displayMeshes.delete(id);
+    return answer;
+  }
+
+  async keep(ids: readonly string[]): Promise<void> {
+    const kept = this.#kept.filter(({id}) => ids.includes(id));
+    if (kept.length === this.#kept.length) return;
+    const plain = [...ids];
+    await this.#quickly((core) => core.keep(plain));
+    this.#endSlow();
+    this.#holds(kept);
+  }
+
+  #holds(kept: readonly Kept[]) {
+    this.#kept = kept;
     this.#packed = null;
-    this.#displayMeshes.clear();
-    return answer;
+    for (const id of [...this.#displayMeshes.keys()])
+      if (!kept.some((one) => one.id === id)) this.#displayMeshes.delete(id);
   }
 
-  async reprepare(design: Design): Promise<ObjectInfo | Failure> {
+  async reprepare(design: Design, id?: string): Promise<ObjectInfo | Failure> {
     const plain = copied(design);
-    const answer = await this.#quickly((core) => core.reprepare(plain));
-    if (!isFailure(answer)) this.#usesOptions(plain.object);
+    const answer = await this.#quickly((core) => core.reprepare(plain, id));
+    if (!isFailure(answer)) this.#usesOptions(answer.id, plain.object);
     return answer;
   }
 
-  displayMesh(mostTriangles: number): Promise<DisplayMesh> {
-    const cached = this.#displayMeshes.get(mostTriangles);
+  displayMesh(mostTriangles: number, id = this.#kept.at(-1)?.id ?? ''): Promise<DisplayMesh> {
+    const copies = this.#displayMeshes.get(id) ?? new Map<number, Promise<DisplayMesh>>();
+    this.#displayMeshes.set(id, copies);
+    const cached = copies.get(mostTriangles);
     if (cached) return cached;
-    const made = this.#quickly((core) => core.displayMesh(mostTriangles)).then(orThrow);
-    this.#displayMeshes.set(mostTriangles, made);
-    made.catch(() => this.#displayMeshes.delete(mostTriangles));
+    const made = this.#quickly((core) => core.displayMesh(mostTriangles, id)).then(orThrow);
+    copies.set(mostTriangles, made);
+    made.catch(() => copies.delete(mostTriangles));
     return made;
   }
 
-  pack = (design: Design) => this.#packLatest(copied(design));
+  pack = (design: Design, objects?: Objects) => this.#packLatest(...sent(design, objects));
 
   #packLatest = latest(
-    async (design: Design): Promise<Packing | Failure> => {
-      const answer = await this.#quickly((core) => core.pack(design));
+    async (design: Design, objects: Objects): Promise<Packing | Failure> => {
+      const answer = await this.#quickly((core) => core.pack(design, objects));
       if (isFailure(answer)) return answer;
-      this.#packed = design;
-      this.#usesOptions(design.object);
+      this.#packed = {design, objects};
+      const last = this.#kept.at(-1);
+      for (const {id, own} of objects ?? (last ? [{id: last.id, own: null}] : []))
+        this.#usesOptions(id, own ?? design.object);
       return answer;
     },
     (): Packing | Failure => SUPERSEDED,
@@ -145,59 +180,73 @@ class PageEngine implements Engine {
 
   async gaps(onProgress?: OnProgress): Promise<Gap | Failure> {
     if (this.#slowWork.gaps > 0) this.#endSlow(SUPERSEDED);
-    const design = this.#packed;
-    if (!design) return this.#quickly((core) => core.gaps());
+    const packed = this.#packed;
+    if (!packed) return this.#quickly((core) => core.gaps());
     return this.#slowly('gaps', async (core) => {
-      const packing = await core.pack(design);
+      const packing = await core.pack(packed.design, packed.objects);
       if (isFailure(packing)) return packing;
       return core.gaps(onProgress && proxy(onProgress));
     });
   }
 
   async distances(points: Float32Array<ArrayBuffer>): Promise<Float32Array<ArrayBuffer> | Failure> {
-    const design = this.#packed;
-    if (!design) return this.#quickly((core) => core.distances(points));
+    const packed = this.#packed;
+    if (!packed) return this.#quickly((core) => core.distances(points));
     return this.#slowly('gaps', async (core) => {
-      const packing = await core.pack(design);
+      const packing = await core.pack(packed.design, packed.objects);
       return isFailure(packing) ? packing : core.distances(points);
     });
   }
 
-  async search(design: Design, onStep: (step: SearchStep) => void): Promise<SearchResult | Failure> {
+  async search(
+    design: Design,
+    onStep: (step: SearchStep) => void,
+    objects?: Objects,
+  ): Promise<SearchResult | Failure> {
     let last: SearchStep | null = null;
     const listen = (step: SearchStep) => {
       last = step;
       onStep(step);
     };
-    const plain = copied(design);
-    const answer = await this.#slowly('searches', (core) => core.search(plain, proxy(listen)));
+    const [plain, uses] = sent(design, objects);
+    const answer = await this.#slowly('searches', (core) => core.search(plain, proxy(listen), uses));
     const best = last as SearchStep | null;
     return isFailure(answer) && answer.kind === 'cancelled' && best ? {...best, distinct: []} : answer;
   }
 
-  directions(design: Design, onStep: (map: DirectionMap) => void): Promise<DirectionMap | Failure> {
-    const plain = copied(design);
-    return this.#slowly('searches', (core) => core.directions(plain, proxy(onStep)));
+  directions(
+    design: Design,
+    onStep: (map: DirectionMap) => void,
+    objects?: Objects,
+  ): Promise<DirectionMap | Failure> {
+    const [plain, uses] = sent(design, objects);
+    return this.#slowly('searches', (core) => core.directions(plain, proxy(onStep), uses));
   }
 
-  fitCase(design: Design, onProgress?: OnProgress): Promise<{design: Design} | Failure> {
-    const plain = copied(design);
-    return this.#slowly('outputs', (core) => core.fitCase(plain, onProgress && proxy(onProgress)));
+  fitCase(design: Design, onProgress?: OnProgress, objects?: Objects): Promise<{design: Design} | Failure> {
+    const [plain, uses] = sent(design, objects);
+    return this.#slowly('outputs', (core) => core.fitCase(plain, onProgress && proxy(onProgress), uses));
   }
 
-  rankCases(design: Design): Promise<CaseRanking | Failure> {
-    const plain = copied(design);
-    return this.#quickly((core) => core.rankCases(plain));
+  rankCases(design: Design, objects?: Objects): Promise<CaseRanking | Failure> {
+    const [plain, uses] = sent(design, objects);
+    return this.#quickly((core) => core.rankCases(plain, uses));
   }
 
-  workshopFigures(design: Design): Promise<WorkshopFigures | Failure> {
-    const plain = copied(design);
-    return this.#slowly('outputs', (core) => core.workshopFigures(plain));
+  workshopFigures(design: Design, objects?: Objects): Promise<WorkshopFigures | Failure> {
+    const [plain, uses] = sent(design, objects);
+    return this.#slowly('outputs', (core) => core.workshopFigures(plain, uses));
   }
 
-  outputFiles(design: Design, language?: string, onProgress?: OnProgress): Promise<OutputFile[] | Failure> {
-    const plain = copied(design);
-    return this.#slowly('outputs', (core) => core.outputFiles(plain, language, onProgress && proxy(onProgress)));
+  outputFiles(
+    design: Design,
+    language?: string,
+    onProgress?: OnProgress,
+    objects?: Objects,
+  ): Promise<OutputFile[] | Failure> {
+    const [plain, uses] = sent(design, objects);
+    const told = onProgress && proxy(onProgress);
+    return this.#slowly('outputs', (core) => core.outputFiles(plain, language, told, uses));
   }
 
   async cancel(): Promise<void> {
@@ -218,10 +267,11 @@ class PageEngine implements Engine {
     return failure('memory', failures.failures.tooLarge(name, line === null || isFailure(line) ? 'snug make' : line));
   }
 
-  #usesOptions(options: Design['object']) {
-    if (!this.#object || JSON.stringify(this.#object.options) === JSON.stringify(options)) return;
-    this.#object = {...this.#object, options};
-    this.#displayMeshes.clear();
+  #usesOptions(id: string, options: Design['object']) {
+    const before = this.#kept.find((one) => one.id === id);
+    if (!before || JSON.stringify(before.options) === JSON.stringify(options)) return;
+    this.#kept = this.#kept.map((one) => (one === before ? {...one, options} : one));
+    this.#displayMeshes.delete(id);
   }
 
   async #quickly<T>(ask: (core: CoreHandle['core']) => Promise<T | Failure>): Promise<T | Failure> {
@@ -240,16 +290,16 @@ class PageEngine implements Engine {
     this.#quick.end(reason);
     this.#endSlow(reason);
     this.#quick = this.#options.startCore();
-    const object = this.#object;
+    const kept = this.#kept;
     const handle = this.#quick;
     const {core, stopped} = handle;
-    const reload = object ? loadAgain(core, object) : core.version();
+    const reload = kept.length > 0 ? loadAgain(core, kept) : core.version();
     this.#restored = Promise.race([reload, stopped])
       .catch(brokenModule)
       .then((answer) => {
         if (handle !== this.#quick) return; // ended in its turn: the next one tells
-        // The object alone is too much now; it stays with the page, which may save it.
-        if (isFailure(answer)) this.#object = null;
+        // The objects alone are too much now; they stay with the page, which may save them.
+        if (isFailure(answer)) this.#kept = [];
         if (isFailure(answer)) this.#options.onRestart?.(answer);
         else if (reason.kind !== 'cancelled') this.#options.onRestart?.(reason);
       });
@@ -275,8 +325,7 @@ class PageEngine implements Engine {
 
   #startSlow() {
     const handle = this.#options.startCore();
-    const object = this.#object;
-    const loaded = object ? loadAgain(handle.core, object) : Promise.resolve(null);
+    const loaded = loadAgain(handle.core, this.#kept);
     this.#slowWork = {gaps: 0, searches: 0, outputs: 0};
     return {handle, loaded, ready: false};
   }
@@ -288,13 +337,23 @@ class PageEngine implements Engine {
   }
 }
 
-function loadAgain(core: CoreHandle['core'], {name, content, options, beside}: Kept) {
-  return core.load(name, content, options, beside);
+/** What came of the last one; of the first that failed. */
+async function loadAgain(core: CoreHandle['core'], kept: readonly Kept[]): Promise<ObjectInfo | Failure | null> {
+  let answer: ObjectInfo | Failure | null = null;
+  for (const {id, name, content, options, beside} of kept) {
+    answer = await core.load(name, content, options, beside, {id, joins: true});
+    if (isFailure(answer)) break;
+  }
+  return answer;
 }
 
 /** As it is now, and as a plain value: a page's reactive state cannot be sent to a worker. */
 function copied<T>(value: T): T {
   return JSON.parse(JSON.stringify(value)) as T;
+}
+
+function sent(design: Design, objects: Objects): [Design, Objects] {
+  return [copied(design), objects && copied(objects)];
 }
 
 function orThrow<T>(answer: T | Failure): T {

@@ -9,7 +9,6 @@ declare module 'snug-wasm/snug.mjs' {
     Failure,
     FoundPlacement,
     Gap,
-    ObjectFile,
     ObjectInfo,
     OutputFile,
     Packing,
@@ -40,24 +39,34 @@ declare module 'snug-wasm/snug.mjs' {
     ) => {attributes: Float32Array[]; corners: Uint32Array} | null;
   }
 
-  /** Keeps the object between calls. Failures change nothing. */
+  /** An object that a design's items are of. `own`: a design's JSON text. */
+  export interface GivenObject {
+    number: number;
+    name: string;
+    bytes: number;
+    sha256: string;
+    own: string | null;
+  }
+
+  /** Keeps objects between calls. Failures change nothing. */
   export interface Session {
-    load(bytes: Uint8Array, name: string, design: string, tools: SceneTools | null): Omit<ObjectInfo, 'file' | 'beside'> | Failure;
-    describe(design: string): Omit<ObjectInfo, 'file' | 'beside'> | Failure;
-    mesh(): Omit<DisplayMesh, 'deviation'>;
+    load(number: number, bytes: Uint8Array, name: string, design: string, tools: SceneTools | null): Omit<ObjectInfo, 'id' | 'file' | 'beside'> | Failure;
+    keep(numbers: number[]): void;
+    describe(number: number, design: string): Omit<ObjectInfo, 'id' | 'file' | 'beside'> | Failure;
+    mesh(number: number): Omit<DisplayMesh, 'deviation'>;
     /** `dependent`: a JSON text. */
-    pack(design: string): (Omit<Packing, 'dependent'> & {dependent: string}) | Failure;
+    pack(design: string, objects: GivenObject[]): (Omit<Packing, 'dependent'> & {dependent: string}) | Failure;
     gaps(progress: Progress): Gap | Failure;
     distances(points: Float32Array): Float32Array<ArrayBuffer> | Failure;
-    startSearch(design: string): (SearchStep & {ended: boolean}) | Failure;
+    startSearch(design: string, objects: GivenObject[]): (SearchStep & {ended: boolean}) | Failure;
     searchStep(): (SearchStep & {ended: boolean}) | Failure;
     distinct(): FoundPlacement[];
-    fitCase(design: string, progress: Progress): {design: string} | Failure;
-    startMap(design: string): (DirectionMap & {ended: boolean}) | Failure;
+    fitCase(design: string, objects: GivenObject[], progress: Progress): {design: string} | Failure;
+    startMap(design: string, objects: GivenObject[]): (DirectionMap & {ended: boolean}) | Failure;
     mapStep(): (DirectionMap & {ended: boolean}) | Failure;
-    rankCases(design: string): CaseRanking | Failure;
-    workshopFigures(project: string): WorkshopFigures | Failure;
-    outputFiles(project: string, language: string, progress: Progress): Made | Failure;
+    rankCases(design: string, objects: GivenObject[]): CaseRanking | Failure;
+    workshopFigures(design: string, objects: GivenObject[]): WorkshopFigures | Failure;
+    outputFiles(design: string, objects: GivenObject[], language: string, progress: Progress): Made | Failure;
     delete(): void;
   }
 
@@ -68,10 +77,10 @@ declare module 'snug-wasm/snug.mjs' {
     bricks(): BrickRange;
     samples(): string[];
     sampleFile(name: string): OutputFile | Failure;
-    parseProject(text: string): {object: ObjectFile; design: string; dependent: string} | Failure;
-    projectText(design: string, name: string, bytes: number, sha256: string): {text: string} | Failure;
-    /** The `snug make` that gives this design from the file. */
-    commandLine(file: string, design: string, language: string): {text: string} | Failure;
+    parseProject(text: string): {objects: {name: string; bytes: number; sha256: string; own: string | null}[]; design: string; dependent: string} | Failure;
+    projectText(design: string, objects: GivenObject[]): {text: string} | Failure;
+    /** The `snug make` that gives this design from the objects' files. */
+    commandLine(design: string, objects: GivenObject[], language: string): {text: string} | Failure;
     /** A JSON text: every option's path with its kind, range, unit, step, words and default, see
      *  snug/design/options_schema.h. */
     optionsSchema(): string;

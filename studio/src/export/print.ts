@@ -1,5 +1,5 @@
 import type {Studio} from '../state/studio.svelte';
-import {drawMap, drawMarks, drawNumbers, drawOutline} from '../view2d/draw';
+import {drawItemNumbers, drawMap, drawMarks, drawNumbers, drawOutlines} from '../view2d/draw';
 import {PRINT_INK} from '../view2d/ink';
 import {layOut} from '../view2d/page';
 import type {Texts} from '../words/texts';
@@ -12,7 +12,8 @@ const SCALE = 2.5;
 /** Fills the sheets that only a printer sees (see index.html and app.css) and asks the browser to print. */
 export async function printMaps(studio: Studio, texts: Texts): Promise<void> {
   const sheets = document.getElementById('print');
-  const {packing, meshes} = studio;
+  const {packing, placed} = studio;
+  const items = placed.map(({meshes, placement}) => ({mesh: meshes.still, placement}));
   if (!sheets || !packing?.fit) return;
   const pages = (['lower', 'lid'] as const).map((half) => {
     const canvas = document.createElement('canvas');
@@ -22,8 +23,9 @@ export async function printMaps(studio: Studio, texts: Texts): Promise<void> {
       pen.setTransform(SCALE, 0, 0, SCALE, 0, 0);
       const page = layOut(packing, half, WIDTH / SCALE, HEIGHT / SCALE, 24);
       drawMap(pen, page, packing, half, PRINT_INK);
-      if (meshes) drawOutline(pen, page, packing, meshes.still, PRINT_INK);
+      drawOutlines(pen, page, packing, items, PRINT_INK);
       drawNumbers(pen, page, packing, half);
+      if (items.length > 1) drawItemNumbers(pen, page, packing, PRINT_INK);
       drawMarks(pen, page, {back: texts.view2d.back}, PRINT_INK);
     }
     return sheet(studio, canvas, half === 'lid' ? texts.view2d.lidNote : texts.view2d.lowerNote);
@@ -33,10 +35,10 @@ export async function printMaps(studio: Studio, texts: Texts): Promise<void> {
   window.print();
 }
 
-function sheet({object, packing}: Studio, canvas: HTMLCanvasElement, note: string) {
+function sheet({packing, objects}: Studio, canvas: HTMLCanvasElement, note: string) {
   const element = document.createElement('section');
   const heading = document.createElement('h1');
-  heading.textContent = object?.file.name ?? '';
+  heading.textContent = objects.map(({file}) => file.name).join(', ');
   const line = document.createElement('p');
   const {blocks, block_mm} = packing ?? {blocks: [], block_mm: []};
   line.textContent = `${note} · ${blocks.join(' × ')} × (${block_mm.join(' × ')} mm)`;

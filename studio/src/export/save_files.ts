@@ -9,37 +9,39 @@ export type Kind = 'zip' | 'stl' | 'ply';
 
 /** Hands the person what `snug make` writes, byte for byte: all of it in one zip, or the two foams alone. */
 export async function exportFiles(studio: Studio, kind: Kind): Promise<void> {
-  const {design} = studio;
+  const {design, objects} = studio.moment;
   // The foams alone need no pack.
   const alone = {...design, workshop: {...design.workshop, for: null}};
   const wanted = kind === 'zip' ? design : {...alone, output: {formats: [kind]}};
-  const files = await studio.long('make', (onProgress) => studio.engine.outputFiles(wanted, language.code, onProgress));
+  const files = await studio.long('make', (onProgress) => studio.engine.outputFiles(wanted, language.code, onProgress, objects));
   if (isFailure(files)) {
     if (files.kind !== 'cancelled') studio.refuse('make', files.error);
     return;
   }
-  if (kind === 'zip') return download(`${stem(studio)}-foam.zip`, await zippedInPieces(await withObject(studio, files)));
+  if (kind === 'zip') return download(`${stem(studio)}-foam.zip`, await zippedInPieces(await withObjects(studio, files)));
   for (const file of files) if (file.name.endsWith(`.${kind}`)) download(file.name, [file.bytes]);
 }
 
 export async function saveProject(studio: Studio): Promise<void> {
-  const text = await studio.engine.projectText(studio.design);
+  const {design, objects} = studio.moment;
+  const text = await studio.engine.projectText(design, objects);
   download(`${stem(studio)}.snug.json`, [new TextEncoder().encode(text)]);
 }
 
-/** An object that Snug made, and a scene or an archive with the files it was read with, come with their project. */
-async function withObject(studio: Studio, files: OutputFile[]): Promise<OutputFile[]> {
-  const {file} = studio;
-  if (!file || !(file.converted || isScene(file.name))) return files;
-  const company = [file, ...(file.beside ?? [])].map(async ({name, content}) => ({
-    name,
-    bytes: new Uint8Array(await content.arrayBuffer()),
-  }));
-  return [...files, ...(await Promise.all(company))];
+/** Objects that Snug made, and scenes or archives with the files they were read with, come with their project. */
+async function withObjects(studio: Studio, files: OutputFile[]): Promise<OutputFile[]> {
+  const all = [...files];
+  for (const file of studio.files) {
+    if (!file.converted && !isScene(file.name)) continue;
+    for (const {name, content} of [file, ...(file.beside ?? [])])
+      if (all.every((other) => other.name !== name)) all.push({name, bytes: new Uint8Array(await content.arrayBuffer())});
+  }
+  return all;
 }
 
+/** What files are called after: the first object. */
 function stem(studio: Studio): string {
-  return (studio.object?.file.name ?? 'snug').replace(/\.[^.]+$/, '');
+  return (studio.objects[0]?.file.name ?? 'snug').replace(/\.[^.]+$/, '');
 }
 
 function download(name: string, parts: Uint8Array<ArrayBuffer>[]) {

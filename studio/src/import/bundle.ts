@@ -1,25 +1,26 @@
-/** Which of several files is the object, as the library chooses in a zip (snug/formats/bundle.h). */
+/** Which of several files are objects, told by their names as the library does in a zip (snug/formats/bundle.h). */
 
 /** What a bundle may hold as its object; an archive only where there is nothing else. */
 const OBJECT = /\.(stl|obj|ply|off|glb|gltf|3mf|xyz|pts)$/i;
 const ARCHIVE = /\.zip$/i;
 
 export interface Bundle<T> {
-  object: T | undefined;
-  /** What is no object: the object may need it. */
+  objects: T[];
+  /** What is no object: the objects may need it. */
   beside: T[];
-  /** Other objects: there is one at a time. */
+  /** Archives beside objects, which may hold the same. */
   leftOut: T[];
 }
 
-/** The first file whose name is an object's; where no name is, the first of all, so that its refusal says what is
- *  read. */
+/** The files whose names are objects'; where no name is, the first of all, so that its refusal says what is read. */
 export function bundled<T extends {name: string}>(files: readonly T[]): Bundle<T> {
   const seen = files.filter(({name}) => !name.startsWith('.'));
-  const objects = [OBJECT, ARCHIVE].flatMap((kind) => seen.filter(({name}) => kind.test(name)));
-  const object = objects[0] ?? files[0];
-  const beside = files.filter((file) => file !== object && !objects.includes(file));
-  return {object, beside, leftOut: objects.slice(1)};
+  const of = (kind: RegExp) => seen.filter(({name}) => kind.test(name));
+  const archives = of(ARCHIVE);
+  const found = [of(OBJECT), archives, files.slice(0, 1)].find((some) => some.length > 0);
+  const objects = found ?? [];
+  const leftOut = archives.filter((file) => !objects.includes(file));
+  return {objects, beside: files.filter((file) => !objects.includes(file) && !leftOut.includes(file)), leftOut};
 }
 
 /** Files that hold several parts, or other files. */

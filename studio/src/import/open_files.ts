@@ -12,21 +12,20 @@ const texts = words.files;
 /** More than a page can hold as a file, as a mesh and as foams at once: WebAssembly ends at 4 GB. */
 const MOST_BYTES = 1_000_000_000;
 
-/** A project that waits for its object. */
-let waiting: Project | null = null;
+/** A project that waits for its objects, and the files of those that came so far. */
+let waiting: {project: Project; files: (File | null)[]} | null = null;
 
-/** Whatever a person drops or chooses: an object, a project, or both. A sentence says what went wrong; then everything
- *  stays as it was. */
-export async function openFiles(studio: Studio, files: readonly File[]): Promise<void> {
+/** Whatever a person drops or chooses: objects, a project, or both. Objects without a project take the place of what is
+ *  open, or join it. A sentence says what went wrong; then everything stays as it was. */
+export async function openFiles(studio: Studio, files: readonly File[], {joins = false} = {}): Promise<void> {
   const notes = files.filter(({name}) => /\.json$/i.test(name));
-  const {object, beside, leftOut} = bundled(files.filter((file) => !notes.includes(file)));
+  const {objects, beside, leftOut} = bundled(files.filter((file) => !notes.includes(file)));
   const {project, unread, refused} = await readProject(studio, notes);
   // What is no project at all may lie beside an object; a project that cannot be read is asked for.
-  if (refused && (!object || refused.meant)) return studio.refuse('object', refused.sentence);
-  if (!object) return project ? useProject(studio, project) : undefined;
-  const before = studio.object;
-  await openObject(studio, object, beside.map((file) => ({name: file.name, content: file})), project);
-  if (studio.object === before) return;
+  if (refused && (objects.length === 0 || refused.meant)) return studio.refuse('object', refused.sentence);
+  if (objects.length === 0) return project ? useProject(studio, project) : undefined;
+  const company = beside.map((file) => ({name: file.name, content: file}));
+  if (!(await openObjects(studio, objects, company, project, joins))) return;
   if (leftOut.length > 0) alsoSay(studio, texts.leftOut(leftOut.map(({name}) => name)));
   if (unread.length > 0) alsoSay(studio, texts.noProject(unread.map(({name}) => name)));
 }
@@ -44,35 +43,106 @@ async function readProject(studio: Studio, files: readonly File[]) {
   return {project: null, unread: files, refused};
 }
 
-/** A project without its object is for the one that is open, or waits. */
+/** A project without its objects is for those that are open, or waits. */
 function useProject(studio: Studio, project: Project): void {
-  const here = studio.object?.file;
-  if (here && here.sha256 !== '' && here.sha256 === project.object.sha256) return studio.change(() => project.design, 'project');
-  waiting = project;
-  studio.notice = texts.openObjectOf(project.object.name);
+  const here = project.objects.map(({sha256: wanted}) => studio.objects.find(({file}) => wanted !== '' && file.sha256 === wanted));
+  const ids = here.flatMap((info) => info?.id ?? []);
+  if (new Set(ids).size === project.objects.length) {
+    const objects = project.objects.map(({own}, i) => ({id: ids[i]!, own}));
+    return studio.becomes({design: project.design, objects, locked: []}, 'project');
+  }
+  waiting = {project, files: project.objects.map(() => null)};
+  askForMissing(studio);
 }
 
-async function openObject(
+function askForMissing(studio: Studio) {
+  const missing = waiting?.project.objects.filter((_, i) => !waiting?.files[i]).map(({name}) => name) ?? [];
+  studio.notice = texts.openObjectOf(missing.join(', '));
+}
+
+const namesOf = ({project}: NonNullable<typeof waiting>) => project.objects.map(({name}) => name).join(', ');
+
+/** Whether they are open now. */
+async function openObjects(
   studio: Studio,
-  file: File,
+  files: readonly File[],
   beside: readonly BesideFile[],
   with_it: Project | null,
-): Promise<void> {
-  if (file.size > MOST_BYTES) {
-    const line = await studio.engine.commandLine(file.name, firstDesign(studio.defaults));
-    return studio.refuse('object', texts.tooBig(file.name, isFailure(line) ? 'snug make' : line));
+  joins: boolean,
+): Promise<boolean> {
+  const big = files.find(({size}) => size > MOST_BYTES);
+  if (big) {
+    const line = await studio.engine.commandLine(big.name, firstDesign(studio.defaults));
+    studio.refuse('object', texts.tooBig(big.name, isFailure(line) ? 'snug make' : line));
+    return false;
   }
-  const waited = with_it ?? waiting;
-  const project = with_it ?? (waited && (await isOf(file, waited.object)) ? waited : null);
+  const waited = with_it ? {project: with_it, files: with_it.objects.map(() => null)} : waiting;
+  if (waited) return openAwaited(studio, files, beside, waited, {meant: with_it !== null, joins});
+  return openAnew(studio, files, beside, joins);
+}
+
+async function openAnew(studio: Studio, files: readonly File[], beside: readonly BesideFile[], joins: boolean): Promise<boolean> {
+  const [only] = files;
+  const failed =
+    files.length === 1 && !joins
+      ? await studio.openObject(only!.name, only!, {beside})
+      : await studio.openItems(files.map((file) => ({name: file.name, content: file, beside})), joins);
+  if (!failed) studio.notice = null;
+  return failed === null;
+}
+
+/** Files where a project waits for its objects. `meant`: they came with it; others are opened as openFiles() says. */
+async function openAwaited(
+  studio: Studio,
+  files: readonly File[],
+  beside: readonly BesideFile[],
+  waited: NonNullable<typeof waiting>,
+  {meant, joins}: {meant: boolean; joins: boolean},
+): Promise<boolean> {
+  const {project} = waited;
+  const found: (File | null)[] = [...waited.files];
+  const left = [...files];
+  for (const [i, object] of project.objects.entries()) {
+    if (found[i]) continue;
+    const file = await firstOf(left, object);
+    if (!file) continue;
+    found[i] = file;
+    // One file may be several objects, each with choices of its own.
+    if (!project.objects.some((other, k) => k > i && other.sha256 === object.sha256)) left.splice(left.indexOf(file), 1);
+  }
+  // One object by itself is meant whatever it is called.
+  if (meant && project.objects.length === 1 && !found[0]) found[0] = left.shift() ?? null;
+  if (!meant && left.length === files.length) {
+    waiting = null;
+    const opened = await openAnew(studio, files, beside, joins);
+    if (opened) studio.notice = texts.waitsNoMore(namesOf(waited));
+    else waiting = waited;
+    return opened;
+  }
+  if (found.includes(null)) {
+    waiting = {project, files: found};
+    askForMissing(studio);
+    return false;
+  }
   waiting = null;
-  const failed = await studio.openObject(file.name, file, {beside, design: project?.design});
+  const whole = found.filter((file) => file !== null);
+  const given = whole.map((file) => ({name: file.name, content: file, beside}));
+  const failed =
+    whole.length === 1
+      ? await studio.openObject(whole[0]!.name, whole[0]!, {beside, design: project.design})
+      : await studio.openProject(project, given);
   if (failed) {
-    waiting = waited;
-    return;
+    waiting = meant ? null : waited;
+    return false;
   }
-  const other = project && project.object.sha256 !== '' && studio.object?.file.sha256 !== project.object.sha256;
-  studio.notice = other ? texts.otherContent(project.object.name) : null;
-  if (waited && !project) alsoSay(studio, texts.waitsNoMore(waited.object.name));
+  const other = project.objects.filter(({sha256: wanted}, i) => wanted !== '' && wanted !== studio.objects[i]?.file.sha256);
+  studio.notice = other.length > 0 ? texts.otherContent(other.map(({name}) => name).join(', ')) : null;
+  return true;
+}
+
+async function firstOf(files: readonly File[], object: ObjectFile): Promise<File | null> {
+  for (const file of files) if (await isOf(file, object)) return file;
+  return null;
 }
 
 /** A project's object by its name, which may have other content by now, or by its content, whatever its name is now. */
@@ -86,12 +156,14 @@ function alsoSay(studio: Studio, sentence: Pair): void {
   studio.notice = studio.notice ? joined([studio.notice, sentence], ' ') : sentence;
 }
 
-export async function openSample(studio: Studio, name: string): Promise<void> {
-  const failed = await studio.openObject(name, async () => {
+/** `joins`: beside what is open. */
+export async function openSample(studio: Studio, name: string, joins = false): Promise<void> {
+  const make = async () => {
     const file = await studio.engine.sampleFile(name);
     return isFailure(file) ? file : {name: file.name, content: new Blob([file.bytes]), converted: true};
-  });
+  };
+  const failed = await studio.openObject(name, make, {joins});
   if (failed) return;
-  studio.notice = waiting && texts.waitsNoMore(waiting.object.name);
+  studio.notice = waiting && texts.waitsNoMore(namesOf(waiting));
   waiting = null;
 }

@@ -1,4 +1,4 @@
-import {Vector3} from 'three';
+import {Matrix4, Vector3} from 'three';
 import type {Triple} from '../design/design';
 import {quaternion} from '../design/rotation';
 import type {DisplayMesh} from '../engine/api';
@@ -94,4 +94,21 @@ function fill(
       pixels.set([color[0]!, color[1]!, color[2]!, 255], 4 * pixel);
     }
   }
+}
+
+/** Meshes as they lie in the design space, as one. `placement`: column-major 4 x 4. */
+export function together(placed: readonly {mesh: DisplayMesh; placement: readonly number[]}[]): DisplayMesh {
+  const length = (of: (mesh: DisplayMesh) => ArrayLike<number>) => placed.reduce((sum, {mesh}) => sum + of(mesh).length, 0);
+  const positions = new Float32Array(length(({positions: own}) => own));
+  const indices = new Uint32Array(length(({indices: own}) => own));
+  const v = new Vector3();
+  let [vertex, corner] = [0, 0];
+  for (const {mesh, placement} of placed) {
+    const matrix = new Matrix4().fromArray(placement);
+    for (let i = 0; i < mesh.positions.length; i += 3)
+      v.fromArray(mesh.positions, i).applyMatrix4(matrix).toArray(positions, 3 * vertex + i);
+    for (const index of mesh.indices) indices[corner++] = vertex + index;
+    vertex += mesh.positions.length / 3;
+  }
+  return {positions, indices, deviation: 0};
 }

@@ -1,6 +1,7 @@
 import {openDB, type IDBPTransaction} from 'idb';
 import type {Design} from '../design/design';
 import {present, type History} from '../design/history';
+import {momentOf, type Moment} from '../design/moment';
 import type {BesideFile} from '../engine/api';
 import type {Picture} from '../picture/thumbnail';
 
@@ -18,22 +19,28 @@ export interface StoredObject {
   beside?: readonly BesideFile[];
 }
 
-/** What is on the screen: a design, and the object in it (by id), if there is one. */
-export interface Moment {
+/** What earlier versions saved: a design, and the one object in it (by id), if there is one. */
+export interface EarlierMoment {
   design: Design;
   object: string | null;
 }
 
+export type StoredMoment = Moment | EarlierMoment;
+
+export function asMoment(stored: StoredMoment): Moment {
+  return 'object' in stored ? momentOf(stored.design, stored.object) : stored;
+}
+
 export interface StoredWork {
-  history: History<Moment>;
+  history: History<StoredMoment>;
 }
 
 /** What a person chooses a work by. */
 export interface WorkSummary {
   id: string;
-  /** Of the object's file; empty while there is none. */
+  /** Of the objects' files; empty while there is none. */
   name: string;
-  /** Of the object's file; 0 while there is none. */
+  /** Of all of them; 0 while there is none. */
   bytes: number;
   /** When it was saved last, ms since 1970; 0: not known. */
   saved: number;
@@ -123,12 +130,19 @@ export function summaryOf(
   picture: Picture | null,
 ): WorkSummary {
   const known = new Map([...objects].map((object) => [object.id, object]));
-  const now = present(history).object;
-  // Undone to before it was opened, a work still has its object.
-  const named = now ?? [...history.moments].reverse().find(({object}) => object !== null)?.object ?? null;
-  const object = named === null ? undefined : known.get(named);
-  const all = new Set(history.moments.flatMap(({object: used}) => (used === null ? [] : [used])));
-  return {id, name: object?.name ?? '', bytes: object?.content.size ?? 0, saved, picture, objects: [...all]};
+  const idsOf = (moment: StoredMoment) => asMoment(moment).objects.map(({id: used}) => used);
+  // Undone to before it was opened, a work still has its objects.
+  const named = [present(history), ...[...history.moments].reverse()].map(idsOf).find((ids) => ids.length > 0) ?? [];
+  const there = named.flatMap((used) => known.get(used) ?? []);
+  const all = new Set(history.moments.flatMap(idsOf));
+  return {
+    id,
+    name: there.map(({name}) => name).join(', '),
+    bytes: there.reduce((sum, {content}) => sum + content.size, 0),
+    saved,
+    picture,
+    objects: [...all],
+  };
 }
 
 type Change = IDBPTransaction<unknown, string[], 'readwrite'>;

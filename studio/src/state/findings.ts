@@ -45,3 +45,8 @@ export function titles(findings: readonly Finding[], t: Texts['check']): string[
   }
   return [...often].map(([title, n]) => (n > 1 ? `${title} (${n})` : title));
 }
+
+/** The items between which there is too little foam, by their numbers. */
+export function tooNear(findings: readonly Finding[]): ReadonlySet<number> {
+  return new Set(findings.flatMap(({code, items}) => (/^items_(near|overlap)/.test(code) ? (items ?? []) : [])));
+}

@@ -1,10 +1,11 @@
-import type {Design} from '../design/design';
+import type {Design, Triple} from '../design/design';
 import {completed} from '../design/edit';
 import {present, type History} from '../design/history';
+import type {Moment} from '../design/moment';
 import type {DisplayMesh, Failure} from '../engine/api';
-import {thumbnail, type Picture} from '../picture/thumbnail';
+import {thumbnail, together, type Picture} from '../picture/thumbnail';
 import {files} from '../words/files';
-import type {Moment, StoredObject} from './autosave';
+import {asMoment, type StoredMoment, type StoredObject} from './autosave';
 import {stepped} from './last_change';
 import type {Studio} from './studio.svelte';
 import type {Works} from './works.svelte';
@@ -30,7 +31,7 @@ export class Keeping {
   /** Nothing is saved while what was saved is not back yet, or shall be forgotten. */
   #on = true;
   #saving: ReturnType<typeof setTimeout> | undefined;
-  #picture: {mesh: DisplayMesh; turn: string; picture: Picture} | null = null;
+  #picture: {meshes: DisplayMesh[]; of: string; picture: Picture} | null = null;
 
   constructor(studio: Studio, objects: Map<string, StoredObject>, parts: Parts) {
     this.#studio = studio;
@@ -75,7 +76,10 @@ export class Keeping {
     if (!saved) return true;
     for (const object of saved.objects) this.#objects.set(object.id, object);
     // Designs of another version may say less, or other things, than this one's.
-    const whole = (at: Moment) => ({...at, design: completed(at.design, this.#studio.defaults)});
+    const whole = (at: StoredMoment): Moment => {
+      const moment = asMoment(at);
+      return {...moment, design: completed(moment.design, this.#studio.defaults)};
+    };
     const last = saved.last && {...saved.last, moment: whole(saved.last.moment)};
     const moments = saved.work.history.moments.map(whole);
     const history = stepped({moments, at: saved.work.history.at, step: ''}, last);
@@ -86,15 +90,15 @@ export class Keeping {
     }
     if (!(await this.#parts.becomes(history))) return false;
     // Made again like any change, which may be refused.
-    if (last && last.moment.object === present(history).object) this.#studio.change(() => last.moment.design, '');
+    if (last && sameObjects(last.moment, present(history))) this.#studio.becomes(last.moment, '');
     return true;
   }
 
   /** What is on the page, saved or not; of a search, what it began with. */
   note(): void {
     if (!this.#on || this.#studio.busy?.work === 'search') return;
-    const {design, shown, works} = this.#studio;
-    works?.note({at: this.#parts.history().at, moment: {design, object: shown}});
+    const {moment, works} = this.#studio;
+    works?.note({at: this.#parts.history().at, moment});
   }
 
   /** Forgets everything of this tab, on the screen and in the browser. */
@@ -113,15 +117,21 @@ export class Keeping {
     await saved.catch((reason: unknown) => this.#refuse(reason));
   }
 
-  /** The object as it lies, small. */
+  /** The objects as they lie, small. */
   #drawn(): Picture | null {
-    const mesh = this.#studio.shown ? this.#studio.meshes?.moving : null;
-    if (!mesh) return null;
-    const {rotation_deg} = this.#studio.design.placement;
-    const turn = String(rotation_deg);
-    if (this.#picture?.mesh !== mesh || this.#picture.turn !== turn)
-      this.#picture = {mesh, turn, picture: thumbnail(mesh, rotation_deg, PICTURE_SIZE, PICTURE_COLOR)};
-    return this.#picture.picture;
+    const {placed, design} = this.#studio;
+    const [first] = placed;
+    if (!first) return null;
+    // One by itself also where there is no room for it.
+    const turn: Triple = placed.length === 1 ? design.placement.rotation_deg : [0, 0, 0];
+    const of = JSON.stringify([turn, placed.length === 1 || placed.map(({placement}) => placement)]);
+    const meshes = placed.map(({meshes: {moving}}) => moving);
+    const {meshes: last = [], of: lastOf = ''} = this.#picture ?? {};
+    if (of !== lastOf || meshes.length !== last.length || meshes.some((mesh, i) => mesh !== last[i])) {
+      const mesh = placed.length === 1 ? meshes[0]! : together(placed.map(({placement}, i) => ({mesh: meshes[i]!, placement})));
+      this.#picture = {meshes, of, picture: thumbnail(mesh, turn, PICTURE_SIZE, PICTURE_COLOR)};
+    }
+    return this.#picture?.picture ?? null;
   }
 
   saveSoon() {
@@ -133,4 +143,8 @@ export class Keeping {
   #refuse(reason: unknown) {
     this.#studio.notice = files.works.cannotKeep(reason instanceof Error ? reason.message : String(reason));
   }
+}
+
+function sameObjects(a: Moment, b: Moment): boolean {
+  return String(a.objects.map(({id}) => id)) === String(b.objects.map(({id}) => id));
 }

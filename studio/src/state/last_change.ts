@@ -1,5 +1,5 @@
 import {present, type History} from '../design/history';
-import type {Moment} from './autosave';
+import {asMoment, type StoredMoment} from './autosave';
 
 // The browser's database takes its time, and a page that goes away has none. So the last change of a work is noted at
 // once, in few bytes, until the database has it.
@@ -7,7 +7,7 @@ import type {Moment} from './autosave';
 /** What was on the screen, and which moment of the history that was. */
 export interface LastChange {
   at: number;
-  moment: Moment;
+  moment: StoredMoment;
 }
 
 const PREFIX = 'snug-last-';
@@ -25,18 +25,18 @@ export function forgetChange(work: string): void {
 }
 
 /** The history has it, as what is on the screen. */
-export function isKept(change: LastChange, history: History<Moment>): boolean {
+export function isKept(change: LastChange, history: History<StoredMoment>): boolean {
   return change.at === history.at && same(change.moment, present(history));
 }
 
 /** A step back or forth that was noted is made again; any other change is none of the history's moments. */
-export function stepped(history: History<Moment>, noted: LastChange | null): History<Moment> {
+export function stepped<T extends StoredMoment>(history: History<T>, noted: LastChange | null): History<T> {
   const moment = noted && history.moments[noted.at];
   return moment && same(moment, noted.moment) ? {...history, at: noted.at} : history;
 }
 
-function same(a: Moment, b: Moment): boolean {
-  return a.object === b.object && JSON.stringify(a.design) === JSON.stringify(b.design);
+function same(a: StoredMoment, b: StoredMoment): boolean {
+  return JSON.stringify(asMoment(a)) === JSON.stringify(asMoment(b));
 }
 
 /** Storage may be forbidden, full, or have what nobody can read; then only the database keeps the work. */

@@ -8,7 +8,8 @@ import type {Studio} from './studio.svelte';
 /** What the studio does with what was found. */
 interface Parts {
   changes(design: Design): void;
-  show(design: Design, control: string): Promise<Failure | null>;
+  /** What it changed to last. */
+  show(control: string): Promise<Failure | null>;
   pack(design: Design): Promise<Failure | null>;
   refuse(control: string, failed: Failure): Failure;
   stopResting(): void;
@@ -43,14 +44,14 @@ export class LongWork {
   }
 
   async #fitCase(): Promise<void> {
-    const start = this.#studio.design;
-    const fitted = await this.#long('search', (onProgress) => this.#studio.engine.fitCase(start, onProgress));
+    const {design: start, objects} = this.#studio.moment;
+    const fitted = await this.#long('search', (onProgress) => this.#studio.engine.fitCase(start, onProgress, objects));
     if (isFailure(fitted)) {
       this.#parts.refuse('optimize', fitted);
       return;
     }
     this.#parts.changes(fitted.design);
-    await this.#parts.show(this.#studio.design, 'optimize');
+    await this.#parts.show('optimize');
   }
 
   /** Colours all directions by what they cut, better and better. */
@@ -60,7 +61,7 @@ export class LongWork {
   }
 
   async #map(): Promise<void> {
-    const design = this.#studio.design;
+    const {design, objects} = this.#studio.moment;
     this.#parts.stopResting();
     let running = true;
     let stop = () => {};
@@ -76,7 +77,7 @@ export class LongWork {
       this.#studio.placements.foundMap(design, map);
     };
     // What was found so far is on the page: nobody waits for the step that is under way.
-    const map = await Promise.race([this.#studio.engine.directions(design, grown), cancelled]);
+    const map = await Promise.race([this.#studio.engine.directions(design, grown, objects), cancelled]);
     this.#studio.busy = null;
     if (isFailure(map)) this.#parts.refuse('optimize', map);
     else if (map) grown(map);
@@ -84,7 +85,7 @@ export class LongWork {
   }
 
   async #search(): Promise<void> {
-    const start = this.#studio.design;
+    const {design: start, objects} = this.#studio.moment;
     this.#parts.stopResting();
     this.#studio.busy = {work: 'search', fraction: 0, cancel: () => void this.#studio.engine.cancel()};
     const blocks = this.#studio.packing?.blocks ?? start.space.blocks;
@@ -97,7 +98,7 @@ export class LongWork {
       shown = JSON.stringify(next.placement);
       this.#parts.changes(next);
       void this.#parts.pack(next);
-    });
+    }, objects);
     this.#studio.busy = null;
     if (isFailure(best)) {
       this.#parts.changes(start);
@@ -106,7 +107,7 @@ export class LongWork {
       this.#parts.changes(await this.#studio.placements.asFound(withPlacement(start, best), best.cut_blocks, blocks));
       this.#studio.placements.foundDistinct(start, blocks, best.distinct);
     }
-    await this.#parts.show(this.#studio.design, 'optimize');
+    await this.#parts.show('optimize');
   }
 
   async measureGaps(): Promise<void> {

@@ -41,9 +41,19 @@ export interface Content {
   beside?: readonly BesideFile[];
 }
 
+/** A file as a person gave it. */
+export type Given = Omit<Content, 'converted'>;
+
 export interface DisplayMeshes {
   moving: DisplayMesh;
   still: DisplayMesh;
+}
+
+/** An item where it lies, to be drawn. */
+export interface PlacedItem {
+  meshes: DisplayMeshes;
+  /** Column-major 4 x 4. */
+  placement: readonly number[];
 }
 
 /** From an input to its new foams. */

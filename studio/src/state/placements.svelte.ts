@@ -1,5 +1,6 @@
 import type {Design} from '../design/design';
 import {walls, withPlacement, withSpace, withWalls} from '../design/edit';
+import type {Moment} from '../design/moment';
 import type {DirectionMap, Engine, FoundPlacement} from '../engine/api';
 import {isFailure} from '../engine/failure';
 import type {Options} from './options.svelte';
@@ -17,6 +18,7 @@ interface Found<T> {
 export interface Place {
   readonly engine: Engine;
   readonly design: Design;
+  readonly moment: Moment;
   readonly options: Options;
   /** Which object is on the screen. */
   readonly shown: string | null;
@@ -68,7 +70,7 @@ export class Placements {
    *  the walls are asked for by their numbers, as a space of chosen blocks wants none by itself. */
   async asFound(design: Design, cut_blocks: number, blocks: Blocks, exactly = false): Promise<Design> {
     if (design.space.blocks !== 'auto' || blocks === 'auto') return design;
-    const packing = await this.#place.engine.pack(design);
+    const packing = await this.#place.engine.pack(design, this.#place.moment.objects);
     const cut = isFailure(packing) ? null : (packing.fit?.cut_blocks ?? null);
     const asGood = cut !== null && (exactly ? cut === cut_blocks : cut <= cut_blocks);
     const wanted = walls(design, this.#place.options.fittedWall);

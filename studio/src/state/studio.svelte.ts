@@ -1,22 +1,24 @@
 import type {BrickRange, Design, Preset} from '../design/design';
-import {firstDesign, forNewObject} from '../design/edit';
-import type {Schema} from '../design/options';
+import {firstDesign} from '../design/edit';
+import {focused, idsOf, momentOf, unfocused, type Moment} from '../design/moment';
 import {canRedo, canUndo, Gestures, moved, present, record, startHistory, type History} from '../design/history';
-import type {BesideFile, Engine, Failure, Finding, Gap, ObjectInfo, Packing} from '../engine/api';
-import {CANCELLED, isFailure} from '../engine/failure';
+import type {Engine, Failure, Finding, Gap, ObjectInfo, Packing, Project} from '../engine/api';
+import {isFailure} from '../engine/failure';
 import {files} from '../words/files';
-import {about, type Pair} from '../words/words';
-import type {Moment, StoredObject} from './autosave';
-import {newId} from './claims';
+import type {Pair} from '../words/words';
+import type {StoredObject} from './autosave';
+import {commanded, type Commanded} from './commanded';
+import {factsOf, type Facts} from './facts';
 import {gravestFirst} from './findings';
 import {Keeping} from './keeping.svelte';
 import {LongWork} from './long_work';
-import type {Busy, Content, DisplayMeshes, FileFacts, Problem, Reading, Timing, Work} from './on_the_page';
+import type {Busy, DisplayMeshes, FileFacts, Given, PlacedItem, Problem, Reading, Timing, Work} from './on_the_page';
+import {ObjectsOnScreen} from './objects_on_screen.svelte';
+import {Opening} from './opening';
 import {Options} from './options.svelte';
 import {Placements} from './placements.svelte';
 import {Readings} from './readings';
 import {Rest} from './rest.svelte';
-import {ShownObject} from './shown_object.svelte';
 import type {Works} from './works.svelte';
 
 /** Above this a gap report takes long enough that it is made only when asked for. */
@@ -25,7 +27,7 @@ const GAPS_BY_THEMSELVES = 200_000;
 /** Refusals that no later change of a control answers: they stay until they are read. */
 const LASTING: readonly string[] = ['object', 'project', 'make'];
 
-/** The work on the page: one object, one design, and what the library makes of them. */
+/** The work on the page: objects, one design, and what the library makes of them. */
 export class Studio {
   readonly engine: Engine;
   readonly defaults: Design;
@@ -35,12 +37,19 @@ export class Studio {
   readonly samples: string[];
   readonly version: string;
 
-  /** What the controls show. */
-  design: Design = $state.raw({} as Design);
-  readonly #object: ShownObject;
+  /** What the controls show, of all items. */
+  moment: Moment = $state.raw(momentOf({} as Design, null));
+  #selected = $state(0);
+  /** Which item is selected, by its number. */
+  selected = $derived(Math.max(0, Math.min(this.#selected, (this.moment.design.items?.length ?? 1) - 1)));
+  readonly #shown: ObjectsOnScreen;
   readonly #onDesign: () => void;
   /** The last good one. */
   packing: Packing | null = $state.raw(null);
+  /** Where the items lie; none while that is not known. */
+  lying = $derived(this.packing && this.packing.items.length === this.moment.design.items?.length ? this.packing.items : []);
+  /** As it is for the item that is selected. */
+  design: Design = $derived(focused(this.moment, this.selected, this.lying));
   timing: Timing | null = $state.raw(null);
   gap: Gap | null = $state.raw(null);
   problem: Problem | null = $state.raw(null);
@@ -51,9 +60,11 @@ export class Studio {
   busy: Busy | null = $state.raw(null);
   /** The object is only a copy for looking: its foams are made elsewhere. */
   thinned: {name: string; deviation: number} | null = $state.raw(null);
-  #history: History<Moment> = $state.raw(startHistory<Moment>({design: {} as Design, object: null}));
-  /** The object has no size before its unit is known, and no foams. */
-  asksForUnit = $derived(this.object?.sizeProblem != null);
+  #history: History<Moment> = $state.raw(startHistory(momentOf({} as Design, null)));
+  /** An object has no size before its unit is known, and no foams. */
+  get asksForUnit(): boolean {
+    return this.#shown.asksForUnit;
+  }
   readonly #gestures = new Gestures();
   /** The person closed that question for now. */
   unitLater = $state(false);
@@ -67,7 +78,6 @@ export class Studio {
   /** The works of this browser; null while there are none to be had. */
   works: Works | null = $state.raw(null);
   #objects = new Map<string, StoredObject>();
-  #shown: string | null = $state.raw(null);
   readonly #resting = new Rest();
   #arrival: Promise<boolean> = Promise.resolve(true);
   readonly #readings = new Readings(this);
@@ -76,62 +86,78 @@ export class Studio {
     becomes: (history) => this.#becomes(history),
     checked: (design) => this.#checked(design),
   });
+  readonly #opening = new Opening(this, this.#objects, {
+    present: () => present(this.#history),
+    switchTo: (moment, infos) => this.#switchTo(moment, infos),
+    show: (moment) => this.#show(moment, ''),
+    pack: (moment) => this.#pack(moment),
+    backTo: (moment) => this.#backTo(moment),
+    refuse: (failed) => this.#refuse('object', failed),
+  });
   readonly #long = new LongWork(this, {
-    changes: (design) => this.#changes(design),
-    show: (design, control) => this.#show(design, control),
-    pack: (design) => this.#pack(design),
+    changes: (design) => this.#changes({...this.moment, design}),
+    show: (control) => this.#show(this.moment, control),
+    pack: (design) => this.#pack({...this.moment, design}),
     refuse: (control, failed) => this.#refuse(control, failed),
     stopResting: () => this.#stopResting(),
   });
 
-  private constructor(
-    engine: Engine,
-    facts: Pick<Studio, 'defaults' | 'presets' | 'bricks' | 'samples' | 'version'> & {options: Schema},
-    onDesign: () => void,
-  ) {
+  private constructor(engine: Engine, facts: Facts, onDesign: () => void) {
     this.engine = engine;
     this.#onDesign = onDesign;
-    this.#object = new ShownObject(engine);
+    this.#shown = new ObjectsOnScreen(engine);
     this.defaults = facts.defaults;
     this.presets = facts.presets;
     this.bricks = facts.bricks;
-    this.options = new Options(facts.options, () => this.design);
+    this.options = new Options(facts.rows, () => this.design);
     this.samples = facts.samples;
     this.version = facts.version;
-    this.design = firstDesign(facts.defaults);
-    this.#history = startHistory({design: this.design, object: null});
+    this.moment = momentOf(firstDesign(facts.defaults), null);
+    this.#history = startHistory(this.moment);
   }
 
   /** `onDesign` hears of every change of the design while it is made. */
   static async start(engine: Engine, onDesign = () => {}): Promise<Studio> {
-    const [defaults, presets, bricks, options, samples, version] = await Promise.all([
-      engine.defaultDesign(),
-      engine.presets(),
-      engine.bricks(),
-      engine.options(),
-      engine.samples(),
-      engine.version(),
-    ]);
-    const studio = new Studio(engine, {defaults, presets, bricks, options, samples, version}, onDesign);
-    await studio.#checked(studio.design);
+    const studio = new Studio(engine, await factsOf(engine), onDesign);
+    await studio.#checked(studio.moment.design);
     return studio;
   }
 
-  /** Which object is on the screen. */
-  get shown(): string | null {
-    return this.#shown;
+  /** Which objects are on the screen; empty where there is none. */
+  get shown(): string {
+    return this.#shown.ids;
   }
 
+  get #selectedObject(): number {
+    return this.moment.design.items[this.selected]?.object ?? 0;
+  }
+
+  /** The object of the item that is selected. */
   get object(): ObjectInfo | null {
-    return this.#object.info;
+    return this.#shown.at(this.#selectedObject)?.info ?? null;
   }
 
   get meshes(): DisplayMeshes | null {
-    return this.#object.meshes;
+    return this.#shown.at(this.#selectedObject)?.meshes ?? null;
   }
 
-  get file(): StoredObject | null {
-    return (this.#shown && this.#objects.get(this.#shown)) || null;
+  /** Of each object, as the moment numbers them. */
+  get objects(): readonly ObjectInfo[] {
+    return this.#shown.infos;
+  }
+
+  /** The items, each where it lies in the last packing; without one the selected one, as it stands in its file. */
+  get placed(): readonly PlacedItem[] {
+    return this.packing ? this.#shown.placedAs(this.packing) : this.#shown.unplaced(this.#selectedObject);
+  }
+
+  /** The objects' files. */
+  get files(): readonly StoredObject[] {
+    return this.moment.objects.flatMap(({id}) => this.#objects.get(id) ?? []);
+  }
+
+  select(item: number): void {
+    this.#selected = item;
   }
 
   /** The gaps of these foams will be known. */
@@ -139,73 +165,48 @@ export class Studio {
     return this.#resting.comes || this.busy?.work === 'gaps';
   }
 
-  /** What the command line is to make: of a thinned object its original, of a file that states its unit in no other. */
-  get commanded(): {file: string; design: Design} | null {
-    if (!this.object) return null;
-    const {object} = this.design;
-    const design = this.object.statesUnit ? {...this.design, object: {...object, units: null}} : this.design;
-    return {file: this.thinned?.name ?? this.object.file.name, design};
+  /** What the command line is to make: of a thinned object its original. */
+  get commanded(): Commanded | null {
+    if (this.#shown.none) return null;
+    const wanted = commanded(this.moment, this.objects);
+    return this.thinned ? {...wanted, files: [this.thinned.name]} : wanted;
   }
 
-  /** A change by `control`. Refused by the library: its sentence, and everything stays as it was. */
+  /** A change by `control`, of the design as it is for the item that is selected. Refused by the library: its sentence,
+   *  and everything stays as it was. */
   change(edit: (design: Design) => Design, control: string): void {
-    const next = edit(this.design);
-    if (JSON.stringify(next) === JSON.stringify(this.design)) return;
+    this.becomes(unfocused(this.moment, this.selected, edit(this.design), this.lying), control);
+  }
+
+  /** A change of anything, with the same objects or fewer. */
+  becomes(next: Moment, control: string): void {
+    if (JSON.stringify(next) === JSON.stringify(this.moment)) return;
+    const haveBack = this.#shown.leave(next);
     this.#changes(next);
-    void this.#show(next, control);
+    void this.#show(next, control).then((failed) => {
+      if (failed && idsOf(this.moment) !== this.shown) haveBack();
+    });
   }
 
   undo = () => this.#go(-1);
   redo = () => this.#go(1);
 
-  /** Puts a file's content on the screen. `source` may make it first.
+  /** Puts a file's content on the screen. `source` may make it first; `joins`: beside what is there.
    *  Null where it worked; refused or cancelled, everything is as it was. */
-  async openObject(
-    name: string,
-    source: Blob | (() => Promise<Content | Failure>),
-    options: {beside?: readonly BesideFile[]; design?: Design | undefined} = {},
-  ): Promise<Failure | null> {
-    const bytes = source instanceof Blob ? source.size : 0;
-    const before = present(this.#history);
-    const answer = await this.reading({name, bytes}, async (reading) => {
-      const own = {name, converted: false, beside: options.beside ?? []};
-      const made = source instanceof Blob ? {...own, content: source} : await source();
-      if (reading.cancelled || isFailure(made)) return isFailure(made) ? made : CANCELLED;
-      const wanted = options.design ?? forNewObject(this.design, this.defaults, this.presets);
-      const failed = await this.#open(made, wanted, reading);
-      // A design that this object cannot have is no reason to lose the object.
-      const again = failed && options.design && failed.kind !== 'cancelled' && this.#shown !== before.object;
-      return again ? this.#open(made, forNewObject(this.design, this.defaults, this.presets), reading) : failed;
-    });
-    if (!isFailure(answer)) return null;
-    await this.#backTo(before);
-    return this.#refuse('object', {...answer, error: about(name, answer.error)});
-  }
+  openObject = (...how: Parameters<Opening['object']>) => this.#opening.object(...how);
 
-  async #open(given: Content, design: Design, reading: Reading): Promise<Failure | null> {
-    const {name, content, converted} = given;
-    const info = await this.engine.load(name, content, design.object, given.beside);
-    if (reading.cancelled || isFailure(info)) return isFailure(info) ? info : CANCELLED;
-    const beside = given.beside?.filter((file) => info.beside.includes(file.name)) ?? [];
-    // The checksum is the file's own: the same .gltf may come with another .bin.
-    const id = (beside.length === 0 && info.file.sha256) || newId();
-    this.#objects.set(id, {id, name, content, converted, beside});
-    await this.#switchTo(id, info, design);
-    if (reading.cancelled) return CANCELLED;
-    const failed = await this.#show(design, '');
-    if (reading.cancelled) return CANCELLED;
-    if (!failed) this.thinned = null;
-    return failed;
-  }
+  /** Puts several files on the screen, in place of what is there or beside it. As openObject(). */
+  openItems = (files: readonly Given[], joins: boolean) => this.#opening.items(files, joins);
+  /** A project with its objects' files, one for each. As openObject(). */
+  openProject = (project: Project, files: readonly Given[]) => this.#opening.project(project, files);
 
-  /** Another object is on the screen; nothing of the last one is. */
-  async #switchTo(id: string, info: ObjectInfo, design: Design): Promise<void> {
-    this.#shown = id;
-    this.#changes(design);
+  /** Other objects are on the screen. `infos`: of those that were just loaded. */
+  async #switchTo(moment: Moment, infos: readonly ObjectInfo[]): Promise<void> {
+    this.#changes(moment);
     this.packing = null;
     this.gap = null;
     this.unitLater = false;
-    await this.#object.loaded(info, design);
+    await this.#shown.become(moment, infos);
   }
 
   /** Says from the first moment on what is read, with a way out that ends it at once. Other long work, and the reading
@@ -217,9 +218,10 @@ export class Studio {
 
   /** The moment that was there before a reading which ended in nothing. */
   async #backTo(moment: Moment): Promise<void> {
-    const same = this.#shown === moment.object && (!this.object || (this.packing && this.#object.isPreparedFor(moment.design)));
-    if (!same) await this.#arrive(moment);
-    else this.#changes(moment.design);
+    const prepared = this.#shown.none || (this.packing && this.#shown.arePreparedFor(moment));
+    if (this.shown !== idsOf(moment) || !prepared) return void (await this.#arrive(moment));
+    this.#changes(moment);
+    await this.#shown.keep(moment);
   }
 
   optimize = () => this.#long.optimize();
@@ -266,7 +268,7 @@ export class Studio {
     if (history.at === before.at) return;
     this.#history = history;
     this.#answered();
-    this.#changes(present(history).design);
+    this.#changes(present(history));
     // One after the other: each may have to load its object.
     const arrival = (this.#arrival = this.#arrival.then(() => this.#arrive(present(this.#history))));
     if (!(await arrival) && this.#history === history) {
@@ -276,44 +278,37 @@ export class Studio {
     this.#keeping.saveSoon();
   }
 
-  /** Shows a moment of the history, loading its object where that is another one; false where it cannot be had. */
-  async #arrive({design, object}: Moment): Promise<boolean> {
+  /** Shows a moment of the history, loading objects that are not there; false where one cannot be had. */
+  async #arrive(moment: Moment): Promise<boolean> {
     this.#stopResting();
-    if (object !== this.#shown) {
-      const stored = object === null ? null : this.#objects.get(object);
-      if (!stored) {
-        this.#showNothing(design);
-        if (object !== null) this.refuse('object', files.works.objectGone);
+    if (idsOf(moment) !== this.shown) {
+      const there = (id: string) => this.objects.some((object) => object.id === id);
+      const missing = moment.objects.filter(({id}) => !there(id)).map(({id}) => this.#objects.get(id));
+      if (moment.objects.length === 0 || missing.includes(undefined)) {
+        this.#showNothing(moment);
+        if (moment.objects.length > 0) this.refuse('object', files.works.objectGone);
         return true;
       }
-      const failed = await this.reading({name: stored.name, bytes: stored.content.size}, async (reading) => {
-        const info = await this.engine.load(stored.name, stored.content, design.object, stored.beside);
-        if (reading.cancelled || isFailure(info)) return isFailure(info) ? info : CANCELLED;
-        await this.#switchTo(stored.id, info, design);
-        if (!reading.cancelled) await this.#pack(design);
-        return reading.cancelled ? CANCELLED : null;
-      });
-      if (failed) this.#refuse('object', {...failed, error: about(stored.name, failed.error)});
+      const failed = await this.#opening.again(moment, missing as StoredObject[]);
       if (!failed) this.#rest();
       return !failed;
     }
-    this.#changes(design);
-    await this.#pack(design);
+    this.#changes(moment);
+    await this.#pack(moment);
     this.#rest();
     return true;
   }
 
-  #showNothing(design: Design) {
-    this.#changes(design);
-    this.#shown = null;
-    this.#object.clear();
+  #showNothing(moment: Moment) {
+    this.#changes(moment);
+    this.#shown.clear();
     this.packing = null;
     this.gap = null;
   }
 
   /** What the fields show from now on. */
-  #changes(design: Design) {
-    this.design = design;
+  #changes(moment: Moment) {
+    this.moment = moment;
     this.#onDesign();
     this.#keeping.note();
   }
@@ -323,46 +318,58 @@ export class Studio {
     if (this.problem && !LASTING.includes(this.problem.control)) this.problem = null;
   }
 
-  /** Makes the foams of a design; a good one becomes a moment of the history. */
-  async #show(design: Design, control: string): Promise<Failure | null> {
+  /** Makes the foams of a moment; a good one becomes a part of the history. */
+  async #show(moment: Moment, control: string): Promise<Failure | null> {
     const step = this.#gestures.step(control, performance.now());
     this.#stopResting();
-    const failed = await this.#pack(design);
+    const failed = await this.#pack(moment);
     // A newer change is on its way, or the person went back meanwhile.
-    if (failed?.kind === 'cancelled' || this.design !== design) return null;
+    if (failed?.kind === 'cancelled' || this.moment !== moment) return null;
     if (failed) {
       // What is being typed stays as it is: it may be on its way to a number that can be.
-      this.design = present(this.#history).design;
+      const before = present(this.#history);
+      const same = idsOf(before) === this.shown;
+      if (same || before.objects.length > 0) this.moment = before;
       this.#keeping.note();
       const refused = this.#refuse(control, failed);
       // Prepared for a unit that has no foams, the object would stay as large as that.
-      if (present(this.#history).object === this.#shown) await this.#object.prepare(this.design, this.design);
+      if (same) await this.#shown.prepare(before, before);
       return refused;
     }
     this.#answered();
-    this.#history = record(this.#history, {design, object: this.#shown}, step);
+    this.#history = record(this.#history, moment, step);
     this.#keeping.saveSoon();
     this.#rest();
     return null;
   }
 
-  async #pack(design: Design): Promise<Failure | null> {
+  async #pack(moment: Moment): Promise<Failure | null> {
     const input = performance.now();
-    if (!this.object) return this.#checked(design);
-    const failed = await this.#object.prepare(design, present(this.#history).design);
+    const {design, objects} = moment;
+    if (this.#shown.none) return this.#checked(design);
+    const failed = await this.#shown.prepare(moment, present(this.#history));
     if (failed) return failed;
-    if (this.object.sizeProblem) {
+    if (this.asksForUnit) {
+      this.#selectAsking();
       this.packing = null;
       this.gap = null;
       return this.#checked(design);
     }
-    const packing = await this.engine.pack(design);
+    const arePacked = this.#shown.packing();
+    const packing = await this.engine.pack(design, objects);
     if (isFailure(packing)) return packing;
+    arePacked();
     this.packing = packing;
     this.options.depend(packing.dependent);
     this.gap = null;
     this.timing = {input, answer_ms: performance.now() - input, library_ms: packing.library_ms};
     return null;
+  }
+
+  /** The question is of the object that is selected. */
+  #selectAsking() {
+    if (this.object?.sizeProblem != null) return;
+    this.#selected = this.moment.design.items.findIndex(({object}) => this.objects[object]?.sizeProblem != null);
   }
 
   async #checked(design: Design): Promise<Failure | null> {
@@ -385,7 +392,8 @@ export class Studio {
   /** What may take its time happens when nobody changes anything. */
   #rest() {
     this.#resting.stop();
-    if (!this.object || this.object.triangles > GAPS_BY_THEMSELVES) return;
+    const triangles = this.objects.reduce((sum, object) => sum + object.triangles, 0);
+    if (this.#shown.none || triangles > GAPS_BY_THEMSELVES) return;
     this.#resting.begin(this.measureGaps);
   }
 }

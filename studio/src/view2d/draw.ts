@@ -1,4 +1,4 @@
-import type {DisplayMesh, Packing} from '../engine/api';
+import type {DisplayMesh, PackedItem, Packing} from '../engine/api';
 import type {Cell, Drawing} from '../state/view.svelte';
 import {blocksToRemove, cellCorner, toPage, type Page} from './page';
 import {placedCoordinates, section} from './section';
@@ -13,16 +13,25 @@ export interface Ink {
   object: string;
   mark: string;
   back: string;
+  /** Around the item that is selected, and around items that are too near each other. */
+  selected: string;
+  near: string;
 }
 
 type Pen = CanvasRenderingContext2D;
+
+/** An object as it is drawn, and where it lies. */
+export interface Placed {
+  mesh: DisplayMesh;
+  placement: readonly number[];
+}
 
 /** Cells below this many pixels carry no lines, and below the second no numbers. */
 const LEAST_LINED = 4;
 const LEAST_NUMBERED = 11;
 
 /** One layer of blocks, seen from above. */
-export function drawSlice(pen: Pen, page: Page, packing: Packing, layer: number, mesh: DisplayMesh | null, ink: Ink) {
+export function drawSlice(pen: Pen, page: Page, packing: Packing, layer: number, items: readonly Placed[], ink: Ink) {
   const {lower, upper, existsFirst, existsEnd, blocks, block_mm} = packing;
   const [nx, , nz] = blocks;
   fillCells(pen, page, (j, k) => {
@@ -33,10 +42,8 @@ export function drawSlice(pen: Pen, page: Page, packing: Packing, layer: number,
     return layer >= nx - (upper[column] ?? 0) ? ink.upper : ink.cut;
   });
   lines(pen, page, ink);
-  if (mesh) {
-    const x = (layer + 0.5 - nx / 2) * block_mm[0];
-    drawSection(pen, page, packing, section(mesh, packing.placement, x), ink);
-  }
+  const x = (layer + 0.5 - nx / 2) * block_mm[0];
+  for (const {mesh, placement} of items) drawSection(pen, page, packing, section(mesh, placement, x), ink);
   frame(pen, page, ink);
 }
 
@@ -58,8 +65,12 @@ export function drawNumbers(pen: Pen, page: Page, packing: Packing, drawing: Dra
   numbers(pen, page, (j, k) => remove[j * page.nz + k] ?? 0, most);
 }
 
-/** The object's outline as it is seen along x. Takes a while for many triangles. */
-export function drawOutline(pen: Pen, page: Page, packing: Packing, mesh: DisplayMesh, ink: Ink) {
+/** The objects' outlines as they are seen along x. Takes a while for many triangles. */
+export function drawOutlines(pen: Pen, page: Page, packing: Packing, items: readonly Placed[], ink: Ink) {
+  for (const item of items) drawOutline(pen, page, packing, item, ink);
+}
+
+function drawOutline(pen: Pen, page: Page, packing: Packing, {mesh, placement}: Placed, ink: Ink) {
   const canvas = new OffscreenCanvas(pen.canvas.width, pen.canvas.height);
   const mask = canvas.getContext('2d');
   if (!mask) return;
@@ -67,7 +78,7 @@ export function drawOutline(pen: Pen, page: Page, packing: Packing, mesh: Displa
   mask.setTransform(scale);
   mask.fillStyle = ink.object;
   mask.beginPath();
-  const placed = placedCoordinates(mesh, packing.placement);
+  const placed = placedCoordinates(mesh, placement);
   const place = toPage(page, packing);
   const corner = (i: number) => place(placed[(mesh.indices[i] ?? 0) * 3 + 1] ?? 0, placed[(mesh.indices[i] ?? 0) * 3 + 2] ?? 0);
   for (let i = 0; i < mesh.indices.length; i += 3) {
@@ -103,6 +114,34 @@ export function drawMarks(pen: Pen, page: Page, text: {back: string}, ink: Ink) 
   pen.lineTo(page.left + odd, edge);
   pen.lineTo(page.left, edge + (page.flipped ? -odd : odd));
   pen.fill();
+}
+
+/** A frame around an item, a little wider than it is. */
+export function drawItemFrame(pen: Pen, page: Page, packing: Packing, {bounds}: PackedItem, colour: string) {
+  const place = toPage(page, packing);
+  const [ax, ay] = place(bounds.min[1], bounds.min[2]);
+  const [bx, by] = place(bounds.max[1], bounds.max[2]);
+  pen.strokeStyle = colour;
+  pen.lineWidth = 2;
+  pen.strokeRect(Math.min(ax, bx) - 3, Math.min(ay, by) - 3, Math.abs(bx - ax) + 6, Math.abs(by - ay) + 6);
+}
+
+/** Which item is which, as the list numbers them. */
+export function drawItemNumbers(pen: Pen, page: Page, packing: Packing, ink: Ink) {
+  const place = toPage(page, packing);
+  const size = 9;
+  pen.font = `700 11px system-ui, sans-serif`;
+  pen.textAlign = 'center';
+  pen.textBaseline = 'middle';
+  packing.items.forEach(({bounds: {min, max}}, i) => {
+    const [x, y] = place((min[1] + max[1]) / 2, (min[2] + max[2]) / 2);
+    pen.fillStyle = ink.text;
+    pen.beginPath();
+    pen.arc(x, y, size, 0, 2 * Math.PI);
+    pen.fill();
+    pen.fillStyle = ink.paper;
+    pen.fillText(String(i + 1), x, y + 0.5);
+  });
 }
 
 export function drawHovered(pen: Pen, page: Page, cell: Cell, ink: Ink) {

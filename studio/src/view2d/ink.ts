@@ -14,6 +14,8 @@ export function ink(): Ink {
     object: colour('--outline'),
     mark: colour('--mark'),
     back: colour('--text-soft'),
+    selected: colour('--accent'),
+    near: colour('--danger'),
   };
 }
 
@@ -28,4 +30,6 @@ export const PRINT_INK: Ink = {
   object: '#101418',
   mark: '#d6336c',
   back: '#111820',
+  selected: '#1f66c1',
+  near: '#cf2f2f',
 };

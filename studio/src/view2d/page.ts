@@ -58,6 +58,23 @@ export function toPage(page: Page, packing: Packing): (y: number, z: number) => 
   return (y, z) => [middle.x + z * right, middle.y + (page.flipped ? -y : y) * down];
 }
 
+/** Back from the page to design coordinates (y, z) in mm. */
+export function fromPage(page: Page, packing: Packing, x: number, y: number): [number, number] {
+  const [, sy, sz] = packing.block_mm;
+  const down = (y - page.top - page.height / 2) * (sy / page.cellHeight);
+  return [page.flipped ? -down : down, (x - page.left - page.width / 2) * (sz / page.cellWidth)];
+}
+
+/** The item whose box lies there, the smallest where there are several; none. */
+export function itemAt(packing: Packing, y: number, z: number): number | null {
+  const area = ({bounds: {min, max}}: Packing['items'][number]) => (max[1] - min[1]) * (max[2] - min[2]);
+  const there = packing.items
+    .map((item, i) => ({item, i}))
+    .filter(({item: {bounds: {min, max}}}) => y >= min[1] && y <= max[1] && z >= min[2] && z <= max[2])
+    .sort((a, b) => area(a.item) - area(b.item));
+  return there[0]?.i ?? null;
+}
+
 /** How many blocks a person takes out of each column, from a half that is as high as its highest column. What a
  *  case has no room for is not there to be taken out. */
 export function blocksToRemove(packing: Packing, half: 'lower' | 'lid'): {remove: Uint16Array; highest: number} {

@@ -11,7 +11,8 @@ import {
   type ShaderMaterial,
 } from 'three';
 import type {Triple} from '../design/design';
-import type {DisplayMesh, Packing} from '../engine/api';
+import type {DisplayMesh, PackedItem, Packing} from '../engine/api';
+import type {PlacedItem} from '../state/on_the_page';
 import type {Cell, Look, Part} from '../state/view.svelte';
 import {foamQuads, type Half, type Quads} from './foam_geometry';
 import {arrow, boxEdges, columnBox, ruler} from './furniture';
@@ -24,6 +25,8 @@ const STILL_FOAM_TRIANGLES = 200_000;
 /** How far the halves go apart, as a share of the space's height. */
 const WIDE_OPEN = 0.9;
 const GLASS = 0.28;
+/** Around an item. */
+const FRAME_MM = 1;
 
 export interface Colours {
   background: string;
@@ -34,6 +37,9 @@ export interface Colours {
   space: string;
   own: string;
   mark: string;
+  /** Around the item that is selected, and around items that are too near each other. */
+  selected: string;
+  near: string;
 }
 
 /** Design coordinates to the world of three.js: x up, y to the reader, z to the right. */
@@ -42,19 +48,28 @@ export const TO_WORLD = new Matrix4().makeBasis(new Vector3(0, 1, 0), new Vector
 /** For each half the quads of its blocks' faces, and how far each is from the object (0 to 1, -1 not said). */
 export type GapColours = Record<Half, {quads: Quads; shares: Float32Array}>;
 
+interface Body {
+  /** Where the object lies in the space. */
+  group: Group;
+  mesh: Mesh<BufferGeometry, ShaderMaterial>;
+  geometries: Geometries;
+}
+type Geometries = {moving: BufferGeometry; still: BufferGeometry};
+
 type FoamMesh = Mesh<BufferGeometry, ShaderMaterial>;
 
 /** What is in the 3D view, without how it is looked at. */
 export class FoamScene {
   readonly scene = new Scene();
   readonly #root = new Group();
-  readonly #object = new Group();
+  #bodies: Body[] = [];
+  #selected = 0;
+  readonly #frames = new Group();
   readonly #shades: Record<'object' | Half, Shading> = {
     object: objectShading(),
     lower: foamShading(),
     upper: foamShading(),
   };
-  readonly #body = new Mesh(new BufferGeometry(), this.#shades.object.material);
   readonly #foams: Record<Half, FoamMesh> = {
     lower: new Mesh(new BufferGeometry(), this.#shades.lower.material),
     upper: new Mesh(new BufferGeometry(), this.#shades.upper.material),
@@ -64,19 +79,20 @@ export class FoamScene {
   readonly #up = arrow();
   readonly #own = arrow();
   readonly #ruler = ruler();
-  #bodies: {moving: BufferGeometry; still: BufferGeometry} | null = null;
+  /** By the copy that was drawn. */
+  #geometries = new Map<DisplayMesh, BufferGeometry>();
+  #colours: Colours | null = null;
   #packing: Packing | null = null;
   #detailed = false;
   #opening = 0;
+  #objectLook: Look = 'shown';
   #gaps: GapColours | null = null;
   #quads: Partial<Record<Half, Quads>> = {};
 
   constructor() {
     this.#root.matrixAutoUpdate = false;
     this.#root.matrix.copy(TO_WORLD);
-    this.#object.matrixAutoUpdate = false;
-    this.#object.add(this.#body, this.#own.group, this.#ruler.group);
-    this.#root.add(this.#object, this.#foams.lower, this.#foams.upper, this.#space, this.#column);
+    this.#root.add(this.#frames, this.#foams.lower, this.#foams.upper, this.#space, this.#column);
     this.scene.add(this.#root, this.#up.group);
     this.#column.visible = false;
     this.#column.material.depthTest = false;
@@ -94,15 +110,16 @@ export class FoamScene {
     return {centre: new Vector3(), radius: Math.max(Math.hypot(open, y, z) / 2, 1)};
   }
 
-  /** The middle of the object, world coordinates. */
+  /** The middle of the item that is selected, world coordinates. */
   get objectCentre(): Vector3 {
-    const bounds = this.#packing?.bounds;
+    const bounds = this.#packing?.items[this.#selected]?.bounds;
     if (!bounds) return new Vector3();
     const middle = new Vector3(...bounds.min).add(new Vector3(...bounds.max)).multiplyScalar(0.5);
-    return middle.applyMatrix4(TO_WORLD);
+    return middle.applyMatrix4(this.#root.matrix);
   }
 
   paint(colours: Colours, words: {up: string; own: string}) {
+    this.#colours = colours;
     this.#shades.object.colour(colours.object, colours.edge);
     this.#shades.lower.colour(colours.lower, colours.edge);
     this.#shades.upper.colour(colours.upper, colours.edge);
@@ -114,20 +131,67 @@ export class FoamScene {
     this.#own.say(words.own);
   }
 
-  setObject(meshes: {moving: DisplayMesh; still: DisplayMesh} | null) {
-    for (const old of Object.values(this.#bodies ?? {})) old.dispose();
-    this.#bodies = meshes && {
-      moving: objectGeometry(meshes.moving),
-      still: meshes.still === meshes.moving ? objectGeometry(meshes.moving) : objectGeometry(meshes.still),
-    };
+  /** The items, each where it lies, and which of them is selected. */
+  setItems(placed: readonly PlacedItem[], selected: number) {
+    const meshes = new Set(placed.flatMap(({meshes: {moving, still}}) => [moving, still]));
+    for (const [mesh, geometry] of this.#geometries)
+      if (!meshes.has(mesh)) {
+        geometry.dispose();
+        this.#geometries.delete(mesh);
+      }
+    while (this.#bodies.length > placed.length) this.#root.remove(this.#bodies.pop()!.group);
+    placed.forEach(({meshes: {moving, still}, placement}, i) => {
+      const body = (this.#bodies[i] ??= this.#body());
+      body.geometries = {moving: this.#geometry(moving), still: this.#geometry(still)};
+      body.group.matrix.fromArray([...placement]);
+      body.group.matrixWorldNeedsUpdate = true;
+    });
+    this.#selected = selected;
+    const {group} = this.#bodies[selected] ?? this.#bodies[0] ?? {group: this.#root};
+    group.add(this.#own.group, this.#ruler.group);
     this.#dress();
+  }
+
+  #body(): Body {
+    const mesh = new Mesh(new BufferGeometry(), this.#shades.object.material);
+    mesh.visible = this.#objectLook !== 'hidden';
+    const group = new Group();
+    group.matrixAutoUpdate = false;
+    group.add(mesh);
+    this.#root.add(group);
+    return {group, mesh, geometries: {moving: mesh.geometry, still: mesh.geometry}};
+  }
+
+  #geometry(mesh: DisplayMesh): BufferGeometry {
+    const known = this.#geometries.get(mesh);
+    if (known) return known;
+    const made = objectGeometry(mesh);
+    this.#geometries.set(mesh, made);
+    return made;
+  }
+
+  /** Frames around items: the one that is selected among several, and those that are too near each other. */
+  frame(items: readonly PackedItem[], near: ReadonlySet<number>) {
+    const framed = items.length < 2 ? [] : [...items.keys()].filter((i) => i === this.#selected || near.has(i));
+    while (this.#frames.children.length > framed.length) this.#frames.remove(this.#frames.children.at(-1)!);
+    for (const [at, i] of framed.entries()) {
+      if (!this.#colours) return;
+      const {bounds} = items[i]!;
+      const known = this.#frames.children[at] as ReturnType<typeof boxEdges> | undefined;
+      const frame = known ?? boxEdges();
+      frame.material.color.set(near.has(i) ? this.#colours.near : this.#colours.selected);
+      const [low, high] = [new Vector3(...bounds.min), new Vector3(...bounds.max)];
+      frame.position.copy(low).add(high).multiplyScalar(0.5);
+      frame.scale.copy(high.sub(low)).addScalar(2 * FRAME_MM);
+      frame.material.depthTest = false;
+      frame.renderOrder = 8;
+      if (!known) this.#frames.add(frame);
+    }
   }
 
   show(packing: Packing | null, gaps: GapColours | null) {
     this.#packing = packing;
     this.#gaps = gaps;
-    this.#object.matrix.fromArray(packing?.placement ?? new Matrix4().elements);
-    this.#object.matrixWorldNeedsUpdate = true;
     const [x, y, z] = this.#size();
     this.#space.scale.set(x, y, z);
     this.#up.group.position.set(-z / 2, -x / 2, y / 2);
@@ -150,6 +214,12 @@ export class FoamScene {
     }
   }
 
+  /** Draws everything so much further, design coordinates. */
+  set shift(by: Triple) {
+    this.#root.matrix.copy(TO_WORLD).multiply(new Matrix4().makeTranslation(...by));
+    this.#root.matrixWorldNeedsUpdate = true;
+  }
+
   set opening(value: number) {
     this.#opening = value;
     this.#place();
@@ -160,7 +230,9 @@ export class FoamScene {
       mesh.visible = look !== 'hidden';
       shade?.see(look === 'glass' ? GLASS : 1);
     };
-    see(this.#body, this.#shades.object, looks.object);
+    for (const {mesh} of this.#bodies) see(mesh, null, looks.object);
+    this.#objectLook = looks.object;
+    this.#shades.object.see(looks.object === 'glass' ? GLASS : 1);
     see(this.#foams.lower, this.#shades.lower, looks.lower);
     see(this.#foams.upper, this.#shades.upper, looks.upper);
     see(this.#space, null, looks.space);
@@ -182,13 +254,15 @@ export class FoamScene {
   }
 
   /** What lies under a point of the picture (-1 to 1): on the object in its own mm, and the column of the space. */
-  pick(ray: Raycaster): {own: Triple | null; cell: Cell | null} {
-    const targets = [this.#body, this.#foams.lower, this.#foams.upper].filter(({visible}) => visible);
-    const hit = ray.intersectObjects(targets, false)[0];
-    if (!hit) return {own: null, cell: null};
-    const own = hit.object === this.#body ? this.#object.worldToLocal(hit.point.clone()) : null;
+  pick(ray: Raycaster): {own: Triple | null; cell: Cell | null; item: number | null} {
+    const bodies = this.#bodies.map(({mesh}) => mesh);
+    const targets = [...bodies, this.#foams.lower, this.#foams.upper].filter(({visible}) => visible);
+    const hit = ray.intersectObjects<Mesh>(targets, false)[0];
+    if (!hit) return {own: null, cell: null, item: null};
+    const item = bodies.findIndex((mesh) => mesh === hit.object);
+    const own = item < 0 ? null : this.#bodies[item]!.group.worldToLocal(hit.point.clone());
     const design = this.#root.worldToLocal(hit.point.clone());
-    return {own: own && [own.x, own.y, own.z], cell: this.#cellAt(design)};
+    return {own: own && [own.x, own.y, own.z], cell: this.#cellAt(design), item: item < 0 ? null : item};
   }
 
   #cellAt({y, z}: Vector3): Cell | null {
@@ -206,22 +280,27 @@ export class FoamScene {
     return [blocks[0] * block_mm[0], blocks[1] * block_mm[1], blocks[2] * block_mm[2]];
   }
 
+  /** Of the item that is selected. */
   #objectSize(): number {
-    const geometry = this.#body.geometry;
-    if (!geometry.getAttribute('position')) return 0;
+    const geometry = this.#selectedBody()?.mesh.geometry;
+    if (!geometry?.getAttribute('position')) return 0;
     if (!geometry.boundingSphere) geometry.computeBoundingSphere();
     return (geometry.boundingSphere?.radius ?? 0) * 2;
   }
 
+  #selectedBody(): Body | undefined {
+    return this.#bodies[this.#selected] ?? this.#bodies[0];
+  }
+
   #dress() {
-    this.#body.geometry = this.#bodies?.[this.#detailed ? 'still' : 'moving'] ?? new BufferGeometry();
+    for (const {mesh, geometries} of this.#bodies) mesh.geometry = geometries[this.#detailed ? 'still' : 'moving'];
     this.#placeOwnArrow();
   }
 
   /** At the end of the object's own z, so that a person sees how it has been turned. */
   #placeOwnArrow() {
     const box = this.#packing && this.#bodyBox();
-    this.#own.group.visible = box !== null && this.#body.visible;
+    this.#own.group.visible = box !== null && this.#objectLook !== 'hidden';
     if (!box) return;
     const size = this.#objectSize();
     this.#own.group.position.set((box.min.x + box.max.x) / 2, (box.min.y + box.max.y) / 2, box.max.z);
@@ -230,8 +309,8 @@ export class FoamScene {
   }
 
   #bodyBox() {
-    const geometry = this.#body.geometry;
-    if (!geometry.getAttribute('position')) return null;
+    const geometry = this.#selectedBody()?.mesh.geometry;
+    if (!geometry?.getAttribute('position')) return null;
     if (!geometry.boundingBox) geometry.computeBoundingBox();
     return geometry.boundingBox;
   }

@@ -46,6 +46,8 @@ export interface StageEvents {
   /** A turn about the world's axes since the handle was taken, or a shift in design coordinates. */
   turned(turn: Quaternion, start: boolean): void;
   shifted(by: Triple, start: boolean): void;
+  /** The handle was let go. */
+  released(): void;
   lost(): void;
   restored(): void;
   /** After a picture was handed to the browser. */
@@ -223,7 +225,8 @@ export class Stage {
         ? {quaternion: this.#proxy.quaternion.clone(), position: this.#proxy.position.clone()}
         : null;
       if (value) this.#tell(true);
-      else this.placeHandles();
+      else this.#events.released();
+      this.placeHandles();
     });
     this.#handles.addEventListener('objectChange', () => this.#tell(false));
   }

@@ -25,8 +25,8 @@ export const files = words({
       `Snugのプロジェクトではないので、次のファイルは使いませんでした：${names.join('、')}`,
     ],
     leftOut: (names: string[]) => [
-      `Left out, since there is one object at a time: ${names.join(', ')}`,
-      `対象物は一度に一つだけなので、次のファイルは使いませんでした：${names.join('、')}`,
+      `Left out, since the objects beside it were opened: ${names.join(', ')}`,
+      `一緒にある対象物を開いたので、次のファイルは使いませんでした：${names.join('、')}`,
     ],
   },
   works: {

@@ -10,8 +10,8 @@ export const page = words({
     open: ['Open object', '対象物を開く'],
     openShort: ['Open', '開く'],
     openTip: [
-      'A scan or 3D model (STL, OBJ, PLY, OFF, glTF, 3MF), a point cloud (PLY, XYZ, PTS), a zip with one of them, or a Snug project. It stays on this computer.',
-      'スキャンや3Dモデル（STL、OBJ、PLY、OFF、glTF、3MF）、点群（PLY、XYZ、PTS）、そのどれかが入ったzip、またはSnugのプロジェクト。このコンピューターの外には出ません。',
+      'A scan or 3D model (STL, OBJ, PLY, OFF, glTF, 3MF), a point cloud (PLY, XYZ, PTS), a zip with one of them, or a Snug project; several at once lie in one case. It stays on this computer.',
+      'スキャンや3Dモデル（STL、OBJ、PLY、OFF、glTF、3MF）、点群（PLY、XYZ、PTS）、そのどれかが入ったzip、またはSnugのプロジェクト。複数を選ぶと一つのケースに入ります。このコンピューターの外には出ません。',
     ],
     undo: ['Undo', '元に戻す'],
     undoTip: ['Take the last change back (Ctrl+Z)', '最後の変更を取り消します（Ctrl+Z）'],

@@ -3,6 +3,7 @@ import {failures} from './failures';
 import {fields} from './fields';
 import {files} from './files';
 import {foam} from './foam';
+import {items} from './items';
 import {make} from './make';
 import {object} from './object';
 import {page} from './page';
@@ -12,7 +13,7 @@ import {spoken, words} from './words';
 import {workshop} from './workshop';
 
 /** Every text of the studio. Sentences of the library come from the library. */
-export const ALL = words({...page, ...object, ...foam, ...workshop, ...placement, ...check, ...make, ...views, ...files, ...failures, ...fields});
+export const ALL = words({...page, ...object, ...items, ...foam, ...workshop, ...placement, ...check, ...make, ...views, ...files, ...failures, ...fields});
 
 export const en = spoken(ALL, 0);
 export const ja = spoken(ALL, 1);

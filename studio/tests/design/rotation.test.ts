@@ -21,7 +21,7 @@ describe('rotations', () => {
       const axes = [new Vector3(1, 0, 0), new Vector3(0, 1, 0), new Vector3(0, 0, 1)];
       axes.forEach((axis, column) => {
         const turned = axis.applyQuaternion(quaternion(rotation_deg)).toArray();
-        turned.forEach((value, row) => expect(packing.placement[column * 4 + row]).toBeCloseTo(value, 9));
+        turned.forEach((value, row) => expect(packing.items[0]!.placement[column * 4 + row]).toBeCloseTo(value, 9));
       });
     }
   });

@@ -143,7 +143,7 @@ describe('a packing', () => {
   test('places the drawn object where its bounds are', async () => {
     await load(box([120, 80, 60]));
     design.placement = {rotation_deg: [90, 10, 5], offset_mm: [7, -3, 2]};
-    const {placement, bounds} = await pack();
+    const {placement, bounds} = (await pack()).items[0]!;
     const {positions, deviation} = good(await core.displayMesh(1000));
     expect(deviation).toBe(0);
     const least = [Infinity, Infinity, Infinity];
@@ -170,7 +170,7 @@ describe('a packing', () => {
     expect(packing.fit).toBeNull();
     expect(packing.lower.length).toBe(0);
     expect(packing.findings[0]).toMatchObject({severity: 'danger', code: 'outside'});
-    expect(packing.bounds.max[0]).toBe(60);
+    expect(packing.items[0]!.bounds.max[0]).toBe(60);
     expect(refused(await core.outputFiles(design)).kind).toBe('does_not_fit');
     refused(await core.gaps());
   });
@@ -224,15 +224,15 @@ describe('a project', () => {
     const {text} = good(await core.projectText(design));
     const project = good(await core.parseProject(text));
     expect(project.design).toEqual(design);
-    expect(project.object.name).toBe('box.stl');
-    expect(project.object.sha256).toMatch(/^[0-9a-f]{64}$/);
+    expect(project.objects[0]!.name).toBe('box.stl');
+    expect(project.objects[0]!.sha256).toMatch(/^[0-9a-f]{64}$/);
     expect((await outputs()).get('project.snug.json')).toBe(text);
   });
 
   test('may be a design alone', async () => {
-    const {design: parsed, object} = good(await core.parseProject(JSON.stringify(design)));
+    const {design: parsed, objects} = good(await core.parseProject(JSON.stringify(design)));
     expect(parsed).toEqual(design);
-    expect(object.name).toBe('');
+    expect(objects.map(({name}) => name)).toEqual(['']);
   });
 
   test('that is wrong is refused with the place', async () => {

@@ -55,7 +55,7 @@ test('a slider that moves faster than foams are made ends with the newest foam',
   expect(made.length).toBe(2);
   expect(refused(answers[10]).kind).toBe('cancelled');
   design.placement.rotation_deg = [19, 0, 0];
-  expect(good(answers[19]!).placement).toEqual(good(await engine.pack(design)).placement);
+  expect(good(answers[19]!).items).toEqual(good(await engine.pack(design)).items);
 });
 
 test('gaps, searches and files leave the quick core free and share one other', async () => {

@@ -10,15 +10,15 @@ describe('several files at once', () => {
       names('bust.obj', 'bust.jpg', 'bust.mtl'),
       names('._bust.obj', 'bust.jpg', 'bust.obj'),
     ])
-      expect(bundled(files)).toMatchObject({object: {name: 'bust.obj'}, leftOut: []});
-    expect(bundled(names('scene.bin', 'scene.GLTF')).object?.name).toBe('scene.GLTF');
+      expect(bundled(files)).toMatchObject({objects: [{name: 'bust.obj'}], leftOut: []});
+    expect(bundled(names('scene.bin', 'scene.GLTF')).objects).toEqual(names('scene.GLTF'));
   });
 
-  it('leave every other object out by name', () => {
+  it('may be several objects', () => {
     expect(bundled(names('a.stl', 'b.jpg', 'c.3mf'))).toEqual({
-      object: {name: 'a.stl'},
-      beside: [{name: 'b.jpg'}],
-      leftOut: [{name: 'c.3mf'}],
+      objects: names('a.stl', 'c.3mf'),
+      beside: names('b.jpg'),
+      leftOut: [],
     });
   });
 
@@ -27,12 +27,12 @@ describe('several files at once', () => {
   });
 
   it('are looked for in an archive only where there is no object beside it', () => {
-    expect(bundled(names('notes.txt', 'bust.zip')).object?.name).toBe('bust.zip');
-    expect(bundled(names('bust.zip', 'bust.obj'))).toMatchObject({object: {name: 'bust.obj'}, leftOut: [{name: 'bust.zip'}]});
+    expect(bundled(names('notes.txt', 'bust.zip')).objects).toEqual(names('bust.zip'));
+    expect(bundled(names('bust.zip', 'bust.obj'))).toMatchObject({objects: names('bust.obj'), leftOut: names('bust.zip')});
   });
 
   it('are refused by the name of the first where none is an object', () => {
-    expect(bundled(names('notes.txt', 'bust.jpg')).object?.name).toBe('notes.txt');
-    expect(bundled([]).object).toBeUndefined();
+    expect(bundled(names('notes.txt', 'bust.jpg')).objects).toEqual(names('notes.txt'));
+    expect(bundled([]).objects).toEqual([]);
   });
 });

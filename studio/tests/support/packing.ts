@@ -14,8 +14,16 @@ export function packingOf(blocks: Triple, block_mm: Triple, lower: number[], upp
     existsFirst: new Int16Array(lower.length),
     existsEnd: new Int16Array(lower.length).fill(blocks[0]),
     partingLevel: 0,
-    placement: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
-    bounds: {min: [0, 0, 0], max: [0, 0, 0]},
+    items: [
+      {
+        name: '',
+        object: 0,
+        rotation_deg: [0, 0, 0],
+        offset_mm: [0, 0, 0],
+        placement: [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1],
+        bounds: {min: [0, 0, 0], max: [0, 0, 0]},
+      },
+    ],
     fit: {lower_blocks: 0, upper_blocks: 0, cut_blocks: 0, volume_mm3: 0, fill_ratio: 0, wall_mm: []},
     findings: [],
     library_ms: 0,

@@ -1,0 +1,222 @@
+import type {Design, Triple} from './design';
+
+// What lies in the case, as a value, and every change of it. Of one item alone everything stands in the design; several
+// have what is their own beside it, and panels show the design as it is for the one that is selected.
+
+/** An object that lies in the case: what it was loaded as, and what was chosen for it alone. */
+export interface ObjectUse {
+  readonly id: string;
+  readonly own: Design['object'] | null;
+}
+
+/** What is on the screen: a design, and the objects that its items are of, by their numbers; none while nothing is open. */
+export interface Moment {
+  readonly design: Design;
+  readonly objects: readonly ObjectUse[];
+  /** Items that no hand moves, by their numbers. */
+  readonly locked: readonly number[];
+}
+
+export type ItemOptions = Design['items'][number];
+
+/** Where the items came to lie, by their numbers: offsets, and the boxes that they fill. */
+export interface Lying {
+  readonly offset_mm: Triple;
+  readonly bounds: {readonly min: Triple; readonly max: Triple};
+}
+
+const AXES = [0, 1, 2] as const;
+const same = (a: unknown, b: unknown) => JSON.stringify(a) === JSON.stringify(b);
+const sum = (a: Triple, b: Triple, times = 1) => AXES.map((axis) => a[axis] + times * b[axis]) as Triple;
+
+export function momentOf(design: Design, id: string | null): Moment {
+  return {design, objects: id === null ? [] : [{id, own: null}], locked: []};
+}
+
+/** Which objects are there, as one text. */
+export function idsOf({objects}: Moment): string {
+  return objects.map(({id}) => id).join(' ');
+}
+
+/** The options of an object, its own or those of all. */
+export function optionsOf({design, objects}: Moment, id: string): Design['object'] {
+  return objects.find((use) => use.id === id)?.own ?? design.object;
+}
+
+/** How far all items were shifted so that a space which follows them is centred: the offsets of the design are before
+ *  that. */
+export function centring({design: {items}}: Moment, lying: readonly Lying[]): Triple {
+  const at = items.findIndex((item, i) => item.offset_mm !== null && lying[i]);
+  return at < 0 || items.length === 1 ? [0, 0, 0] : sum(lying[at]!.offset_mm, items[at]!.offset_mm!, -1);
+}
+
+/** Where an item lies, chosen or not, as the design has offsets. */
+function offsetOf(moment: Moment, item: number, lying: readonly Lying[]): Triple {
+  const {items, placement} = moment.design;
+  const came = lying[item]?.offset_mm;
+  return items[item]?.offset_mm ?? (came ? sum(came, centring(moment, lying), -1) : placement.offset_mm);
+}
+
+/** The design as it is for one item: its object's options and its placement in place of those of all. */
+export function focused(moment: Moment, item: number, lying: readonly Lying[]): Design {
+  const {design, objects} = moment;
+  const one = design.items[item];
+  if (!one || design.items.length === 1) return design;
+  return {
+    ...design,
+    object: objects[one.object]?.own ?? design.object,
+    placement: {rotation_deg: one.rotation_deg ?? design.placement.rotation_deg, offset_mm: offsetOf(moment, item, lying)},
+  };
+}
+
+/** After a change of the design as it is for one item. Where it moves, the others stay where they lie. */
+export function unfocused(moment: Moment, item: number, next: Design, lying: readonly Lying[]): Moment {
+  const before = focused(moment, item, lying);
+  const {design, objects} = moment;
+  const one = design.items[item];
+  if (!one || design.items.length === 1) return {...moment, design: next};
+  const own = same(next.object, before.object) ? {} : {own: same(next.object, design.object) ? null : next.object};
+  const changed: Moment = {
+    ...moment,
+    objects: objects.map((use, i) => (i === one.object ? {...use, ...own} : use)),
+    design: {...next, object: design.object, placement: design.placement},
+  };
+  const {rotation_deg, offset_mm} = next.placement;
+  const turned = same(rotation_deg, before.placement.rotation_deg) ? {} : {rotation_deg};
+  const shifted = !same(offset_mm, before.placement.offset_mm);
+  const settled = shifted ? withItems(changed, settledItems(changed, lying)) : changed;
+  return withItemOptions(settled, item, {...turned, ...(shifted ? {offset_mm} : {})});
+}
+
+export function withItems(moment: Moment, items: readonly ItemOptions[]): Moment {
+  return {...moment, design: {...moment.design, items: [...items]}};
+}
+
+export function withItemOptions(moment: Moment, item: number, to: Partial<ItemOptions>): Moment {
+  const {items} = moment.design;
+  return withItems(moment, items.map((one, i) => (i === item ? {...one, ...to} : one)));
+}
+
+/** Those that lie beside the others stay where that is. */
+function settledItems(moment: Moment, lying: readonly Lying[]): ItemOptions[] {
+  return moment.design.items.map((item, i) => (lying[i] ? {...item, offset_mm: offsetOf(moment, i, lying)} : item));
+}
+
+/** One item more of each object, which may lie there already. `size_mm`: of the object as it stands in its file, where
+ *  that is known. They lie beside the others, all of which stay where they lie. */
+export function withJoined(
+  moment: Moment,
+  more: readonly {id: string; size_mm: Triple | null}[],
+  defaults: Design,
+  lying: readonly Lying[],
+): Moment {
+  let joined = moment;
+  const there = [...lying];
+  for (const {id, size_mm} of more) {
+    joined = withItem(joined, id, defaults, size_mm, there);
+    const place = joined.design.items.at(-1)?.offset_mm;
+    if (place && size_mm) there.push(boxAt(sum(place, centring(joined, there)), size_mm));
+  }
+  return joined;
+}
+
+function boxAt(offset_mm: Triple, size_mm: Triple): Lying {
+  return {offset_mm, bounds: {min: sum(offset_mm, size_mm, -0.5), max: sum(offset_mm, size_mm, 0.5)}};
+}
+
+function withItem(moment: Moment, id: string, defaults: Design, size_mm: Triple | null, lying: readonly Lying[]): Moment {
+  const wide = spread(moment, defaults);
+  const known = wide.objects.findIndex((use) => use.id === id);
+  const objects = known < 0 ? [...wide.objects, {id, own: null}] : wide.objects;
+  const item = {...defaults.items[0]!, object: known < 0 ? objects.length - 1 : known, offset_mm: besideAll(wide, size_mm, lying)};
+  return withItems({...wide, objects}, [...wide.design.items, item]);
+}
+
+/** The same once more, beside all others. */
+export function duplicated(moment: Moment, item: number, defaults: Design, lying: readonly Lying[]): Moment {
+  const wide = spread(moment, defaults);
+  const bounds = lying[item]?.bounds;
+  const offset_mm = besideAll(wide, bounds ? sum(bounds.max, bounds.min, -1) : null, lying);
+  return withItems(wide, [...wide.design.items, {...wide.design.items[item]!, offset_mm}]);
+}
+
+/** A place for one more; none while all lie in their row. */
+function besideAll(moment: Moment, size_mm: Triple | null, lying: readonly Lying[]): Triple | null {
+  const {items, space} = moment.design;
+  if (!size_mm || lying.length === 0 || items.every((item) => item.offset_mm === null)) return null;
+  const [, sy, sz] = space.block_mm;
+  const between = space.between_mm ?? Math.max(sy, sz, 12.7);
+  const apart = (Math.ceil(between / sz) + 1) * sz;
+  const ends = [Math.max(...lying.map(({bounds}) => bounds.max[2])), Math.min(...lying.map(({bounds}) => bounds.min[2]))];
+  // To the side where there is more room; in a space that follows its items there is as much on both.
+  const side = space.blocks !== 'auto' && ends[0]! + ends[1]! > 0 ? -1 : 1;
+  const z = ends[side > 0 ? 0 : 1]! + side * (apart + size_mm[2] / 2);
+  return sum([0, 0, Math.round(z * 2) / 2], centring(moment, lying), -1);
+}
+
+/** Without an item, and without its object where it was the last of it. */
+export function withoutItem(moment: Moment, item: number): Moment {
+  const {design, objects, locked} = moment;
+  const gone = design.items[item];
+  const left = design.items.filter((_, i) => i !== item);
+  if (!gone || left.length === 0) return moment;
+  const last = left.every(({object}) => object !== gone.object);
+  const items = left.map((one) => (last && one.object > gone.object ? {...one, object: one.object - 1} : one));
+  const others: Moment = {
+    design: {...design, items},
+    objects: last ? objects.filter((_, i) => i !== gone.object) : objects,
+    locked: locked.filter((i) => i !== item).map((i) => (i > item ? i - 1 : i)),
+  };
+  return items.length === 1 ? alone(others) : others;
+}
+
+export function withLock(moment: Moment, item: number, on: boolean): Moment {
+  const others = moment.locked.filter((i) => i !== item);
+  return {...moment, locked: on ? [...others, item].sort((a, b) => a - b) : others};
+}
+
+/** What was chosen for one item alone becomes its own, before others join it. */
+function spread(moment: Moment, defaults: Design): Moment {
+  const {design, objects} = moment;
+  const [item] = design.items;
+  if (design.items.length !== 1 || !item) return moment;
+  const {rotation_deg, offset_mm} = design.placement;
+  const own = {
+    ...item,
+    rotation_deg: same(rotation_deg, defaults.placement.rotation_deg) ? null : rotation_deg,
+    offset_mm: same(offset_mm, defaults.placement.offset_mm) ? null : offset_mm,
+    mass_kg: design.workshop.mass_kg,
+  };
+  return {
+    ...moment,
+    objects: objects.map((use) => ({...use, own: same(design.object, defaults.object) ? null : design.object})),
+    design: {
+      ...design,
+      object: defaults.object,
+      placement: defaults.placement,
+      items: [own],
+      workshop: {...design.workshop, mass_kg: null},
+    },
+  };
+}
+
+/** The other way round, as the library does it for projects. A space that follows its item needs no offset. */
+function alone(moment: Moment): Moment {
+  const {design, objects} = moment;
+  const item = design.items[0]!;
+  const {placement} = design;
+  const offset = design.space.blocks === 'auto' ? placement.offset_mm : (item.offset_mm ?? placement.offset_mm);
+  const clearance_mm = item.clearance_mm ?? design.cut.clearance_mm;
+  return {
+    ...moment,
+    objects: objects.map((use) => ({...use, own: null})),
+    design: {
+      ...design,
+      object: objects[0]?.own ?? design.object,
+      placement: {rotation_deg: item.rotation_deg ?? placement.rotation_deg, offset_mm: offset},
+      items: [{...item, rotation_deg: null, offset_mm: null, clearance_mm: null, mass_kg: null}],
+      cut: {...design.cut, clearance_mm},
+      workshop: {...design.workshop, mass_kg: item.mass_kg ?? design.workshop.mass_kg},
+    },
+  };
+}

@@ -1,0 +1,26 @@
+import type {BrickRange, Design, Preset} from '../design/design';
+import type {Schema} from '../design/options';
+import type {Engine} from '../engine/api';
+
+/** What the library says once, before anything is open. */
+export interface Facts {
+  defaults: Design;
+  presets: Preset[];
+  bricks: BrickRange;
+  /** The table of options. */
+  rows: Schema;
+  samples: string[];
+  version: string;
+}
+
+export async function factsOf(engine: Engine): Promise<Facts> {
+  const [defaults, presets, bricks, rows, samples, version] = await Promise.all([
+    engine.defaultDesign(),
+    engine.presets(),
+    engine.bricks(),
+    engine.options(),
+    engine.samples(),
+    engine.version(),
+  ]);
+  return {defaults, presets, bricks, rows, samples, version};
+}
