@@ -1,13 +1,7 @@
-import AxeBuilder from '@axe-core/playwright';
 import type {Page} from '@playwright/test';
+import {violations} from './support/axe';
 import {sample} from './support/command_line';
 import {expect, gapsMeasured, open, test} from './support/studio';
-
-async function violations(page: Page): Promise<string[]> {
-  // Without the page of its own that only frames of other sites need.
-  const {violations: found} = await new AxeBuilder({page}).setLegacyMode().analyze();
-  return found.flatMap(({id, nodes}) => nodes.map(({html}) => `${id}: ${html.slice(0, 140)}`));
-}
 
 test('axe finds nothing, empty or full, light or dark, English or Japanese', async ({studio: page}) => {
   expect(await violations(page)).toEqual([]);

@@ -1,5 +1,6 @@
 import {readFileSync} from 'node:fs';
 import type {Page} from '@playwright/test';
+import {violations} from './support/axe';
 import {commandSays, expect, open, status, test} from './support/studio';
 import {torusStl} from './support/torus';
 
@@ -100,6 +101,7 @@ test('items that come too near each other are named, and a locked one stays wher
   await dragInPlan(page, 0.67, -60);
   await expect(page.getByText('Danger: Items too near each other').first()).toBeVisible();
   await expect(item(page, '2. small.stl')).toHaveAttribute('title', 'too near another item');
+  expect(await violations(page)).toEqual([]);
   await page.reload();
   await expect(list(page)).toHaveCount(2);
   await expect(page.getByText('Danger: Items too near each other').first()).toBeVisible();

@@ -19,7 +19,7 @@ export interface Moment {
 
 export type ItemOptions = Design['items'][number];
 
-/** Where the items came to lie, by their numbers: offsets, and the boxes that they fill. */
+/** Where an item lies, and the box that it fills, as the design has offsets. */
 export interface Lying {
   readonly offset_mm: Triple;
   readonly bounds: {readonly min: Triple; readonly max: Triple};
@@ -43,18 +43,24 @@ export function optionsOf({design, objects}: Moment, id: string): Design['object
   return objects.find((use) => use.id === id)?.own ?? design.object;
 }
 
-/** How far all items were shifted so that a space which follows them is centred: the offsets of the design are before
- *  that. */
-export function centring({design: {items}}: Moment, lying: readonly Lying[]): Triple {
-  const at = items.findIndex((item, i) => item.offset_mm !== null && lying[i]);
-  return at < 0 || items.length === 1 ? [0, 0, 0] : sum(lying[at]!.offset_mm, items[at]!.offset_mm!, -1);
+/** How far all items came to lie from where a moment has them: a space that follows its items is centred. */
+export function centring({design: {items}}: Moment, came: readonly Lying[]): Triple {
+  const at = items.findIndex((item, i) => item.offset_mm !== null && came[i]);
+  return at < 0 || items.length === 1 ? [0, 0, 0] : sum(came[at]!.offset_mm, items[at]!.offset_mm!, -1);
 }
 
-/** Where an item lies, chosen or not, as the design has offsets. */
-function offsetOf(moment: Moment, item: number, lying: readonly Lying[]): Triple {
-  const {items, placement} = moment.design;
-  const came = lying[item]?.offset_mm;
-  return items[item]?.offset_mm ?? (came ? sum(came, centring(moment, lying), -1) : placement.offset_mm);
+/** As they lie before that. */
+export function beforeCentring<T extends Lying>(came: readonly T[], by: Triple): T[] {
+  return came.map((one) => ({
+    ...one,
+    offset_mm: sum(one.offset_mm, by, -1),
+    bounds: {min: sum(one.bounds.min, by, -1), max: sum(one.bounds.max, by, -1)},
+  }));
+}
+
+/** Where an item lies, chosen or not. */
+function offsetOf({design: {items, placement}}: Moment, item: number, lying: readonly Lying[]): Triple {
+  return items[item]?.offset_mm ?? lying[item]?.offset_mm ?? placement.offset_mm;
 }
 
 /** The design as it is for one item: its object's options and its placement in place of those of all. */
@@ -115,7 +121,7 @@ export function withJoined(
   for (const {id, size_mm} of more) {
     joined = withItem(joined, id, defaults, size_mm, there);
     const place = joined.design.items.at(-1)?.offset_mm;
-    if (place && size_mm) there.push(boxAt(sum(place, centring(joined, there)), size_mm));
+    if (place && size_mm) there.push(boxAt(place, size_mm));
   }
   return joined;
 }
@@ -151,7 +157,7 @@ function besideAll(moment: Moment, size_mm: Triple | null, lying: readonly Lying
   // To the side where there is more room; in a space that follows its items there is as much on both.
   const side = space.blocks !== 'auto' && ends[0]! + ends[1]! > 0 ? -1 : 1;
   const z = ends[side > 0 ? 0 : 1]! + side * (apart + size_mm[2] / 2);
-  return sum([0, 0, Math.round(z * 2) / 2], centring(moment, lying), -1);
+  return [0, 0, Math.round(z * 2) / 2];
 }
 
 /** Without an item, and without its object where it was the last of it. */

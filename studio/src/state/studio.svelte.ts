@@ -1,8 +1,8 @@
-import type {BrickRange, Design, Preset} from '../design/design';
+import type {BrickRange, Design, Preset, Triple} from '../design/design';
 import {firstDesign} from '../design/edit';
-import {focused, idsOf, momentOf, unfocused, type Moment} from '../design/moment';
+import {beforeCentring, centring, focused, idsOf, momentOf, unfocused, type Moment} from '../design/moment';
 import {canRedo, canUndo, Gestures, moved, present, record, startHistory, type History} from '../design/history';
-import type {Engine, Failure, Finding, Gap, ObjectInfo, Packing, Project} from '../engine/api';
+import type {Engine, Failure, Finding, Gap, ObjectInfo, PackedItem, Packing, Project} from '../engine/api';
 import {isFailure} from '../engine/failure';
 import {files} from '../words/files';
 import type {Pair} from '../words/words';
@@ -46,8 +46,11 @@ export class Studio {
   readonly #onDesign: () => void;
   /** The last good one. */
   packing: Packing | null = $state.raw(null);
-  /** Where the items lie; none while that is not known. */
-  lying = $derived(this.packing && this.packing.items.length === this.moment.design.items?.length ? this.packing.items : []);
+  /** How far the last packing shifted all items so that its space is centred, and where they lie before that. */
+  centred: Triple = $state.raw([0, 0, 0]);
+  #lying: readonly PackedItem[] = $state.raw([]);
+  /** None while it is not known. */
+  lying = $derived(this.packing && this.#lying.length === this.moment.design.items?.length ? this.#lying : []);
   /** As it is for the item that is selected. */
   design: Design = $derived(focused(this.moment, this.selected, this.lying));
   timing: Timing | null = $state.raw(null);
@@ -350,7 +353,9 @@ export class Studio {
     const failed = await this.#shown.prepare(moment, present(this.#history));
     if (failed) return failed;
     if (this.asksForUnit) {
-      this.#selectAsking();
+      // The question is of the object that is selected.
+      const asks = (object: number) => this.objects[object]?.sizeProblem != null;
+      if (!asks(this.#selectedObject)) this.#selected = design.items.findIndex(({object}) => asks(object));
       this.packing = null;
       this.gap = null;
       return this.#checked(design);
@@ -359,17 +364,13 @@ export class Studio {
     const packing = await this.engine.pack(design, objects);
     if (isFailure(packing)) return packing;
     arePacked();
+    this.centred = centring(moment, packing.items);
+    this.#lying = beforeCentring(packing.items, this.centred);
     this.packing = packing;
     this.options.depend(packing.dependent);
     this.gap = null;
     this.timing = {input, answer_ms: performance.now() - input, library_ms: packing.library_ms};
     return null;
-  }
-
-  /** The question is of the object that is selected. */
-  #selectAsking() {
-    if (this.object?.sizeProblem != null) return;
-    this.#selected = this.moment.design.items.findIndex(({object}) => this.objects[object]?.sizeProblem != null);
   }
 
   async #checked(design: Design): Promise<Failure | null> {

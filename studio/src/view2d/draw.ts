@@ -117,12 +117,12 @@ export function drawMarks(pen: Pen, page: Page, text: {back: string}, ink: Ink) 
 }
 
 /** A frame around an item, a little wider than it is. */
-export function drawItemFrame(pen: Pen, page: Page, packing: Packing, {bounds}: PackedItem, colour: string) {
+export function drawItemFrame(pen: Pen, page: Page, packing: Packing, {bounds}: PackedItem, colour: string, thick: boolean) {
   const place = toPage(page, packing);
   const [ax, ay] = place(bounds.min[1], bounds.min[2]);
   const [bx, by] = place(bounds.max[1], bounds.max[2]);
   pen.strokeStyle = colour;
-  pen.lineWidth = 2;
+  pen.lineWidth = thick ? 3 : 1.5;
   pen.strokeRect(Math.min(ax, bx) - 3, Math.min(ay, by) - 3, Math.abs(bx - ax) + 6, Math.abs(by - ay) + 6);
 }
 

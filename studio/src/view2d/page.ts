@@ -1,3 +1,4 @@
+import type {Triple} from '../design/design';
 import type {Packing} from '../engine/api';
 import type {Cell, Drawing} from '../state/view.svelte';
 
@@ -63,6 +64,21 @@ export function fromPage(page: Page, packing: Packing, x: number, y: number): [n
   const [, sy, sz] = packing.block_mm;
   const down = (y - page.top - page.height / 2) * (sy / page.cellHeight);
   return [page.flipped ? -down : down, (x - page.left - page.width / 2) * (sz / page.cellWidth)];
+}
+
+/** The page of another packing whose items stay where they were on this one, at the same scale: all were shifted by
+ *  `by`, since a space that follows its items is centred anew. */
+export function held(page: Page, from: Packing, to: Packing, by: Triple): Page {
+  const [, ny, nz] = to.blocks;
+  const [down, right] = [page.cellHeight / from.block_mm[1], page.cellWidth / from.block_mm[2]];
+  const [cellWidth, cellHeight] = [to.block_mm[2] * right, to.block_mm[1] * down];
+  const [width, height] = [nz * cellWidth, ny * cellHeight];
+  return {
+    ...page,
+    ...{cellWidth, cellHeight, width, height, ny, nz},
+    left: page.left + (page.width - width) / 2 - by[2] * right,
+    top: page.top + (page.height - height) / 2 - (page.flipped ? -by[1] : by[1]) * down,
+  };
 }
 
 /** The item whose box lies there, the smallest where there are several; none. */

@@ -85,6 +85,7 @@ export class FoamScene {
   #packing: Packing | null = null;
   #detailed = false;
   #opening = 0;
+  #shift: Triple = [0, 0, 0];
   #objectLook: Look = 'shown';
   #gaps: GapColours | null = null;
   #quads: Partial<Record<Half, Quads>> = {};
@@ -171,8 +172,8 @@ export class FoamScene {
   }
 
   /** Frames around items: the one that is selected among several, and those that are too near each other. */
-  frame(items: readonly PackedItem[], near: ReadonlySet<number>) {
-    const framed = items.length < 2 ? [] : [...items.keys()].filter((i) => i === this.#selected || near.has(i));
+  frame(items: readonly PackedItem[], selected: number, near: ReadonlySet<number>) {
+    const framed = items.length < 2 ? [] : [...items.keys()].filter((i) => i === selected || near.has(i));
     while (this.#frames.children.length > framed.length) this.#frames.remove(this.#frames.children.at(-1)!);
     for (const [at, i] of framed.entries()) {
       if (!this.#colours) return;
@@ -194,7 +195,7 @@ export class FoamScene {
     this.#gaps = gaps;
     const [x, y, z] = this.#size();
     this.#space.scale.set(x, y, z);
-    this.#up.group.position.set(-z / 2, -x / 2, y / 2);
+    this.#placeUpArrow();
     this.#up.group.scale.setScalar(Math.max(x, 1) * 0.32);
     this.#up.group.visible = packing !== null;
     for (const half of ['lower', 'upper'] as const) this.#build(half);
@@ -216,6 +217,8 @@ export class FoamScene {
 
   /** Draws everything so much further, design coordinates. */
   set shift(by: Triple) {
+    this.#shift = by;
+    this.#placeUpArrow();
     this.#root.matrix.copy(TO_WORLD).multiply(new Matrix4().makeTranslation(...by));
     this.#root.matrixWorldNeedsUpdate = true;
   }
@@ -295,6 +298,13 @@ export class FoamScene {
   #dress() {
     for (const {mesh, geometries} of this.#bodies) mesh.geometry = geometries[this.#detailed ? 'still' : 'moving'];
     this.#placeOwnArrow();
+  }
+
+  /** At a lower corner of the space, in the world. */
+  #placeUpArrow() {
+    const [x, y, z] = this.#size();
+    const corner = new Vector3(-x / 2, y / 2, -z / 2).add(new Vector3(...this.#shift));
+    this.#up.group.position.copy(corner.applyMatrix4(TO_WORLD));
   }
 
   /** At the end of the object's own z, so that a person sees how it has been turned. */

@@ -2,6 +2,8 @@ import {beforeAll, expect, test} from 'vitest';
 import type {Design, Triple} from '../../src/design/design';
 import {withOffset, withRotation, withUnits, withWalls} from '../../src/design/edit';
 import {
+  beforeCentring,
+  centring,
   duplicated,
   focused,
   momentOf,
@@ -67,7 +69,9 @@ test('a change of the selected item leaves the others where they lie', () => {
 test('in a space that follows its items offsets stay as they were chosen, however all are shifted', () => {
   const moved = unfocused(row(), 2, withOffset(focused(row(), 2, ROW()), [0, 0, 100]), ROW());
   // The library centred all of it: everything lies 15 mm further left.
-  const centred = at([0, 0, -85], [0, 0, -15], [0, 0, 85]);
+  const came = at([0, 0, -85], [0, 0, -15], [0, 0, 85]);
+  expect(centring(moved, came)).toEqual([0, 0, -15]);
+  const centred = beforeCentring(came, centring(moved, came));
   expect(focused(moved, 2, centred).placement.offset_mm).toEqual([0, 0, 100]);
   const again = unfocused(moved, 2, withOffset(focused(moved, 2, centred), [0, 0, 101]), centred);
   expect(again.design.items.map(({offset_mm}) => offset_mm?.[2])).toEqual([-70, 0, 101]);
