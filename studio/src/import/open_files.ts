@@ -140,14 +140,14 @@ async function openAwaited(
   return true;
 }
 
+/** A project's object by its content, whatever its name is now, or else by its name, which may have other content by
+ *  now. */
 async function firstOf(files: readonly File[], object: ObjectFile): Promise<File | null> {
-  for (const file of files) if (await isOf(file, object)) return file;
-  return null;
+  for (const file of files) if (await hasContentOf(file, object)) return file;
+  return files.find(({name}) => name === object.name || object.name === '') ?? null;
 }
 
-/** A project's object by its name, which may have other content by now, or by its content, whatever its name is now. */
-async function isOf(file: File, object: ObjectFile): Promise<boolean> {
-  if (file.name === object.name || object.name === '') return true;
+async function hasContentOf(file: File, object: ObjectFile): Promise<boolean> {
   if (file.size !== object.bytes || object.sha256 === '') return false;
   return (await sha256(new Uint8Array(await file.arrayBuffer()))) === object.sha256;
 }

@@ -4,7 +4,7 @@ import {tmpdir} from 'node:os';
 import {join, relative} from 'node:path';
 import {unzipSync} from 'fflate';
 import {afterAll, beforeAll, describe, expect, test} from 'vitest';
-import type {Design, Work} from '../../src/design/design';
+import type {Design, Triple, Work} from '../../src/design/design';
 import {usualPreset} from '../../src/design/edit';
 import type {OutputFile} from '../../src/engine/api';
 import type {EngineCore} from '../../src/engine/core';
@@ -56,6 +56,22 @@ function pages(pdf: Uint8Array, name: string): Buffer[] {
   return pictures.sort().map((picture) => readFileSync(join(folder, picture)));
 }
 
+/** But for PDF, which comes from two libraries. */
+function expectTheSame(made: ReadonlyMap<string, Uint8Array>, written: ReadonlyMap<string, Buffer>) {
+  expect([...made.keys()].sort()).toEqual([...written.keys()].sort());
+  for (const [name, bytes] of made) {
+    const other = written.get(name)!;
+    if (name === 'report.json') {
+      expect(placeless(new TextDecoder().decode(bytes))).toBe(placeless(other.toString()));
+    } else if (name.endsWith('.3mf')) {
+      expect(Object.keys(unzipSync(bytes))).toEqual(Object.keys(unzipSync(other)));
+      expect(unzipSync(bytes)).toEqual(unzipSync(new Uint8Array(other)));
+    } else if (!name.endsWith('.pdf')) {
+      expect(Buffer.compare(Buffer.from(bytes), other), name).toBe(0);
+    }
+  }
+}
+
 describe.skipIf(!existsSync(SNUG))('a pack from the page', () => {
   test.each(WORKS)('for %s is the command line’s', async (work) => {
     const design = await designFor(work);
@@ -65,18 +81,36 @@ describe.skipIf(!existsSync(SNUG))('a pack from the page', () => {
     const out = join(folder, work);
     execFileSync(SNUG, ['make', project, '--object', join(folder, file.name), '-o', out, '--quiet']);
     const written = filesIn(out);
-    expect([...made.keys()].sort()).toEqual([...written.keys()].sort());
-    for (const [name, bytes] of made) {
-      const other = written.get(name)!;
-      if (name === 'report.json') {
-        expect(placeless(new TextDecoder().decode(bytes))).toBe(placeless(other.toString()));
-      } else if (name.endsWith('.3mf')) {
-        expect(Object.keys(unzipSync(bytes))).toEqual(Object.keys(unzipSync(other)));
-        expect(unzipSync(bytes)).toEqual(unzipSync(new Uint8Array(other)));
-      } else if (!name.endsWith('.pdf')) {
-        expect(Buffer.compare(Buffer.from(bytes), other), name).toBe(0);
-      }
-    }
+    expectTheSame(made, written);
+  });
+
+  test('of several items is the command line’s, and so is the line that makes it', async () => {
+    const ring = good(await core.sampleFile('torus'));
+    writeFileSync(join(folder, ring.name), ring.bytes);
+    const load = async ({name, bytes}: OutputFile, joins: boolean) =>
+      good(await core.load(name, new Blob([bytes]), (await core.defaultDesign()).object, [], {joins}));
+    const ids = [await load(file, false), await load(ring, true)].map(({id}) => id);
+    const defaults = await designFor('sheets');
+    const own = {...defaults.object, scale: 0.5};
+    const objects = [{id: ids[0]!, own: null}, {id: ids[1]!, own}];
+    const [item] = defaults.items;
+    const design = {
+      ...defaults,
+      items: [
+        {...item!, rotation_deg: [0, 30, 0] as Triple, mass_kg: 0.7},
+        {...item!, object: 1, offset_mm: [0, 10, 200] as Triple, clearance_mm: 2},
+        {...item!, object: 1, offset_mm: [0, 0, -220.5] as Triple, name: 'spare'},
+      ],
+    };
+    const made = new Map(good(await core.outputFiles(design, 'en', undefined, objects)).map(({name, bytes}) => [name, bytes]));
+    writeFileSync(join(folder, 'kit.snug.json'), good(await core.projectText(design, objects)).text);
+    execFileSync(SNUG, ['make', 'kit.snug.json', '-o', 'kit', '--quiet'], {cwd: folder});
+    expectTheSame(made, filesIn(join(folder, 'kit')));
+    const {text} = good(await core.commandLine([file.name, ring.name], design, 'en', objects));
+    expect(text).toContain('torus.ply:name=spare,move=0x0x-220.5,scale=0.5');
+    execFileSync('sh', ['-c', text.replace(/^snug/, `'${SNUG}'`)], {cwd: folder});
+    expect(readFileSync(join(folder, 'camera-foam', 'depths.csv'))).toEqual(Buffer.from(made.get('depths.csv')!));
+    await load(file, false);
   });
 
   test('draws the same pages as the command line', async () => {

@@ -113,6 +113,17 @@ test('a project of several opens with its files in any order, and gives the same
   await vi.waitFor(async () => expect(await projectText()).toBe(text));
 });
 
+test('two files of one name are told apart by their content', async () => {
+  const [large, small] = [new File([box([120, 80, 60])], 'part.stl'), new File([box([50, 40, 60])], 'part.stl')];
+  await openFiles(studio, [large]);
+  await openFiles(studio, [small], {joins: true});
+  const project = new File([await projectText()], 'kit.snug.json');
+  const other = await startStudio();
+  await openFiles(other, [small, project, large]);
+  expect(other.notice).toBeNull();
+  expect(other.objects.map(({size_mm}) => size_mm?.[0])).toEqual([120, 50]);
+});
+
 test('a file among several that cannot be read leaves everything as it was, and is named', async () => {
   await openFiles(studio, [body()]);
   const before = studio.packing;
