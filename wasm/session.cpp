@@ -134,15 +134,19 @@ val Session::mesh(int number) const {
 }
 
 /// The first packing should be seen at once. After it what changes may change many times: all objects, but
-/// where the items alone differ those of the items that do.
+/// where items alone differ in a space that stays as it is, those of the items that do.
 void Session::prepare_what_changes(const Design& design) {
     if (!packing_) return;
-    Design same_items = design;
-    same_items.items = packed_.items;
-    const bool items_alone = same_items == packed_ && design.items.size() == packed_.items.size();
-    for (std::size_t i = 0; i < design.items.size(); ++i)
-        if (!items_alone || !(design.items[i] == packed_.items[i]))
-            prepare_for_many(store_.objects()[static_cast<std::size_t>(design.items[i].object)]);
+    const std::vector<ItemOptions>& before = packed_.items;
+    Design otherwise = design;
+    otherwise.items = before;
+    const bool stays = design.space.blocks || design.case_options.inside_mm;
+    const bool items_alone = stays && otherwise == packed_ && design.items.size() == before.size();
+    for (std::size_t i = 0; i < design.items.size(); ++i) {
+        const auto object = static_cast<std::size_t>(design.items[i].object);
+        if (object < store_.objects().size() && (!items_alone || !(design.items[i] == before[i])))
+            prepare_for_many(store_.objects()[object]);
+    }
 }
 
 val Session::pack(const std::string& design_text, const val& objects) {

@@ -86,7 +86,7 @@ test('a file that is dropped joins what is there, one that is opened takes its p
   await expect(page.getByTitle('small.stl')).toBeVisible();
   await page.getByLabel('Add objects').setInputFiles({...RING, mimeType: 'application/octet-stream'});
   await expect(list(page)).toHaveCount(2);
-  await open(page, SMALL);
+  await open(page, {...SMALL, name: 'alone.stl'});
   await expect(list(page)).toHaveCount(0);
 });
 

@@ -156,6 +156,22 @@ test('a reading that is stopped ends at once, and the last object is there again
   expect(again.fit).toEqual(first.fit);
 });
 
+test('objects beside each other are all there again in every core', async () => {
+  const joins = async (content: Blob, name: string) => good(await engine.load(name, content, design.object, [], {joins: true}));
+  const objects = [await load(box([120, 80, 60]), 'first.stl'), await joins(box([40, 40, 40]), 'second.stl')].map(({id}) => ({id, own: null}));
+  const items = [0, 1].map((object) => ({...design.items[0]!, object}));
+  const both = {...design, items};
+  const first = good(await engine.pack(both, objects));
+  good(await engine.gaps()); // by the slow core, which loads both by itself
+  await engine.stopReading();
+  expect(good(await engine.pack(both, objects)).lower).toEqual(first.lower);
+  expect((await engine.displayMesh(2000, objects[0]!.id)).positions).not.toEqual((await engine.displayMesh(2000, objects[1]!.id)).positions);
+  await engine.keep([objects[1]!.id]);
+  const {fit} = good(await engine.pack(design));
+  expect(fit!.cut_blocks).toBeLessThan(first.fit!.cut_blocks);
+  expect(refused(await engine.pack(both, objects)).kind).toBe('usage');
+});
+
 test('out of memory in long work leaves the quick core alone', async () => {
   await load(box([120, 80, 60]));
   good(await engine.outputFiles(design));

@@ -96,6 +96,13 @@ test('objects that are kept no more are gone, and the others are as they were', 
   expect(refused(await core.pack(design, objects)).error).toContain('no object');
 });
 
+test('an item of an object that there is not is refused, also after good packings', async () => {
+  const {objects, item, design} = await two();
+  good(await core.pack(design, objects));
+  expect(refused(await core.pack({...design, items: [item(0), item(7)]}, objects)).error).toContain('7');
+  good(await core.pack(design, objects));
+});
+
 test('everything that is made for several tells of all, and a search of none', async () => {
   const {objects, design} = await two();
   const items = design.items.map((item, i) => ({...item, mass_kg: i + 1}));
