@@ -104,8 +104,10 @@ export class FoamScene {
     this.show(null, null);
   }
 
-  /** Of the space with its halves as far apart as they are, world coordinates. */
+  /** Of the space with its halves as far apart as they are, or of an object that has none; world coordinates. */
   get extent(): {centre: Vector3; radius: number} {
+    const alone = this.#packing ? null : this.#sphere();
+    if (alone) return {centre: alone.center.clone().applyMatrix4(this.#root.matrix), radius: alone.radius};
     const [x, y, z] = this.#size();
     const open = x * (1 + 2 * WIDE_OPEN * this.#opening);
     return {centre: new Vector3(), radius: Math.max(Math.hypot(open, y, z) / 2, 1)};
@@ -194,7 +196,8 @@ export class FoamScene {
     this.#packing = packing;
     this.#gaps = gaps;
     const [x, y, z] = this.#size();
-    this.#space.scale.set(x, y, z);
+    // An object by itself lies wherever its file has it, in no space.
+    this.#space.scale.set(x, y, z).multiplyScalar(packing ? 1 : 0);
     this.#placeUpArrow();
     this.#up.group.scale.setScalar(Math.max(x, 1) * 0.32);
     this.#up.group.visible = packing !== null;
@@ -285,10 +288,15 @@ export class FoamScene {
 
   /** Of the item that is selected. */
   #objectSize(): number {
+    return (this.#sphere()?.radius ?? 0) * 2;
+  }
+
+  /** Around it, in its object's own coordinates. */
+  #sphere() {
     const geometry = this.#selectedBody()?.mesh.geometry;
-    if (!geometry?.getAttribute('position')) return 0;
+    if (!geometry?.getAttribute('position')) return null;
     if (!geometry.boundingSphere) geometry.computeBoundingSphere();
-    return (geometry.boundingSphere?.radius ?? 0) * 2;
+    return geometry.boundingSphere;
   }
 
   #selectedBody(): Body | undefined {
