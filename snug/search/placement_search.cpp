@@ -184,11 +184,11 @@ void State::keep(std::vector<Candidate>& list, const Candidate& candidate, std::
 
 void State::spread_step() {
     const std::vector<Turn> turns = next_spread();
-    constexpr std::size_t kTask = 16;
+    constexpr std::size_t kTurnsATask = 16;
     std::vector<std::optional<Candidate>> found(turns.size());
-    parallel_for((turns.size() + kTask - 1) / kTask, [&](std::size_t task) {
+    parallel_for((turns.size() + kTurnsATask - 1) / kTurnsATask, [&](std::size_t task) {
         QuickCut quick = kernel(coarse);
-        for (std::size_t i = task * kTask; i < std::min(turns.size(), (task + 1) * kTask); ++i)
+        for (std::size_t i = task * kTurnsATask; i < std::min(turns.size(), (task + 1) * kTurnsATask); ++i)
             found[i] = best_offset(quick, coarse, turns[i]);
     });
     evaluations += static_cast<long long>(turns.size());
