@@ -140,7 +140,7 @@ json our_layout(const BrickShape& shape, bool exact) {
 json case_of(const Case& each) {
     const auto packing = packing_of(each);
     if (!packing) return {};
-    const FoamDesign design{packing->space, packing->blocks, *packing->foams, packing->available,
+    const FoamDesign design{packing->space, packing->layers, *packing->foams, packing->available,
                             each.object};
     json halves = json::array();
     for (const Half half : {Half::lower, Half::lid}) {

@@ -74,11 +74,11 @@ std::vector<Argument> arguments_of(MakeArguments& a) {
     return all;
 }
 
-/// The design with what was typed.
+/// The design with what was typed; unless it is a project's it is not checked before its items are known.
 Result<Design> design_from(const MakeArguments& a, Design design, bool from_project) {
     auto typed = with_flags(a.design, std::move(design), from_project,
                             {known_presets, [&] { return known_cases(a.language); }});
-    return typed ? checked(std::move(*typed)) : typed;
+    return typed && from_project ? checked(std::move(*typed)) : typed;
 }
 
 Result<Task> task_from(const MakeArguments& arguments) {

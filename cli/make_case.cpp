@@ -3,7 +3,7 @@
 #include <fmt/core.h>
 
 #include "snug/base/text.h"
-#include "snug/words/halves.h"
+#include "snug/words/pieces.h"
 #include "snug/words/sides.h"
 #include "snug/words/words.h"
 

@@ -7,6 +7,7 @@
 
 #include "snug/base/one_line.h"
 #include "snug/base/text.h"
+#include "snug/words/pieces.h"
 #include "snug/words/words.h"
 
 #include "cli/make_case.h"
@@ -44,8 +45,17 @@ Message gap_text(const GapReport& gap) {
 }
 
 Message foam_text(const FitReport& fit) {
-    return say("summary.foam_of", {{"lower", fit.lower_blocks},
-                                   {"lid", fit.upper_blocks},
+    std::vector<Message> pieces;
+    const int count = static_cast<int>(fit.pieces.size());
+    for (int i = 0; i < count; ++i)
+        pieces.push_back(
+            say("summary.piece_of",
+                {{"foam", foam_of({i, count})}, {"blocks", fit.pieces[static_cast<std::size_t>(i)].blocks}}));
+    if (count > 2)
+        return say("summary.foam_of_layers",
+                   {{"pieces", pieces}, {"litres", litres(fit.foam_mm3)}, {"f", number(fit.fill_ratio, 4)}});
+    return say("summary.foam_of", {{"lower", fit.lower().blocks},
+                                   {"lid", fit.upper().blocks},
                                    {"litres", litres(fit.foam_mm3)},
                                    {"f", number(fit.fill_ratio, 4)}});
 }
@@ -116,7 +126,7 @@ std::string summary(std::span<const Object> objects, const Project& project, con
     if (packing.fitted_case) {
         lines.add("summary.case", case_text(*packing.fitted_case));
         std::string label = lines.worded("summary.fillers");
-        for (const Filler& filler : fillers(*packing.fitted_case, packing.foams->parting.front())) {
+        for (const Filler& filler : fillers(*packing.fitted_case, packing.foams->parting.back())) {
             lines.add(std::string_view(label), filler_text(filler));
             label.clear();
         }
@@ -124,9 +134,12 @@ std::string summary(std::span<const Object> objects, const Project& project, con
     lines.add("summary.foam", foam_text(fit));
     lines.add("summary.remove",
               say("summary.removed", {{"blocks", fit.cut_blocks}, {"litres", litres(cut_mm3)}}));
+    std::string levels;
+    for (const int level : packing.foams->parting)
+        levels += (levels.empty() ? "" : ", ") + std::to_string(level);
     lines.add("summary.parting",
-              say("summary.parting_after", {{"level", std::to_string(packing.foams->parting.front())},
-                                            {"blocks", std::to_string(packing.space.blocks.x)}}));
+              say("summary.parting_after",
+                  {{"level", levels}, {"blocks", std::to_string(packing.space.blocks.x)}}));
     lines.add("summary.walls", walls_text(fit.wall_mm));
     for (const Notch& notch : packing.notches) lines.add("summary.notch", notch_text(notch));
     if (made.fit.gap) lines.add("summary.gaps", gap_text(*made.fit.gap));

@@ -73,11 +73,9 @@ void find_problems(std::span<const Object> objects, const ItemCuts& cuts, const 
         find_object_problems(objects[item.object], item.placement, packing.space, *cuts.depths[i],
                              cuts.cuts[i], findings);
     });
-    if (packing.items.size() > 1) {
-        std::vector<BlockMap> own;
-        for (const HalfCuts& each : cuts.cuts) own.push_back(cut_by_either(each));
-        find_near_items(packing.items, own, packing.space, wanted_between_mm(design.space), packing.findings);
-    }
+    if (packing.items.size() > 1)
+        find_near_items(packing.items, cuts.cuts, packing.space, wanted_between_mm(design.space),
+                        packing.findings);
     find_foam_problems(packing, design, packing.findings);
     std::vector<bool> told(objects.size(), false);  // once of each object, however often it lies there
     of_each(packing, [&](std::size_t i, std::vector<Finding>& findings) {
@@ -88,27 +86,68 @@ void find_problems(std::span<const Object> objects, const ItemCuts& cuts, const 
     sort_by_severity(packing.findings);
 }
 
-/// As chosen, or at the line of the case's lid, or the best one.
-Result<int> parting_level(const Packing& packing, const HalfCuts& cuts, const PartingOptions& options) {
-    const int nx = packing.space.blocks.x;
-    if (options.level && *options.level > nx)
-        return fail(ErrorKind::usage, say("parting.too_high", {{"level", std::to_string(*options.level)},
-                                                               {"blocks", std::to_string(nx)}}));
-    if (options.level) return *options.level;
-    if (packing.fitted_case && packing.fitted_case->lid_level) return *packing.fitted_case->lid_level;
-    return auto_parting_level(cut_by_either(cuts), packing.space, bounds_of(packing.items));
+/// What the items of each layer cut together, the lowest layer first.
+std::vector<HalfCuts> united_in_layers(const std::vector<Item>& items, const std::vector<HalfCuts>& cuts,
+                                       int layers) {
+    std::vector<HalfCuts> all;
+    for (int layer = 1; layer <= layers; ++layer) {
+        std::vector<HalfCuts> own;
+        for (std::size_t i = 0; i < items.size(); ++i)
+            if (items[i].layer == layer) own.push_back(cuts[i]);
+        all.push_back(united(own));
+    }
+    return all;
 }
 
-/// Takes more foam away than the items need, so that the rest can be worked and the items lifted.
-void cut_for_hands(Packing& packing, const Design& design, int level) {
+/// As chosen, or the best one in each layer, the uppermost at the line of the case's lid where it has one.
+Result<std::vector<int>> parting_levels(const Packing& packing, const std::vector<HalfCuts>& layers,
+                                        const PartingOptions& options) {
+    const int nx = packing.space.blocks.x;
+    if (options.level && options.level->each.back() > nx)
+        return fail(ErrorKind::usage,
+                    say("parting.too_high", {{"level", std::to_string(options.level->each.back())},
+                                             {"blocks", std::to_string(nx)}}));
+    if (options.level) return options.level->each;
+    std::vector<int> levels(layers.size());
+    for (std::size_t i = layers.size(); i-- > 0;) {
+        const bool uppermost = i + 1 == layers.size();
+        if (uppermost && packing.fitted_case && packing.fitted_case->lid_level)
+            levels[i] = *packing.fitted_case->lid_level;
+        else
+            levels[i] = auto_parting_level(cut_by_either(layers[i]), packing.space,
+                                           bounds_of(of_layer(packing.items, static_cast<int>(i) + 1)));
+        if (!uppermost) levels[i] = std::min(levels[i], levels[i + 1]);
+    }
+    return levels;
+}
+
+/// Takes more foam away than the items of a layer need, so that the rest can be worked and they be lifted.
+/// `under`: the level below which that is not the business of the piece that they lie in.
+void cut_for_hands(Packing& packing, const Design& design, BlockMap& layer, int level, int under) {
     if (design.fit.notches) {
-        const NotchPair pair = cut_notches(packing.blocks, packing.space, level, *design.fit.notches,
+        const NotchPair pair = cut_notches(layer, packing.space, {level, under}, *design.fit.notches,
                                            wanted_wall_mm(design.space));
-        if (pair.notches) packing.notches.assign(pair.notches->begin(), pair.notches->end());
+        if (pair.notches)
+            packing.notches.insert(packing.notches.end(), pair.notches->begin(), pair.notches->end());
         if (!pair.notches) packing.findings.push_back({Severity::warning, pair.why_not});
     }
     if (design.fit.least_rib_mm > 0)
-        packing.rib_blocks = cut_thin_ribs(packing.blocks, packing.space, level, design.fit.least_rib_mm);
+        packing.rib_blocks += cut_thin_ribs(layer, packing.space, level, design.fit.least_rib_mm);
+}
+
+/// What each layer loses to its items and to hands, and what is left.
+void cut_layers(Packing& packing, const Design& design, const std::vector<HalfCuts>& layers,
+                std::vector<int> parting) {
+    int under = 0;
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        BlockMap layer = cut_by_both(layers[i], parting[i]);
+        cut_for_hands(packing, design, layer, parting[i], under);
+        under = parting[i];
+        for (const CutRun cut : layer)
+            if (!cut.none()) under = std::max<int>(under, cut.end);
+        packing.layers.push_back(std::move(layer));
+    }
+    packing.foams = split(packing.layers, std::move(parting), packing.available);
 }
 
 void add_findings(const std::vector<Finding>& more, std::vector<Finding>& findings) {
@@ -140,15 +179,13 @@ Result<Packing> pack(std::span<const Object> objects, const Design& design, cons
     if (!items) return tl::unexpected(items.error());
 
     Stopwatch watch;
-    const HalfCuts cuts = united(items->cuts);
-    const auto level = parting_level(*packing, cuts, design.parting);
-    if (!level) return tl::unexpected(level.error());
-    packing->blocks = cut_by_both(cuts, *level);
-    cut_for_hands(*packing, design, *level);
-    packing->foams = split(packing->blocks, *level, packing->available);
+    const std::vector<HalfCuts> layers = united_in_layers(packing->items, items->cuts, layers_of(design));
+    auto parting = parting_levels(*packing, layers, design.parting);
+    if (!parting) return tl::unexpected(parting.error());
+    cut_layers(*packing, design, layers, std::move(*parting));
     packing->timing.foam_pair = watch.lap();
 
-    packing->fit = fit_report(*packing->foams, packing->blocks, packing->space, packing->available);
+    packing->fit = fit_report(*packing->foams, packing->layers, packing->space, packing->available);
     find_problems(objects, *items, design, *packing);
     return packing;
 }

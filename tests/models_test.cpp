@@ -70,7 +70,7 @@ TEST_P(Models, AreCutExactlyAndComeOutOfClosedFoams) {
             const auto packing = pack(*object, design_of(n, rotation));
             ASSERT_TRUE(packing && packing->foams);
             const auto& [space, foams] = std::tie(packing->space, *packing->foams);
-            EXPECT_EQ(packing->fit.lower_blocks + packing->fit.upper_blocks + packing->fit.cut_blocks,
+            EXPECT_EQ(packing->fit.lower().blocks + packing->fit.upper().blocks + packing->fit.cut_blocks,
                       space.block_count());
             test::expect_solid_of(foams, Half::lower, space);
             test::expect_solid_of(foams, Half::lid, space);
@@ -98,7 +98,7 @@ TEST_P(Models, EqualTheBruteForceOnACoarseGrid) {
         for (int j = 0; j < 7; ++j)
             for (int k = 0; k < 8; ++k)
                 for (int i = 0; i < 12; ++i) {
-                    const CutRun run = packing->blocks(j, k);
+                    const CutRun run = packing->layers.front()(j, k);
                     ASSERT_EQ(i >= run.first && i < run.end, expected.cut(i, j, k))
                         << i << " " << j << " " << k;
                 }
@@ -155,8 +155,8 @@ TEST(Bunny, WithoutItsBaseIsADangerAndCappedIsCutWhereTheClosedOneIs) {
         design.object.cap = true;
         const Packing capped = *pack(*prepare(open, design), design);
         for (const Finding& finding : capped.findings) EXPECT_NE(finding.code(), "open");
-        for (std::size_t column = 0; column < closed.blocks.size(); ++column) {
-            const CutRun whole = closed.blocks[column], mended = capped.blocks[column];
+        for (std::size_t column = 0; column < closed.layers.front().size(); ++column) {
+            const CutRun whole = closed.layers.front()[column], mended = capped.layers.front()[column];
             if (whole.none()) continue;
             EXPECT_LE(mended.first, whole.first);
             EXPECT_GE(mended.end, whole.end);

@@ -99,6 +99,8 @@ void Session::forget_results() {
 Result<Project> Session::lay_out(const std::string& design, const val& objects) {
     auto project = project_from(design, objects);
     if (!project) return project;
+    if (const int layers = layers_of(project->design); layers > 1)
+        return fail(ErrorKind::usage, say("session.one_layer", {{"layers", layers}}));
     std::vector<int> numbers;
     for (std::size_t i = 0; i < project->objects.size(); ++i)
         numbers.push_back(objects[i]["number"].as<int>());

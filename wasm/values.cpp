@@ -44,8 +44,8 @@ val fit_val(const FitReport& fit) {
     val walls = val::array();
     for (const double wall : fit.wall_mm) walls.call<void>("push", wall);
     val result = val::object();
-    result.set("lower_blocks", static_cast<double>(fit.lower_blocks));
-    result.set("upper_blocks", static_cast<double>(fit.upper_blocks));
+    result.set("lower_blocks", static_cast<double>(fit.lower().blocks));
+    result.set("upper_blocks", static_cast<double>(fit.upper().blocks));
     result.set("cut_blocks", static_cast<double>(fit.cut_blocks));
     result.set("volume_mm3", fit.foam_mm3);
     result.set("fill_ratio", fit.fill_ratio);
@@ -81,7 +81,7 @@ val heights(const Grid<Run>& kept) {
 
 void set_columns(val& result, const Packing& packing) {
     const BlockMap none;
-    const BlockMap& blocks = packing.foams ? packing.blocks : none;
+    const BlockMap& blocks = packing.foams ? packing.layers.front() : none;
     std::vector<std::int16_t> first(blocks.size()), end(blocks.size());
     std::vector<std::int16_t> exists_first(blocks.size()), exists_end(blocks.size());
     for (std::size_t column = 0; column < blocks.size(); ++column) {

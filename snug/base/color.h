@@ -10,6 +10,7 @@ struct Color {
 };
 constexpr Color kWhite{255, 255, 255}, kBlack{0, 0, 0};
 constexpr Color kLowerBlue{64, 132, 214};
+constexpr Color kMiddleGreen{84, 166, 116};
 constexpr Color kUpperOrange{242, 145, 46};
 
 }  // namespace snug

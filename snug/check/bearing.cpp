@@ -10,6 +10,7 @@
 #include "snug/check/line_budget.h"
 #include "snug/check/line_hits.h"
 #include "snug/check/line_lattice.h"
+#include "snug/words/pieces.h"
 
 namespace snug {
 namespace {
@@ -22,11 +23,18 @@ struct Ends {
     double upper = std::numeric_limits<double>::infinity();
 };
 
-Ends ends_of(const Foams& foams, const DesignSpace& space, int j, int k) {
+Ends ends_of(const Foams& foams, const DesignSpace& space, int layer, int j, int k) {
     Ends ends;
-    const Run lower = foams.piece(Half::lower)(j, k), upper = foams.piece(Half::lid)(j, k);
-    if (!lower.none()) ends.lower = space.face(0, lower.end);
-    if (!upper.none()) ends.upper = space.face(0, upper.first);
+    for (const Piece piece : foams.all()) {
+        const Run kept = foams.piece(piece)(j, k);
+        if (kept.none()) continue;
+        if (piece.index < layer) {
+            ends.lower = space.face(0, kept.end);
+        } else {
+            ends.upper = space.face(0, kept.first);
+            break;
+        }
+    }
     return ends;
 }
 
@@ -46,7 +54,7 @@ struct LineAreas {
 }  // namespace
 
 Result<BearingReport> bearing_report(const Mesh& mesh, const Placement& placement, const DesignSpace& space,
-                                     const Foams& foams, const Progress& progress) {
+                                     const Foams& foams, int layer, const Progress& progress) {
     std::vector<Vec3d> placed;
     placed.reserve(mesh.vertices.size());
     for (const Vec3f& vertex : mesh.vertices) placed.push_back(placement(vertex));
@@ -62,7 +70,8 @@ Result<BearingReport> bearing_report(const Mesh& mesh, const Placement& placemen
                     const auto line = band.line(row, column);
                     if (line.empty()) continue;
                     const auto area = static_cast<std::uint64_t>(lattice.share(row, column) * units_of_cell);
-                    const Ends ends = ends_of(foams, space, lattice.j(row, column), lattice.k(row, column));
+                    const Ends ends =
+                        ends_of(foams, space, layer, lattice.j(row, column), lattice.k(row, column));
                     areas.add(line, area, ends);
                 }
             }
@@ -84,7 +93,7 @@ std::optional<double> static_pressure_kpa(double mass_kg, double area_mm2) {
     return mass_kg * kStandardGravity / area_mm2 * 1e3;
 }
 
-void find_bearing_problems(const BearingReport& bearing, std::optional<double> mass_kg,
+void find_bearing_problems(const BearingReport& bearing, Piece below, std::optional<double> mass_kg,
                            std::optional<double> creep_kpa, std::vector<Finding>& findings) {
     const auto look = [&](const Message& foam, double area_mm2) {
         const auto warn = [&](Message message) {
@@ -97,8 +106,11 @@ void find_bearing_problems(const BearingReport& bearing, std::optional<double> m
         warn(say("creep",
                  {{"foam", foam}, {"kpa", number(pressure, 1)}, {"creep_kpa", number(*creep_kpa, 1)}}));
     };
-    look(say("foam.lower"), bearing.lower_mm2.back());
-    look(say("foam.upper"), bearing.upper_mm2.back());
+    const auto name = [](Piece piece) {
+        return piece_text(piece, "foam.lower", "foam.middle", "foam.upper");
+    };
+    look(name(below), bearing.lower_mm2.back());
+    look(name({below.index + 1, below.count}), bearing.upper_mm2.back());
     sort_by_severity(findings);
 }
 

@@ -26,18 +26,19 @@ struct BearingReport {
     std::array<double, kSinking.size()> upper_mm2{};
 };
 
-/// Fails only when cancelled.
+/// Of what lies in `layer`, counted from 1, on whatever foam is below it and under whatever is above. Fails
+/// only when cancelled.
 [[nodiscard]] Result<BearingReport> bearing_report(const Mesh& mesh, const Placement& placement,
                                                    const DesignSpace& space, const Foams& foams,
-                                                   const Progress& progress = {});
+                                                   int layer = 1, const Progress& progress = {});
 
 /// What the weight of `mass_kg` presses with on an area, kPa; none on no area.
 [[nodiscard]] std::optional<double> static_pressure_kpa(double mass_kg, double area_mm2);
 
 /// A half that bears the object on nothing within 5 mm, or with more than the foam bears for long once the
 /// object has sunk 5 mm: `no_bearing`, `creep` (warnings). The lower half carries the object when the case
-/// stands upright, the lid when it is turned over.
-void find_bearing_problems(const BearingReport& bearing, std::optional<double> mass_kg,
+/// stands upright, the lid when it is turned over. `below`: the piece that the object lies on.
+void find_bearing_problems(const BearingReport& bearing, Piece below, std::optional<double> mass_kg,
                            std::optional<double> creep_kpa, std::vector<Finding>& findings);
 
 }  // namespace snug

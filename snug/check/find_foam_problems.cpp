@@ -73,11 +73,11 @@ void find_outside(const Item& item, const Packing& packing, const Design& design
 
 void find_foam_problems(const Packing& packing, const Design& design, std::vector<Finding>& findings) {
     const SpaceChoice choice = choice_of(packing, design);
-    find_thin_walls(packing.fit, packing.blocks, packing.space, wanted_wall_mm(design.space), choice,
+    find_thin_walls(packing.fit, packing.layers, packing.space, wanted_wall_mm(design.space), choice,
                     findings);
     find_pieces(packing.fit, choice, findings);
     if (packing.fitted_case)
-        find_case_problems(*packing.fitted_case, packing.fit, packing.foams->parting.front(), findings);
+        find_case_problems(*packing.fitted_case, packing.fit, packing.foams->parting.back(), findings);
 }
 
 }  // namespace snug

@@ -112,20 +112,20 @@ UncutParts uncut_parts(const Mesh& mesh, const TrianglesOfParts& triangles, cons
 }
 
 /// A column that leaves least foam on a side, to show where it is.
-std::optional<Vec3d> thinnest_place(const BlockMap& blocks, const DesignSpace& space, Side side) {
+std::optional<Vec3d> thinnest_place(std::span<const BlockMap> layers, const DesignSpace& space, Side side) {
     std::optional<Vec3d> place;
     int thinnest = 0;
-    for (int j = 0; j < blocks.ny(); ++j) {
-        for (int k = 0; k < blocks.nz(); ++k) {
-            const CutRun run = blocks(j, k);
-            if (run.none()) continue;
-            const int left[6] = {run.first, space.blocks.x - run.end, j, space.blocks.y - 1 - j,
-                                 k,         space.blocks.z - 1 - k};
-            if (place && left[side] >= thinnest) continue;
-            thinnest = left[side];
-            place = column_centre(space, j, k, run);
-        }
-    }
+    for (const BlockMap& blocks : layers)
+        for (int j = 0; j < blocks.ny(); ++j)
+            for (int k = 0; k < blocks.nz(); ++k) {
+                const CutRun run = blocks(j, k);
+                if (run.none()) continue;
+                const int left[6] = {run.first, space.blocks.x - run.end, j, space.blocks.y - 1 - j,
+                                     k,         space.blocks.z - 1 - k};
+                if (place && left[side] >= thinnest) continue;
+                thinnest = left[side];
+                place = column_centre(space, j, k, run);
+            }
     return place;
 }
 
@@ -203,7 +203,7 @@ void find_uncut_parts(const Mesh& mesh, const MeshMeasure& measure, bool capped,
         findings.push_back({Severity::warning, say("parts_not_checked", {{"parts", found.unknown}})});
 }
 
-void find_thin_walls(const FitReport& fit, const BlockMap& blocks, const DesignSpace& space,
+void find_thin_walls(const FitReport& fit, std::span<const BlockMap> layers, const DesignSpace& space,
                      const Walls& wanted_mm, const SpaceChoice& choice, std::vector<Finding>& findings) {
     if (fit.cut_blocks == 0) return;
     Walls least = wanted_mm;
@@ -216,7 +216,7 @@ void find_thin_walls(const FitReport& fit, const BlockMap& blocks, const DesignS
         if (wall >= std::max(kLeastGoodWall, wanted)) continue;
         const SideWords& words = kSides[i];
         const auto find = [&](Severity severity, Message message) {
-            findings.push_back({severity, std::move(message), thinnest_place(blocks, space, side)});
+            findings.push_back({severity, std::move(message), thinnest_place(layers, space, side)});
         };
         const Message place = say(words.place);
         if (wall <= 0)
@@ -234,19 +234,24 @@ void find_thin_walls(const FitReport& fit, const BlockMap& blocks, const DesignS
 
 void find_pieces(const FitReport& fit, const SpaceChoice& choice, std::vector<Finding>& findings) {
     const bool fixed = choice.is_case();
-    const auto look = [&](int pieces, const char* none, const char* several) {
-        if (pieces == 0) {
-            const Message instead = fixed ? say("pieces.higher_case") : say("pieces.more_blocks");
-            findings.push_back({Severity::danger, say(none, {{"instead", instead}})});
-        }
-        if (pieces > 1) {
-            const Message instead = fixed ? say("pieces.take_higher_case") : say("pieces.more_blocks_up");
-            findings.push_back({Severity::warning,
-                                say(several, {{"pieces", std::to_string(pieces)}, {"instead", instead}})});
+    const auto look = [&](Piece piece, const char* none, const char* several) {
+        const int parts = fit.pieces[static_cast<std::size_t>(piece.index)].parts;
+        std::vector<Value> values;
+        if (piece.middle()) values.push_back({"number", std::to_string(piece.index)});
+        if (parts == 0) {
+            values.push_back({"instead", fixed ? say("pieces.higher_case") : say("pieces.more_blocks")});
+            findings.push_back({Severity::danger, say(none, std::move(values))});
+        } else if (parts > 1) {
+            values.push_back({"pieces", std::to_string(parts)});
+            values.push_back(
+                {"instead", fixed ? say("pieces.take_higher_case") : say("pieces.more_blocks_up")});
+            findings.push_back({Severity::warning, say(several, std::move(values))});
         }
     };
-    look(fit.lower_pieces, "no_lower", "lower_pieces");
-    look(fit.upper_pieces, "no_upper", "upper_pieces");
+    const int count = static_cast<int>(fit.pieces.size());
+    look({0, count}, "no_lower", "lower_pieces");
+    for (int i = 1; i + 1 < count; ++i) look({i, count}, "no_middle", "middle_pieces");
+    look({count - 1, count}, "no_upper", "upper_pieces");
 }
 
 void find_parts(const MeshMeasure& measure, const Placement& placement, std::vector<Finding>& findings) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "snug/base/finding.h"
@@ -33,11 +34,11 @@ void find_uncut_parts(const Mesh& mesh, const MeshMeasure& measure, bool capped,
 /// No foam between object and case: `no_floor`, `no_roof`, `touches_case` (danger); below 25 mm:
 /// `thin_floor`, `thin_roof`, `thin_wall`; below the walls that the design wants: `wall_below_wanted`
 /// (warnings). Each says what of the choice would give the walls.
-void find_thin_walls(const FitReport& fit, const BlockMap& blocks, const DesignSpace& space,
+void find_thin_walls(const FitReport& fit, std::span<const BlockMap> layers, const DesignSpace& space,
                      const Walls& wanted_mm, const SpaceChoice& choice, std::vector<Finding>& findings);
 
 /// A foam half in more than one piece, or without any foam: `lower_pieces`, `upper_pieces` (warning),
-/// `no_lower`, `no_upper` (danger).
+/// `no_lower`, `no_upper` (danger); between layers `middle_pieces`, `no_middle`.
 void find_pieces(const FitReport& fit, const SpaceChoice& choice, std::vector<Finding>& findings);
 
 /// An object in several separate parts, with sizes: `parts` (note), `specks` (warning) where a part is tiny

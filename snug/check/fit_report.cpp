@@ -10,8 +10,9 @@
 namespace snug {
 namespace {
 
-std::array<int, 6> thinnest_of(const BlockMap& blocks, Vec3i n) {
-    std::array<int, 6> thinnest{n.x, n.x, n.y, n.y, n.z, n.z};
+using Thinnest = std::array<int, 6>;  // blocks on each side
+
+void thin_by(Thinnest& thinnest, const BlockMap& blocks, Vec3i n) {
     const auto at_most = [&](Side side, int count) { thinnest[side] = std::min(thinnest[side], count); };
     for (int j = 0; j < n.y; ++j) {
         for (int k = 0; k < n.z; ++k) {
@@ -25,7 +26,6 @@ std::array<int, 6> thinnest_of(const BlockMap& blocks, Vec3i n) {
             at_most(kRight, n.z - 1 - k);
         }
     }
-    return thinnest;
 }
 
 /// How many blocks lie between a cut block and the end of those that exist, going by (dj, dk).
@@ -37,8 +37,7 @@ int blocks_to_case(const Grid<Run>& available, int level, int j, int k, int dj, 
 }
 
 /// The same within a case that shortens columns. It is convex, so its walls are nearest to the ends of a run.
-std::array<int, 6> thinnest_within(const Grid<Run>& available, const BlockMap& blocks, Vec3i n) {
-    std::array<int, 6> thinnest{n.x, n.x, n.y, n.y, n.z, n.z};
+void thin_within(Thinnest& thinnest, const Grid<Run>& available, const BlockMap& blocks, Vec3i n) {
     const auto at_most = [&](Side side, int count) { thinnest[side] = std::min(thinnest[side], count); };
     for (int j = 0; j < n.y; ++j) {
         for (int k = 0; k < n.z; ++k) {
@@ -54,10 +53,15 @@ std::array<int, 6> thinnest_within(const Grid<Run>& available, const BlockMap& b
             }
         }
     }
-    return thinnest;
 }
 
-std::array<double, 6> in_millimetres(const std::array<int, 6>& thinnest, const DesignSpace& space) {
+std::array<double, 6> walls_of(std::span<const BlockMap> layers, const DesignSpace& space,
+                               const Grid<Run>& available) {
+    const Vec3i n = space.blocks;
+    const bool plain = fills_box(available, n.x);
+    Thinnest thinnest{n.x, n.x, n.y, n.y, n.z, n.z};
+    for (const BlockMap& blocks : layers)
+        plain ? thin_by(thinnest, blocks, n) : thin_within(thinnest, available, blocks, n);
     std::array<double, 6> mm{};
     for (std::size_t side = 0; side < 6; ++side)
         mm[side] = thinnest[side] * space.block_mm[static_cast<int>(side) / 2];
@@ -114,29 +118,28 @@ long long blocks_of(const Grid<Run>& runs) {
 
 }  // namespace
 
-FitReport fit_report(const Foams& foams, const BlockMap& blocks, const DesignSpace& space,
+long long FitReport::foam_blocks() const {
+    long long blocks = 0;
+    for (const PieceFigures& piece : pieces) blocks += piece.blocks;
+    return blocks;
+}
+
+FitReport fit_report(const Foams& foams, std::span<const BlockMap> layers, const DesignSpace& space,
                      const Grid<Run>& available) {
-    const Grid<Run>&lower = foams.piece(Half::lower), &lid = foams.piece(Half::lid);
     FitReport report;
-    report.lower_blocks = blocks_of(lower);
-    report.upper_blocks = blocks_of(lid);
-    for (std::size_t column = 0; column < blocks.size(); ++column) {
-        const CutRun cut = blocks[column];
-        const Run there = available[column];
-        const long long inside = cut.none() ? 0 : cut.common(there).blocks();
-        report.cut_blocks += inside;
-        report.outside_blocks += cut.blocks() - inside;
-        report.shortened_blocks += space.blocks.x - there.blocks();
-    }
-    report.foam_mm3 = static_cast<double>(report.lower_blocks + report.upper_blocks) * space.block_volume();
-    report.fill_ratio = static_cast<double>(report.lower_blocks + report.upper_blocks) /
-                        static_cast<double>(space.block_count() - report.shortened_blocks);
-    report.wall_mm = in_millimetres(fills_box(available, space.blocks.x)
-                                        ? thinnest_of(blocks, space.blocks)
-                                        : thinnest_within(available, blocks, space.blocks),
-                                    space);
-    report.lower_pieces = PieceCounter(lower).count();
-    report.upper_pieces = PieceCounter(lid).count();
+    report.pieces.clear();
+    for (const Grid<Run>& kept : foams.pieces)
+        report.pieces.push_back({blocks_of(kept), PieceCounter(kept).count()});
+    const long long there = blocks_of(available);
+    report.shortened_blocks = space.block_count() - there;
+    report.cut_blocks = there - report.foam_blocks();
+    for (const BlockMap& blocks : layers)
+        for (std::size_t column = 0; column < blocks.size(); ++column)
+            report.outside_blocks +=
+                blocks[column].blocks() - blocks[column].common(available[column]).blocks();
+    report.foam_mm3 = static_cast<double>(report.foam_blocks()) * space.block_volume();
+    report.fill_ratio = static_cast<double>(report.foam_blocks()) / static_cast<double>(there);
+    report.wall_mm = walls_of(layers, space, available);
     return report;
 }
 

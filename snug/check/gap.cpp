@@ -78,7 +78,55 @@ Result<void> find_widest(const GapSurface& surface, const PrismField& cut, const
     return {};
 }
 
+void add(std::optional<double>& sum, const std::optional<double>& more) {
+    if (sum && more)
+        *sum += *more;
+    else
+        sum.reset();
+}
+
+template <class Part>
+void take_wider(Part& widest, const Part& other) {
+    if (other.widest_mm <= widest.widest_mm) return;
+    widest.widest_mm = other.widest_mm;
+    widest.widest_error_mm = other.widest_error_mm;
+    widest.widest_at = other.widest_at;
+}
+
+void add(HalfGap& sum, const HalfGap& more) {
+    sum.step_mm3 += more.step_mm3;
+    add(sum.undercut_mm3, more.undercut_mm3);
+    take_wider(sum, more);
+}
+
+void add(GapReport& sum, const GapReport& more) {
+    sum.lines_per_column = std::min(sum.lines_per_column, more.lines_per_column);
+    sum.cut_mm3 += more.cut_mm3;
+    sum.hull_mm3 += more.hull_mm3;
+    add(sum.solid_mm3, more.solid_mm3);
+    sum.step_mm3 += more.step_mm3;
+    add(sum.undercut_mm3, more.undercut_mm3);
+    sum.error_mm3 += more.error_mm3;
+    take_wider(sum, more);
+    add(sum.lower, more.lower);
+    add(sum.upper, more.upper);
+    for (std::size_t i = 0; i < sum.columns.size(); ++i) {
+        ColumnGap& column = sum.columns[i];
+        const ColumnGap& other = more.columns[i];
+        column.lower_step += other.lower_step;
+        column.lower_undercut += other.lower_undercut;
+        column.upper_step += other.upper_step;
+        column.upper_undercut += other.upper_undercut;
+    }
+}
+
 }  // namespace
+
+GapReport united(const std::vector<GapReport>& layers) {
+    GapReport all = layers.front();
+    for (std::size_t i = 1; i < layers.size(); ++i) add(all, layers[i]);
+    return all;
+}
 
 Result<GapReport> gap_report(const Mesh& mesh, const Placement& placement, const DesignSpace& space,
                              const BlockMap& blocks, int parting_level, bool closed, const Progress& progress,

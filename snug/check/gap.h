@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "snug/base/grid.h"
 #include "snug/base/progress.h"
@@ -58,6 +59,9 @@ struct GapReport {
     HalfGap lower, upper;        ///< their steps and undercuts add up to the whole
     Grid<ColumnGap> columns;     ///< undercuts are 0 unless the object is closed
 };
+
+/// Of layers that stand on each other, one at least: their volumes and errors together, and the widest ball.
+[[nodiscard]] GapReport united(const std::vector<GapReport>& layers);
 
 /// What a report may cost.
 struct GapLimits {

@@ -25,11 +25,12 @@ Result<BearingReport> bearing_of_all(std::span<const Object> objects, Packing& p
         const Item& item = packing.items[i];
         const double done = share * static_cast<double>(i);
         const auto own = bearing_report(objects[item.object].mesh, item.placement, packing.space,
-                                        *packing.foams, part_of(progress, done, done + share));
+                                        *packing.foams, item.layer, part_of(progress, done, done + share));
         if (!own) return tl::unexpected(own.error());
         add(all, *own);
         std::vector<Finding> findings;
-        find_bearing_problems(*own, item.mass_kg, design.fit.creep_kpa, findings);
+        find_bearing_problems(*own, packing.foams->at(item.layer - 1), item.mass_kg, design.fit.creep_kpa,
+                              findings);
         for (Finding& finding : findings) {
             if (packing.items.size() > 1) finding.of = item.name;
             packing.findings.push_back(std::move(finding));
@@ -38,19 +39,35 @@ Result<BearingReport> bearing_of_all(std::span<const Object> objects, Packing& p
     return all;
 }
 
+Result<std::vector<GapReport>> gaps_of_layers(std::span<const Object> objects, const Packing& packing,
+                                              const Progress& progress) {
+    std::vector<GapReport> gaps;
+    const int layers = packing.foams->layers();
+    for (int i = 0; i < layers; ++i) {
+        const PlacedMesh together(objects, of_layer(packing.items, i + 1));
+        const auto at = static_cast<std::size_t>(i);
+        auto gap = gap_report(together.mesh(), together.placement(), packing.space, packing.layers[at],
+                              packing.foams->parting[at], together.closed(),
+                              part_of(progress, 1.0 * i / layers, (i + 1.0) / layers));
+        if (!gap) return tl::unexpected(gap.error());
+        gaps.push_back(std::move(*gap));
+    }
+    return gaps;
+}
+
 }  // namespace
 
 Result<MeasuredFit> measure_fit(std::span<const Object> objects, Packing& packing, const Design& design,
                                 const Progress& progress) {
-    const PlacedMesh together(objects, packing.items);
-    if (!together.whole()) return MeasuredFit{};
-    auto gap = gap_report(together.mesh(), together.placement(), packing.space, packing.blocks,
-                          packing.foams->parting.front(), together.closed(), part_of(progress, 0, 0.8));
-    if (!gap) return tl::unexpected(gap.error());
+    for (const Item& item : packing.items)
+        if (!objects[item.object].whole()) return MeasuredFit{};
+    auto gaps = gaps_of_layers(objects, packing, part_of(progress, 0, 0.8));
+    if (!gaps) return tl::unexpected(gaps.error());
     auto bearing = bearing_of_all(objects, packing, design, part_of(progress, 0.8, 1));
     if (!bearing) return tl::unexpected(bearing.error());
     sort_by_severity(packing.findings);
-    return MeasuredFit{std::move(*gap), *bearing};
+    GapReport whole = united(*gaps);
+    return MeasuredFit{std::move(whole), std::move(*gaps), *bearing};
 }
 
 }  // namespace snug

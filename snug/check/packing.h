@@ -28,8 +28,8 @@ struct Packing {
     DesignSpace space;
     std::optional<CaseSpace> fitted_case;  ///< where the design has a case: what `space` is of
     Grid<Run> available;                   ///< blocks that exist in `space`
-    BlockMap blocks;
-    std::vector<Notch> notches;     ///< beside the objects, where the design wants them and there is room
+    std::vector<BlockMap> layers;          ///< what each layer of items cuts, the lowest first
+    std::vector<Notch> notches;     ///< beside the items, where the design wants them and there is room
     long long rib_blocks = 0;       ///< cut because they stood too thin between cavities
     std::optional<Foams> foams;     ///< none where an item leaves the space (finding `outside`)
     FitReport fit;                  ///< of `foams`

@@ -1,6 +1,9 @@
 #include "snug/design/design.h"
 
 #include <algorithm>
+#include <functional>
+#include <string>
+#include <utility>
 
 #include "snug/base/text.h"
 #include "snug/design/option_list.h"
@@ -23,11 +26,33 @@ DesignProblem problem_of_clearance(const CutOptions& cut, Vec3d block) {
 }
 
 DesignProblem problem_of_parting(const Design& design) {
-    const int most = highest_parting(design);
-    if (!design.parting.level || *design.parting.level <= most) return {};
-    return OptionProblem{"parting.level",
-                         say("parting.range", {{"most", std::to_string(most)},
-                                               {"found", std::to_string(*design.parting.level)}})};
+    if (!design.parting.level) return {};
+    const std::vector<int>& levels = design.parting.level->each;
+    const int most = highest_parting(design), layers = layers_of(design);
+    const auto problem = [](Message message) { return OptionProblem{"parting.level", std::move(message)}; };
+    if (static_cast<int>(levels.size()) != layers)
+        return problem(say("parting.layers",
+                           {{"layers", std::to_string(layers)}, {"found", std::to_string(levels.size())}}));
+    for (const int level : levels)
+        if (level > most)
+            return problem(
+                say("parting.range", {{"most", std::to_string(most)}, {"found", std::to_string(level)}}));
+    if (std::adjacent_find(levels.begin(), levels.end(), std::greater_equal<>()) != levels.end())
+        return problem(say("parting.not_rising"));
+    return {};
+}
+
+/// No layer below the uppermost may be empty.
+DesignProblem problem_of_layers(const Design& design) {
+    const int layers = layers_of(design);
+    for (int layer = 1; layer < layers; ++layer)
+        if (std::none_of(design.items.begin(), design.items.end(),
+                         [&](const ItemOptions& item) { return item.layer == layer; }))
+            return OptionProblem{"items",
+                                 say("items.empty_layer", {{"layer", std::to_string(layer)},
+                                                           {"layers", std::to_string(layers)},
+                                                           {"example", "layer=" + std::to_string(layer)}})};
+    return {};
 }
 
 }  // namespace
@@ -59,6 +84,12 @@ double least_clearance_mm(Vec3d block_mm) {
     return kLeastClearanceShare * std::min({block_mm.x, block_mm.y, block_mm.z});
 }
 
+int layers_of(const Design& design) {
+    int layers = 1;
+    for (const ItemOptions& item : design.items) layers = std::max(layers, item.layer);
+    return layers;
+}
+
 int highest_parting(const Design& design) {
     const bool fitted_to_case = design.case_options.inside_mm.has_value();
     const auto& blocks = design.space.blocks;
@@ -78,6 +109,7 @@ DesignProblem problem_of(const Design& design) {
     for (std::size_t i = 0; i < design.items.size(); ++i)
         if (auto found = problem_of_clearance(cut_of(design.items[i], design), design.space.block_mm))
             return OptionProblem{"items." + std::to_string(i) + ".clearance_mm", found->message};
+    if (auto found = problem_of_layers(design)) return found;
     if (auto found = problem_of_parting(design)) return found;
     if (design.output.formats.empty()) return OptionProblem{"output.formats", say("formats.none")};
     if (auto found = problem_of(design.case_options)) return found->within("case");

@@ -13,6 +13,7 @@
 #include "snug/design/fit_options.h"
 #include "snug/design/item_options.h"
 #include "snug/design/option.h"
+#include "snug/design/parting_levels.h"
 #include "snug/design/search_options.h"
 #include "snug/design/walls.h"
 #include "snug/design/workshop_options.h"
@@ -240,23 +241,25 @@ void visit_options(Visit& visit, CutOptions& cut) {
 }
 
 struct PartingOptions {
-    std::optional<int> level;  ///< lower blocks where the object does not touch, 0 to nx; none: chosen
+    /// For each layer the blocks below it where no item of it touches, 0 to nx, rising; none: chosen.
+    std::optional<PartingLevels> level;
     friend bool operator==(const PartingOptions&, const PartingOptions&) = default;
 };
 
 template <class Visit>
 void visit_options(Visit& visit, PartingOptions& parting) {
-    visit.option(parting.level, {.json = "level",
-                                 .flag = "--parting",
-                                 .takes = "auto|LEVEL",
-                                 .unit = {"blocks", "ブロック"},
-                                 .range = {0, kMostBlocks},
-                                 .step = 1,
-                                 .label = {"the parting level", "分割の高さ"},
-                                 .help = {"Blocks of the lower foam where the object does not touch",
-                                          "対象物のない所での下のフォームのブロック数"},
-                                 .usual = {"auto", "自動"},
-                                 .none = "auto"});
+    visit.option(parting.level,
+                 {.json = "level",
+                  .flag = "--parting",
+                  .takes = "auto|LEVEL,...",
+                  .unit = {"blocks", "ブロック"},
+                  .range = {0, kMostBlocks},
+                  .step = 1,
+                  .label = {"the parting level", "分割の高さ"},
+                  .help = {"Blocks below the parting where the object does not touch, for each layer",
+                           "対象物のない所で分割面の下に来るブロック数（段ごと）"},
+                  .usual = {"auto", "自動"},
+                  .none = "auto"});
 }
 
 /// Files that foams are written as.
@@ -325,6 +328,8 @@ void visit_options(Visit& visit, Design& design) {
 [[nodiscard]] std::optional<double> mass_kg(const Design& design);
 /// The highest level where the halves may part.
 [[nodiscard]] int highest_parting(const Design& design);
+/// How many layers its items lie in.
+[[nodiscard]] int layers_of(const Design& design);
 
 /// The first choice of an object that is out of range, by its path within them.
 [[nodiscard]] std::optional<OptionProblem> problem_of(const ObjectOptions& object);

@@ -10,6 +10,7 @@
 namespace snug {
 
 constexpr int kMostItems = 1000;
+constexpr int kMostLayers = 20;
 
 /// How an item is given a place on the command line, for sentences that advise it.
 constexpr const char* kPlacedItem = "lens.stl:move=0x40x0";
@@ -19,6 +20,7 @@ struct ItemOptions {
     int object = 0;     ///< which of the project's objects, from 0
     std::string name;   ///< empty: its file's
     std::string group;  ///< items of one group may share a pocket; empty: of none
+    int layer = 1;      ///< of the layers that stand on each other; the lowest is 1
     std::optional<Vec3d> rotation_deg;
     std::optional<Vec3d>
         offset_mm;  ///< from the middle of the space; none: beside the others, see place_items()
@@ -48,6 +50,14 @@ void visit_options(Visit& visit, ItemOptions& item) {
                               .usual = {"none", "なし"},
                               .scope = Scope::item,
                               .word = "group"});
+    visit.option(item.layer,
+                 {.json = "layer",
+                  .range = {1, kMostLayers},
+                  .step = 1,
+                  .label = {"the layer", "段"},
+                  .help = {"Which layer it lies in; 1 is the lowest", "どの段に置くか（1 が最下段）"},
+                  .scope = Scope::item,
+                  .word = "layer"});
     visit.option(item.rotation_deg, {.json = "rotation_deg",
                                      .unit = {"degrees", "度"},
                                      .range = {-1e6, 1e6},

@@ -29,6 +29,9 @@ struct Writing {
     Written operator()(const Walls* walls) const {
         return are_equal(*walls) ? Written(walls->front()) : Written(*walls);
     }
+    Written operator()(const PartingLevels* levels) const {
+        return levels->each.size() == 1 ? Written(levels->each.front()) : Written(levels->each);
+    }
     Written operator()(const Clearance* clearance) const {
         const auto& [a, b] = *clearance;
         if (clearance->is_one()) return a.x;
@@ -112,6 +115,10 @@ struct Reading {
         auto& [a, b] = *clearance;
         return json.is_number() || each({&a.x, &a.y, &a.z, &b.x, &b.y, &b.z});
     }
+    bool operator()(PartingLevels* levels) const {
+        levels->each.resize(1);
+        return (*this)(levels->each.data()) || (list(levels->each) && !levels->each.empty());
+    }
     bool operator()(std::vector<int>* value) const { return list(*value); }
     bool operator()(std::vector<std::string>* value) const { return list(*value); }
     bool operator()(Weights* weights) const {
@@ -184,6 +191,7 @@ struct Expected {
     Message operator()(const Vec3i*) const { return say("json.three_whole"); }
     Message operator()(const Plane*) const { return say("json.four"); }
     Message operator()(const Walls*) const { return say("json.walls"); }
+    Message operator()(const PartingLevels*) const { return say("json.levels"); }
     Message operator()(const Clearance*) const { return say("json.clearance"); }
     Message operator()(const Weights*) const {
         return say("json.weights", {{"words", each_as_it_is(names_of<Objective>())}});

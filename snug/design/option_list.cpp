@@ -49,6 +49,7 @@ struct Judging {
     Problem operator()(const Vec3d* v) const { return all({v->x, v->y, v->z}); }
     Problem operator()(const Vec3i* v) const { return (*this)(vec_cast<double>(*v)); }
     Problem operator()(const Vec3d& v) const { return (*this)(&v); }
+    Problem operator()(const PartingLevels* levels) const { return first_of(levels->each); }
     Problem operator()(const Clearance* v) const {
         const Problem lower = (*this)(&v->lower);
         return lower ? lower : (*this)(&v->upper);

@@ -87,6 +87,15 @@ struct Taking {
         if (v.size() == 6) *value = {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
         return v.size() == 1 || v.size() == 3 || v.size() == 6;
     }
+    bool operator()(PartingLevels* levels) const {
+        levels->each.clear();
+        for (const std::string_view word : words_of(text)) {
+            const auto level = typed_integer(word);
+            if (!level) return false;
+            levels->each.push_back(*level);
+        }
+        return true;
+    }
     bool operator()(Walls* value) const {
         const auto v = typed_numbers(text, ',');
         if (v.size() == 1) *value = equal_walls(v[0]);
@@ -178,6 +187,9 @@ struct Takes {
     Message operator()(const Clearance*) const {
         return say("takes.clearance", {{"example", "1"}, {"other", "0,2,2"}});
     }
+    Message operator()(const PartingLevels*) const {
+        return say("takes.levels", {{"example", "5"}, {"other", "5,12"}});
+    }
     Message operator()(const Walls*) const {
         return say("takes.walls", {{"example", "50"}, {"other", "40,50,50"}});
     }
@@ -232,6 +244,7 @@ struct Saying {
         if (clearance->same_in_both()) return exact({a.x, a.y, a.z}, ',');
         return exact({a.x, a.y, a.z, b.x, b.y, b.z}, ',');
     }
+    Text operator()(const PartingLevels* levels) const { return (*this)(&levels->each); }
     Text operator()(const Walls* walls) const {
         const auto& w = *walls;
         return are_equal(w) ? exact(w[0]) : exact({w[0], w[1], w[2], w[3], w[4], w[5]}, ',');

@@ -18,6 +18,7 @@ struct Kind {
     std::string_view operator()(const std::string*) const { return "text"; }
     std::string_view operator()(const Vec3i*) const { return "integers"; }
     std::string_view operator()(const std::vector<int>*) const { return "integers"; }
+    std::string_view operator()(const PartingLevels*) const { return "levels"; }
     std::string_view operator()(const std::vector<std::string>*) const { return "words"; }
     std::string_view operator()(const std::vector<BrickStock>*) const { return "pieces"; }
     std::string_view operator()(const Weights*) const { return "weights"; }

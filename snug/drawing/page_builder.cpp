@@ -15,14 +15,16 @@ std::vector<std::string> broken(std::string_view words, double width, const Text
 
 }  // namespace
 
-std::string_view half_title(Half half) {
-    return half == Half::lower ? "LOWER" : "LID";
+std::string piece_title(Piece piece) {
+    if (piece.middle()) return "MIDDLE " + std::to_string(piece.index);
+    return piece.highest() ? "LID" : "LOWER";
 }
-Color half_color(Half half) {
-    return half == Half::lower ? kLowerBlue : kUpperOrange;
+Color piece_color(Piece piece) {
+    if (piece.middle()) return kMiddleGreen;
+    return piece.highest() ? kUpperOrange : kLowerBlue;
 }
-Color half_ink(Half half) {
-    return mixed(half_color(half), {0, 0, 0}, half == Half::lower ? 0.2 : 0.28);
+Color piece_ink(Piece piece) {
+    return mixed(piece_color(piece), {0, 0, 0}, piece.index == 0 ? 0.2 : 0.28);
 }
 
 std::string shortened(const std::string& words, double width_mm, const TextLook& look) {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "snug/base/half.h"
+#include "snug/base/piece.h"
 #include "snug/base/result.h"
 #include "snug/drawing/drawing.h"
 #include "snug/words/words.h"
@@ -25,11 +25,11 @@ constexpr double kPageMargin = 15;
 constexpr Color kInk{28, 36, 46}, kSoftInk{96, 106, 120}, kHairline{196, 202, 210}, kPaper{255, 255, 255};
 constexpr Color kAlarm{186, 40, 40};
 
-/// What is written on a half: LOWER or LID.
-[[nodiscard]] std::string_view half_title(Half half);
-[[nodiscard]] Color half_color(Half half);
+/// What is written on a piece: LOWER, MIDDLE 1 or LID.
+[[nodiscard]] std::string piece_title(Piece piece);
+[[nodiscard]] Color piece_color(Piece piece);
 /// Dark enough for letters on white.
-[[nodiscard]] Color half_ink(Half half);
+[[nodiscard]] Color piece_ink(Piece piece);
 
 struct TextLook {
     double height_mm = kBodyText;

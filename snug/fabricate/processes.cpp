@@ -1,6 +1,7 @@
 #include "snug/fabricate/processes.h"
 
 #include <array>
+#include <deque>
 #include <span>
 #include <string>
 #include <string_view>
@@ -51,7 +52,7 @@ std::vector<PackedItem> packed_items(std::span<const Object> objects, const Pack
         items.push_back({short_title(without_ending(item_name(project, project.design.items[i]))),
                          objects[item.object].measure.bounds.size(),
                          mass_kg(project.design.items[i], project.design), objects[item.object].mesh,
-                         item.placement});
+                         item.placement, item.layer});
     }
     return items;
 }
@@ -75,7 +76,7 @@ std::optional<MilledObject> milled_object(std::span<const Object> objects, const
     MilledObject milled{{}, packing.fitted_case ? &*packing.fitted_case : nullptr};
     for (const Item& item : packing.items) {
         if (!objects[item.object].whole()) return {};
-        milled.surfaces.push_back({objects[item.object].mesh, item.placement, item.cut});
+        milled.surfaces.push_back({objects[item.object].mesh, item.placement, item.cut, item.layer});
     }
     return milled;
 }
@@ -149,7 +150,7 @@ void tell_material(const Design& design, WorkshopPack& pack) {
 Result<WorkshopPack> workshop_pack(std::span<const Object> objects, const Packing& packing,
                                    const Project& project, const WorkshopTools& tools) {
     if (!packing.foams) return fail(ErrorKind::does_not_fit, say("workshop.no_foams"));
-    const FoamDesign foams{packing.space,     packing.blocks,    *packing.foams,
+    const FoamDesign foams{packing.space,     packing.layers,    *packing.foams,
                            packing.available, title_of(project), tools.language};
     auto pack = pack_of({foams, objects, packing, project.design, tools});
     if (!pack) return pack;
@@ -159,11 +160,15 @@ Result<WorkshopPack> workshop_pack(std::span<const Object> objects, const Packin
     std::vector<Finding> findings = packing.findings;
     findings.insert(findings.end(), pack->findings.begin(), pack->findings.end());
     sort_by_severity(findings);
-    const PlacedMesh together(objects, packing.items);
+    const std::deque<PlacedMesh> meshes = placed_layers(objects, packing.items, packing.foams->layers());
+    std::vector<PackedLayer> layers;
+    for (const PlacedMesh& mesh : meshes) {
+        const int layer = static_cast<int>(layers.size()) + 1;
+        layers.push_back({layer, mesh.mesh(), mesh.placement(), numbered_places(packing.items, layer)});
+    }
     pack->documents.push_back(
-        packing_sheet({foams, packing.fit, findings, together.mesh(), together.placement(),
-                       packed_items(objects, packing, project), numbered_places(packing.items),
-                       pack->material, project.design.workshop}));
+        packing_sheet({foams, packing.fit, findings, std::move(layers),
+                       packed_items(objects, packing, project), pack->material, project.design.workshop}));
     return pack;
 }
 

@@ -11,35 +11,53 @@
 namespace snug {
 namespace {
 
-/// Above the layer below and below the layer above.
-Run between(const BlockMap* below, int below_level, const BlockMap* above, int above_level, Run exists,
-            std::size_t column) {
-    Run kept = exists;
-    if (below) {
-        const CutRun cut = (*below)[column];
-        kept.first = std::max(kept.first, cut.none() ? static_cast<std::int16_t>(below_level) : cut.end);
+std::int16_t below_layer(CutRun cut, int parting) {
+    return cut.none() ? static_cast<std::int16_t>(parting) : cut.first;
+}
+std::int16_t above_layer(CutRun cut, int parting) {
+    return cut.none() ? static_cast<std::int16_t>(parting) : cut.end;
+}
+
+/// Of one column, all pieces.
+void split_column(std::size_t column, std::span<const BlockMap> layers, Run exists, Foams& foams) {
+    std::int16_t begin = exists.first;
+    for (std::size_t piece = 0; piece <= layers.size(); ++piece) {
+        if (piece > 0)
+            begin = std::max(begin, above_layer(layers[piece - 1][column], foams.parting[piece - 1]));
+        foams.pieces[piece][column].first = begin;
     }
-    if (above) {
-        const CutRun cut = (*above)[column];
-        kept.end = std::min(kept.end, cut.none() ? static_cast<std::int16_t>(above_level) : cut.first);
+    std::int16_t end = exists.end;
+    for (std::size_t piece = layers.size() + 1; piece-- > 0;) {
+        if (piece < layers.size())
+            end = std::min(end, below_layer(layers[piece][column], foams.parting[piece]));
+        Run& kept = foams.pieces[piece][column];
+        kept.end = end;
+        if (kept.none()) kept = {};
     }
-    return kept.none() ? Run{} : kept;
+}
+
+int lowest_level(const Grid<Run>& kept, int nx) {
+    int lowest = nx;
+    for (const Run run : kept)
+        if (!run.none()) lowest = std::min<int>(lowest, run.first);
+    return lowest == nx ? 0 : lowest;
 }
 
 }  // namespace
 
+std::vector<Piece> Foams::all() const {
+    std::vector<Piece> all;
+    for (std::size_t i = 0; i < pieces.size(); ++i) all.push_back(at(static_cast<int>(i)));
+    return all;
+}
+
 Foams split(std::span<const BlockMap> layers, std::vector<int> parting, const Grid<Run>& available) {
-    assert(layers.size() == parting.size());
+    assert(layers.size() == parting.size() && std::is_sorted(parting.begin(), parting.end()));
     Foams foams;
-    for (std::size_t piece = 0; piece <= layers.size(); ++piece) {
-        const bool lowest = piece == 0, highest = piece == layers.size();
-        Grid<Run>& kept = foams.pieces.emplace_back(available.ny(), available.nz());
-        for (std::size_t column = 0; column < kept.size(); ++column)
-            kept[column] = between(lowest ? nullptr : &layers[piece - 1], lowest ? 0 : parting[piece - 1],
-                                   highest ? nullptr : &layers[piece], highest ? 0 : parting[piece],
-                                   available[column], column);
-    }
+    foams.pieces.assign(layers.size() + 1, Grid<Run>(available.ny(), available.nz()));
     foams.parting = std::move(parting);
+    for (std::size_t column = 0; column < available.size(); ++column)
+        split_column(column, layers, available[column], foams);
     return foams;
 }
 
@@ -52,11 +70,25 @@ Foams split(const BlockMap& blocks, const DesignSpace& space, int parting_level)
 }
 
 Grid<Run> kept_runs(const Foams& foams, Half half, int nx) {
-    Grid<Run> runs = foams.piece(half);
-    if (half == Half::lower) return runs;
-    for (Run& run : runs)
-        if (!run.none()) run = from_other_end(run, nx);
-    return runs;
+    return seen_piece(foams, half == Half::lower ? foams.at(0) : foams.at(foams.layers()), half, nx).kept;
+}
+
+SeenPiece seen_piece(const Foams& foams, Piece piece, Half from, int nx) {
+    SeenPiece seen{foams.piece(piece), 0};
+    if (from == Half::lid)
+        for (Run& run : seen.kept)
+            if (!run.none()) run = from_other_end(run, nx);
+    if (!piece.middle()) return seen;
+    seen.under = lowest_level(seen.kept, nx);
+    const auto under = static_cast<std::int16_t>(seen.under);
+    for (Run& run : seen.kept)
+        if (!run.none())
+            run = {static_cast<std::int16_t>(run.first - under), static_cast<std::int16_t>(run.end - under)};
+    return seen;
+}
+
+SeenPiece seen_piece(const Foams& foams, Piece piece, int nx) {
+    return seen_piece(foams, piece, piece.half(), nx);
 }
 
 }  // namespace snug

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "snug/base/grid.h"
-#include "snug/base/half.h"
+#include "snug/base/piece.h"
 #include "snug/base/run.h"
 #include "snug/foam/block_map.h"
 #include "snug/space/design_space.h"
@@ -18,16 +18,25 @@ struct Foams {
     /// is a height field from each of its sides.
     std::vector<Grid<Run>> pieces;
     /// For each layer the level where the pieces below and above it meet in columns that no item of it
-    /// touches, 0 to nx blocks.
+    /// touches, 0 to nx blocks; never falling.
     std::vector<int> parting;
 
+    [[nodiscard]] const Grid<Run>& piece(Piece piece) const {
+        return pieces[static_cast<std::size_t>(piece.index)];
+    }
+    /// The lowest or the uppermost.
     [[nodiscard]] const Grid<Run>& piece(Half half) const {
         return half == Half::lower ? pieces.front() : pieces.back();
     }
+    [[nodiscard]] int layers() const { return static_cast<int>(parting.size()); }
+    [[nodiscard]] Piece at(int index) const { return {index, static_cast<int>(pieces.size())}; }
+    /// All of them, the lowest first.
+    [[nodiscard]] std::vector<Piece> all() const;
 };
 
-/// The pieces around the blocks that each layer cuts, lowest first. No piece has blocks that do not exist
-/// (`available`).
+/// The pieces around the blocks that each layer cuts, lowest first. Each ends below all that the layers above
+/// it cut and begins above all that those below it cut, so that layer by layer everything comes out along x,
+/// whatever lies over what. No piece has blocks that do not exist (`available`).
 [[nodiscard]] Foams split(std::span<const BlockMap> layers, std::vector<int> parting,
                           const Grid<Run>& available);
 
@@ -39,5 +48,16 @@ struct Foams {
 /// The blocks that a half keeps in each column of nx blocks, counted from the half's own side (the lower
 /// foam's from -x, the lid's from +x): `end` is how high it reaches.
 [[nodiscard]] Grid<Run> kept_runs(const Foams& foams, Half half, int nx);
+
+/// A piece as it is looked at from one of its sides: `from` Half::lower from +x, Half::lid from -x.
+struct SeenPiece {
+    /// The blocks in each column, counted from where the piece lies: `end` is how high it reaches.
+    Grid<Run> kept;
+    /// What of the space lies under it, in blocks: none under a piece that lies on the case.
+    int under = 0;
+};
+[[nodiscard]] SeenPiece seen_piece(const Foams& foams, Piece piece, Half from, int nx);
+/// From the side that is looked at first.
+[[nodiscard]] SeenPiece seen_piece(const Foams& foams, Piece piece, int nx);
 
 }  // namespace snug

@@ -197,14 +197,16 @@ std::optional<int> chosen_axis(const NotchOptions& options) {
 
 }  // namespace
 
-NotchPair cut_notches(BlockMap& blocks, const DesignSpace& space, int parting_level,
+NotchPair cut_notches(BlockMap& blocks, const DesignSpace& space, NotchLevels levels,
                       const NotchOptions& options, const Walls& wanted_mm) {
-    const int floor = std::max(1, whole_blocks(wanted_mm[kFloor], space.block_mm.x));
+    const int parting_level = levels.parting;
+    const int floor = levels.under > 0 ? 1 : std::max(1, whole_blocks(wanted_mm[kFloor], space.block_mm.x));
     const int bottom = parting_level - whole_blocks(options.depth_mm, space.block_mm.x);
-    if (bottom < floor)
+    if (bottom < levels.under + floor)
         return {{},
-                say("no_notches/floor", {{"depth_mm", number(options.depth_mm, 1)},
-                                         {"high_mm", number(parting_level * space.block_mm.x, 1)}})};
+                say("no_notches/floor",
+                    {{"depth_mm", number(options.depth_mm, 1)},
+                     {"high_mm", number((parting_level - levels.under) * space.block_mm.x, 1)}})};
     std::optional<Found> best;
     int best_axis = 1, lacking = 0;
     std::array<NotchSize, 2> best_sizes{};

@@ -27,12 +27,19 @@ struct NotchPair {
     Message why_not;
 };
 
-/// Cuts the notches out of the lower foam, from the object outwards: where they are left to choose, across
-/// the object's narrower way and as near to the middle of what is cut as both find room beside it, so that
-/// the object hangs level between two hands. They leave the walls that are wanted, and at least one block,
-/// and never take foam from under what lies inside the object's outline at the parting level; so both halves
-/// stay height fields.
-[[nodiscard]] NotchPair cut_notches(BlockMap& blocks, const DesignSpace& space, int parting_level,
+/// Between which levels the foam lies that the notches are cut from: its parting level, and where it begins,
+/// 0 in the lowest layer.
+struct NotchLevels {
+    int parting = 0;
+    int under = 0;
+};
+
+/// Cuts the notches out of the foam below a layer, from the object outwards: where they are left to choose,
+/// across the object's narrower way and as near to the middle of what is cut as both find room beside it, so
+/// that the object hangs level between two hands. They leave the walls that are wanted, and at least one
+/// block, and never take foam from under what lies inside the object's outline at the parting level; so both
+/// halves stay height fields.
+[[nodiscard]] NotchPair cut_notches(BlockMap& blocks, const DesignSpace& space, NotchLevels levels,
                                     const NotchOptions& options, const Walls& wanted_mm);
 
 }  // namespace snug

@@ -8,24 +8,13 @@
 #include <vector>
 
 #include "snug/base/grid.h"
+#include "snug/base/sliding.h"
 
 namespace snug {
 namespace {
 
 using Heights = Grid<std::uint16_t>;
 constexpr std::uint16_t kCase = std::numeric_limits<std::uint16_t>::max();
-
-/// Each value becomes the least (or most) of the `window` values that begin with it, and the line loses its
-/// last window - 1. A window of any width is two that overlap, of widths that doubling reaches.
-template <class Choose>
-void slide(std::vector<std::uint16_t>& line, std::size_t window, Choose choose) {
-    for (std::size_t width = 1; width < window;) {
-        const std::size_t by = std::min(width, window - width);
-        for (std::size_t i = 0; i + by < line.size(); ++i) line[i] = choose(line[i], line[i + by]);
-        line.resize(line.size() - by);
-        width += by;
-    }
-}
 
 /// Along z; `around`: cells of the case that are put before and after each line.
 template <class Choose>

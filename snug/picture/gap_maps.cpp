@@ -4,12 +4,14 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "snug/base/text.h"
 #include "snug/drawing/svg.h"
 #include "snug/picture/preview_marks.h"
 #include "snug/picture/preview_style.h"
+#include "snug/words/pieces.h"
 
 namespace snug {
 namespace {
@@ -71,9 +73,10 @@ Color color_of(const Cell& cell, double deepest) {
 /// One half's map.
 class HalfMap {
   public:
-    HalfMap(const GapReport& gap, const DesignSpace& space, bool lower, Vec2d at, double scale,
+    HalfMap(const GapReport& gap, Piece piece, const DesignSpace& space, bool lower, Vec2d at, double scale,
             Language language)
         : half_(lower ? gap.lower : gap.upper),
+          piece_(piece),
           space_(space),
           lower_(lower),
           at_(at),
@@ -110,13 +113,18 @@ class HalfMap {
         draw_ring(canvas);
         std::vector<Message> ring;
         if (half_.widest_mm > 0) ring.push_back(say("gap.ring", {{"mm", number(half_.widest_mm, 1)}}));
-        canvas.text({at_.x, at_.y - 28}, 17, kLegendText,
-                    text(say(lower_ ? "gap.lower" : "gap.lid", {{"ring", ring}}), language_));
+        canvas.text({at_.x, at_.y - 28}, 17, kLegendText, text(title(std::move(ring)), language_));
         canvas.text({at_.x + size.x / 2, lower_ ? at_.y - 8 : at_.y + size.y + 18}, 12,
                     anchored(kBackText, TextAnchor::middle), "BACK");
     }
 
   private:
+    [[nodiscard]] Message title(std::vector<Message> ring) const {
+        if (piece_.middle())
+            return say("gap.middle", {{"piece", marked_side(piece_, lower_ ? Half::lower : Half::lid)},
+                                      {"ring", std::move(ring)}});
+        return say(lower_ ? "gap.lower" : "gap.lid", {{"ring", std::move(ring)}});
+    }
     /// j runs downward in the lower foam and upward in the lid.
     [[nodiscard]] Vec2d page(double y_mm, double z_mm) const {
         const double down = lower_ ? y_mm : space_.size().y - y_mm;
@@ -134,6 +142,7 @@ class HalfMap {
     }
 
     const HalfGap& half_;
+    Piece piece_;
     const DesignSpace& space_;
     bool lower_;
     Vec2d at_;
@@ -154,14 +163,15 @@ void draw_ramp(Canvas& canvas, Vec2d at, Color color, const std::string& words) 
 
 }  // namespace
 
-double draw_gap_maps(Canvas& canvas, const GapReport& gap, const DesignSpace& space, double top,
-                     Language language) {
+double draw_gap_maps(Canvas& canvas, const GapReport& gap, const LayerPieces& pieces,
+                     const DesignSpace& space, double top, Language language) {
     const double width = (kPageWidth - 2 * kSide - kBetween) / 2;
     const Vec3d size = space.size();
     const double scale = std::min(width / size.z, kGreatestMapHeight / size.y);
     const double left = kSide + (width - size.z * scale) / 2;
-    const HalfMap lower(gap, space, true, {left, top + kHeading}, scale, language);
-    const HalfMap lid(gap, space, false, {left + width + kBetween, top + kHeading}, scale, language);
+    const HalfMap lower(gap, pieces.below, space, true, {left, top + kHeading}, scale, language);
+    const HalfMap lid(gap, pieces.above, space, false, {left + width + kBetween, top + kHeading}, scale,
+                      language);
     const double deepest = std::max(lower.deepest(), lid.deepest());
     for (const HalfMap* map : {&lower, &lid}) {
         canvas.layer(map == &lower ? "gap-lower" : "gap-lid", kMapStep);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "snug/base/piece.h"
 #include "snug/check/gap.h"
 #include "snug/picture/canvas.h"
 #include "snug/space/design_space.h"
@@ -7,11 +8,17 @@
 
 namespace snug {
 
-/// Two maps of the gap, side by side under a drawing of kPageWidth: the lower foam as it is seen from above
-/// (k to the right, j downward) and the lid seen into its cavity (k to the right, j upward). Colours say how
-/// deep the gap is in each column, on average, and whether steps or undercuts make it; a ring shows where the
-/// half's largest ball fits. At most 120 cells an axis. Gives the px that they take from `top` on.
-double draw_gap_maps(Canvas& canvas, const GapReport& gap, const DesignSpace& space, double top,
-                     Language language = Language::english);
+/// The pieces around a layer.
+struct LayerPieces {
+    Piece below = Half::lower, above = Half::lid;
+};
+
+/// Two maps of the gap of a layer, side by side under a drawing of kPageWidth: the piece below as it is seen
+/// from above (k to the right, j downward) and the one above seen into its cavity (k to the right, j upward).
+/// Colours say how deep the gap is in each column, on average, and whether steps or undercuts make it; a ring
+/// shows where the half's largest ball fits. At most 120 cells an axis. Gives the px that they take from
+/// `top` on.
+double draw_gap_maps(Canvas& canvas, const GapReport& gap, const LayerPieces& pieces,
+                     const DesignSpace& space, double top, Language language = Language::english);
 
 }  // namespace snug

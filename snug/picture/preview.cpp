@@ -8,6 +8,7 @@
 
 #include "snug/base/text.h"
 #include "snug/drawing/drawing_svg.h"
+#include "snug/drawing/page_builder.h"
 #include "snug/drawing/svg.h"
 #include "snug/formats/mesh_files.h"
 #include "snug/picture/foam_drawing.h"
@@ -34,14 +35,16 @@ constexpr double kFinestOutline = 0.35;  // px
 constexpr double kFoamStep = 0.1;        // px, to which corners of the foam are rounded
 constexpr double kOutlineStep = 0.01;    // px
 
-/// One half, ready to be drawn.
+/// One piece from one side, ready to be drawn.
 struct HalfScene {
+    Piece piece;
     Relief relief;
     std::vector<Face> faces;
 };
 
-HalfScene half_scene(const Foams& foams, const DesignSpace& space, const OpenedPair& pair, Half half) {
-    HalfScene scene{relief(foams, space, pair, half), {}};
+HalfScene half_scene(const Foams& foams, Piece piece, const DesignSpace& space, const OpenedPair& pair,
+                     Half half) {
+    HalfScene scene{piece, relief(foams, piece, space, pair, half), {}};
     scene.faces = visible_faces(scene.relief);
     return scene;
 }
@@ -75,19 +78,14 @@ Page page_for(const Extent& extent, double& drawing_height) {
     return page;
 }
 
-/// How far the drawing must go down so that neither the legend nor the page's edge meets it.
-double room_above(const Page& page, const HalfScene& lower, const HalfScene& lid,
-                  std::span<const Projected> vertices, Vec2d back_label) {
-    double highest = kLegendAt.y + kLegendSize.y;
-    const auto meet = [&](Vec2d point) {
-        if (point.x < kLegendAt.x + kLegendSize.x) highest = std::min(highest, point.y);
-    };
-    for (const HalfScene* half : {&lower, &lid})
-        for (const Face& face : half->faces) meet(page.at(face.origin));
-    for (const Projected& vertex : vertices) meet(page.at(vertex.at));
-    meet(back_label - Vec2d{0, 30});
-    return std::max(kLegendAt.y + kLegendSize.y - highest, std::max(0.0, 40 - back_label.y));
-}
+/// A layer between the pieces around it.
+struct Book {
+    OpenedPair pair;
+    HalfScene lower, lid;
+    std::vector<Projected> vertices;
+    Page page;
+    double height = 0;  ///< px of the drawing
+};
 
 /// Where there is no foam at all, the table shows.
 void draw_table(Canvas& canvas, const Page& page, const Relief& relief) {
@@ -100,13 +98,15 @@ void draw_table(Canvas& canvas, const Page& page, const Relief& relief) {
 }
 
 void draw_half(Canvas& canvas, const Page& page, const HalfScene& scene, Half half) {
-    const bool lower = half == Half::lower;
+    const std::string name = scene.piece.middle()  ? "middle-" + std::to_string(scene.piece.index)
+                             : half == Half::lower ? "lower"
+                                                   : "lid";
     canvas.layer("marks");
     draw_table(canvas, page, scene.relief);
-    canvas.layer(lower ? "lower" : "lid", kFoamStep);
-    draw_foam(canvas, page, scene.relief, scene.faces, lower ? kLowerBlue : kUpperOrange);
+    canvas.layer(name, kFoamStep);
+    draw_foam(canvas, page, scene.relief, scene.faces, piece_color(scene.piece));
     canvas.layer("marks");
-    draw_half_name(canvas, page, scene.relief, half);
+    draw_half_name(canvas, page, scene.relief, half, piece_title(scene.piece));
 }
 
 std::vector<Projected> projected(const Mesh& mesh, const Placement& placement, const OpenedPair& pair) {
@@ -136,55 +136,122 @@ void draw_caption(Canvas& canvas, const std::vector<std::string>& lines, double 
                     anchored(kLegendText, TextAnchor::middle), lines[i]);
 }
 
+Book opened_book(const Foams& foams, const DesignSpace& space, int layer, const PreviewLayer& what) {
+    const OpenedPair pair = opened(space, foams.parting[static_cast<std::size_t>(layer)]);
+    Book book{pair,
+              half_scene(foams, foams.at(layer), space, pair, Half::lower),
+              half_scene(foams, foams.at(layer + 1), space, pair, Half::lid),
+              projected(what.mesh, what.placement, pair),
+              {},
+              0};
+    Extent extent;
+    extent.include(book.lower);
+    extent.include(book.lid);
+    for (const Projected& vertex : book.vertices) extent.include(vertex.at);
+    book.page = page_for(extent, book.height);
+    return book;
+}
+
+/// How far the first book must go down so that neither the legend nor the page's edge meets it.
+double room_above(const Book& book, Vec2d back_label, int pieces) {
+    const Vec2d legend = kLegendAt + legend_size(pieces);
+    double highest = legend.y;
+    const auto meet = [&](Vec2d point) {
+        if (point.x < legend.x) highest = std::min(highest, point.y);
+    };
+    for (const HalfScene* half : {&book.lower, &book.lid})
+        for (const Face& face : half->faces) meet(book.page.at(face.origin));
+    for (const Projected& vertex : book.vertices) meet(book.page.at(vertex.at));
+    meet(back_label - Vec2d{0, 30});
+    return std::max(legend.y - highest, std::max(0.0, 40 - back_label.y));
+}
+
+void draw_book(Canvas& canvas, const Book& book, const DesignSpace& space,
+               std::span<const NumberedPlace> numbered, const ObjectOutlines& outlines) {
+    const Page& page = book.page;
+    draw_half(canvas, page, book.lid, Half::lid);
+    draw_hinge(canvas, page, space);
+    draw_half(canvas, page, book.lower, Half::lower);
+    draw_sizes(canvas, page, book.lid.relief, Half::lid, space);
+    draw_sizes(canvas, page, book.lower.relief, Half::lower, space);
+    draw_back_label(canvas, page, space);
+    draw_object(canvas, page, outlines);
+    draw_numbers(canvas, page, book.pair, numbered);
+}
+
+/// About where its drawing begins.
+void shrink(Book& book, double share) {
+    const Vec2d middle{kPageWidth / 2, kTopMargin + book.height / 2};
+    const Vec2d from_middle = middle - book.page.shift;
+    book.height *= share;
+    book.page.shift = Vec2d{kPageWidth / 2, kTopMargin + book.height / 2} - from_middle * share;
+    book.page.scale *= share;
+}
+
+/// All books at one scale, one below the other. Gives where they end.
+double lay_out(std::vector<Book>& books, const DesignSpace& space) {
+    double scale = books.front().page.scale;
+    for (const Book& book : books) scale = std::min(scale, book.page.scale);
+    double top = 0;
+    for (Book& book : books) {
+        if (book.page.scale != scale) shrink(book, scale / book.page.scale);
+        book.page.shift.y += top;
+        double lowered = 0;
+        if (&book == &books.front())
+            lowered =
+                room_above(book, back_label_centre(book.page, space), static_cast<int>(books.size()) + 1);
+        book.page.shift.y += lowered;
+        top += kTopMargin + lowered + book.height + kBottomMargin;
+    }
+    return top;
+}
+
 }  // namespace
 
-Drawing preview_drawing(const Foams& foams, const DesignSpace& space, const Mesh& mesh,
-                        const Placement& placement, const std::string& caption, const GapReport* gap,
-                        Language language, std::span<const Vec3d> numbered) {
-    const OpenedPair pair = opened(space, foams.parting.front());
-    const HalfScene lower = half_scene(foams, space, pair, Half::lower);
-    const HalfScene lid = half_scene(foams, space, pair, Half::lid);
-    const std::vector<Projected> vertices = projected(mesh, placement, pair);
-
-    Extent extent;
-    extent.include(lower);
-    extent.include(lid);
-    for (const Projected& vertex : vertices) extent.include(vertex.at);
-    double drawing_height = 0;
-    Page page = page_for(extent, drawing_height);
-    const double lowered = room_above(page, lower, lid, vertices, back_label_centre(page, space));
-    page.shift.y += lowered;
-    const ObjectOutlines outlines =
-        object_outlines(vertices, mesh.triangles, lower.faces, kFinestOutline / page.scale);
-
+Drawing preview_drawing(const Foams& foams, const DesignSpace& space, std::span<const PreviewLayer> layers,
+                        const std::string& caption, Language language) {
+    std::vector<Book> books;
+    for (std::size_t i = 0; i < layers.size(); ++i)
+        books.push_back(opened_book(foams, space, static_cast<int>(i), layers[i]));
+    const double drawing_end = lay_out(books, space);
     const std::vector<std::string> lines = wrapped(caption, kCaptionCharacters, kCaptionLines);
-    const double drawing_end = kTopMargin + lowered + drawing_height + kBottomMargin;
     // A very long front leaves no room in the lower right corner.
     const bool long_front = space.size().z > 4 * space.size().y;
     const Vec2d axes{long_front ? 70 : kPageWidth - 90, drawing_end - 60};
-    const double caption_end = drawing_end + kCaptionLine * static_cast<double>(lines.size()) + 24;
+    double end = drawing_end + kCaptionLine * static_cast<double>(lines.size()) + 24;
 
     Canvas canvas(caption, language);
-    draw_half(canvas, page, lid, Half::lid);
-    draw_hinge(canvas, page, space);
-    draw_half(canvas, page, lower, Half::lower);
-    draw_sizes(canvas, page, lid.relief, Half::lid, space);
-    draw_sizes(canvas, page, lower.relief, Half::lower, space);
-    draw_back_label(canvas, page, space);
-    draw_object(canvas, page, outlines);
-    draw_numbers(canvas, page, pair, numbered);
+    bool with_object = false;
+    for (std::size_t i = 0; i < books.size(); ++i) {
+        const Book& book = books[i];
+        const ObjectOutlines outlines = object_outlines(book.vertices, layers[i].mesh.triangles,
+                                                        book.lower.faces, kFinestOutline / book.page.scale);
+        with_object = with_object || !outlines.whole.empty();
+        draw_book(canvas, book, space, layers[i].numbered, outlines);
+    }
     canvas.layer("legend");
-    draw_legend(canvas, kLegendAt, space, !outlines.whole.empty(), language);
+    draw_legend(canvas, kLegendAt, space, static_cast<int>(foams.pieces.size()), with_object, language);
     draw_axes(canvas, axes);
     draw_caption(canvas, lines, drawing_end + 18);
-    const double height = caption_end + (gap ? draw_gap_maps(canvas, *gap, space, caption_end, language) : 0);
-    return canvas.finish({kPageWidth, height});
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        if (!layers[i].gap) continue;
+        const auto layer = static_cast<int>(i);
+        end += draw_gap_maps(canvas, *layers[i].gap, {foams.at(layer), foams.at(layer + 1)}, space, end,
+                             language);
+    }
+    return canvas.finish({kPageWidth, end});
+}
+
+std::string preview_svg(const Foams& foams, const DesignSpace& space, std::span<const PreviewLayer> layers,
+                        const std::string& caption, Language language) {
+    return drawing_svg(preview_drawing(foams, space, layers, caption, language));
 }
 
 std::string preview_svg(const Foams& foams, const DesignSpace& space, const Mesh& mesh,
                         const Placement& placement, const std::string& caption, const GapReport* gap,
-                        Language language, std::span<const Vec3d> numbered) {
-    return drawing_svg(preview_drawing(foams, space, mesh, placement, caption, gap, language, numbered));
+                        Language language) {
+    const PreviewLayer layer{mesh, placement, gap};
+    return preview_svg(foams, space, std::span(&layer, 1), caption, language);
 }
 
 }  // namespace snug

@@ -4,6 +4,7 @@
 
 #include "snug/base/text.h"
 #include "snug/picture/preview_style.h"
+#include "snug/words/pieces.h"
 
 namespace snug {
 namespace {
@@ -12,6 +13,7 @@ constexpr double kDimensionOffset = 26;  // px from the edge to its dimension li
 constexpr double kHingeOvershoot = 46;   // px
 constexpr double kLeastWallText = 15;    // px
 constexpr double kTableText = 22;        // px
+constexpr double kLegendLine = 29;       // px
 
 /// The scene direction in the drawing; its length is the foreshortening.
 Vec2d seen(Vec3d direction) {
@@ -76,16 +78,17 @@ int outer_wall_layers(const Relief& relief, Half half) {
 
 }  // namespace
 
-void draw_half_name(Canvas& canvas, const Page& page, const Relief& relief, Half half) {
+void draw_half_name(Canvas& canvas, const Page& page, const Relief& relief, Half half,
+                    std::string_view name) {
     const bool lower = half == Half::lower;
-    const std::string_view name = lower ? "LOWER" : "LID";
     const double left = relief.right_faces.front(), right = relief.right_faces.back();
     const double back = relief.front_faces.front(), front = relief.front_faces.back();
     const Vec3d reading = lower ? Vec3d{1, 0, 0} : Vec3d{0, -1, 0};
     const double wide = (lower ? right - left : front - back) * page.scale;
     const double wall_mm = outer_wall_layers(relief, half) * relief.layer_mm;
     const double high = wall_mm * page.scale;
-    const double letters = static_cast<double>(name.size());
+    // MIDDLE has the widest letters, and most of them.
+    const double letters = static_cast<double>(name.size()) * (name.size() > 5 ? 1.2 : 1);
     const double size = std::min({high * 0.42, wide * 0.8 / (0.75 * letters), 46.0});
     const Vec3d foot = lower ? Vec3d{(left + right) / 2, front, relief.bottom}
                              : Vec3d{right, (back + front) / 2, relief.bottom};
@@ -131,14 +134,15 @@ void draw_back_label(Canvas& canvas, const Page& page, const DesignSpace& space)
     flat_text(canvas, back_label_centre(page, space), {1, 0, 0}, {0, 1, 0}, 22, kBackText, "BACK");
 }
 
-void draw_numbers(Canvas& canvas, const Page& page, const OpenedPair& pair, std::span<const Vec3d> places) {
+void draw_numbers(Canvas& canvas, const Page& page, const OpenedPair& pair,
+                  std::span<const NumberedPlace> places) {
     constexpr double kRadius = 11, kBaseline = 5;  // px
     if (!places.empty()) canvas.layer("numbers");
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        const Vec2d at = page.at(pair.lower(places[i]));
+    for (const NumberedPlace& place : places) {
+        const Vec2d at = page.at(pair.lower(place.at));
         canvas.circle(at, kRadius, {kWhite, .92}, {kObjectInk, 1.6});
         canvas.text(at + Vec2d{0, kBaseline}, 14, anchored(kBackText, TextAnchor::middle),
-                    std::to_string(i + 1));
+                    std::to_string(place.number));
     }
 }
 
@@ -157,14 +161,21 @@ void draw_axes(Canvas& canvas, Vec2d at) {
     }
 }
 
-void draw_legend(Canvas& canvas, Vec2d at, const DesignSpace& space, bool with_object, Language language) {
+Vec2d legend_size(int pieces) {
+    return {380, 130 + kLegendLine * (pieces - 2)};
+}
+
+void draw_legend(Canvas& canvas, Vec2d at, const DesignSpace& space, int pieces, bool with_object,
+                 Language language) {
     const auto entry = [&](Color swatch, const std::optional<Stroke>& edge, const Message& name,
                            const Message& explanation) {
         canvas.rectangle(at, {26, 17}, Fill{swatch}, edge, 3);
         canvas.text(at + Vec2d{38, 14}, 17, kLegendText, text(explanation, language), text(name, language));
-        at.y += 29;
+        at.y += kLegendLine;
     };
     entry(kLowerBlue, {}, say("mark.lower"), say("preview.lower"));
+    for (int i = 1; i + 1 < pieces; ++i)
+        entry(kMiddleGreen, {}, marked_piece({i, pieces}), say("preview.middle"));
     entry(kUpperOrange, {}, say("mark.lid"), say("preview.lid"));
     if (with_object) entry(kWhite, kObjectSwatchStroke, say("preview.object"), say("preview.object_lies"));
     const Vec3d size = space.size();

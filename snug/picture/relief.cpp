@@ -121,8 +121,12 @@ int Relief::fewest_layers() const {
 }
 
 Relief relief(const Foams& foams, const DesignSpace& space, const OpenedPair& pair, Half half) {
+    return relief(foams, half, space, pair, half);
+}
+
+Relief relief(const Foams& foams, Piece piece, const DesignSpace& space, const OpenedPair& pair, Half half) {
     const bool lower = half == Half::lower;
-    const Grid<Run> kept = kept_runs(foams, half, space.blocks.x);
+    const auto [kept, under] = seen_piece(foams, piece, half, space.blocks.x);
     const int ny = kept.ny(), nz = kept.nz();
     const int per_cell = std::max(blocks_per_cell(ny), blocks_per_cell(nz));
     const int rows = cells(ny, per_cell), columns = cells(nz, per_cell);
@@ -132,7 +136,7 @@ Relief relief(const Foams& foams, const DesignSpace& space, const OpenedPair& pa
     };
 
     Relief relief{{rows, columns}, {}, {}, 0, space.block_mm.x, per_cell, {rows, columns}};
-    relief.bottom = in_scene({space.face(0, lower ? 0 : space.blocks.x), 0, 0}).z;
+    relief.bottom = in_scene({space.face(0, lower ? under : space.blocks.x - under), 0, 0}).z;
     // The lid's row that is farthest from its BACK edge lies farthest from the viewer.
     for (int row = 0; row <= rows; ++row)
         relief.front_faces.push_back(in_scene({0, face(1, lower ? row : rows - row), 0}).y);

@@ -11,21 +11,25 @@
 
 namespace snug {
 
-/// One foam half as it lies open in the scene (isometric.h), cavity up: a height field whose rows run from
-/// the back towards the viewer and whose columns run to the right.
+/// One piece of foam as it lies open in the scene (isometric.h), cavity up: a height field whose rows run
+/// from the back towards the viewer and whose columns run to the right.
 struct Relief {
     Grid<int> layers;                 ///< blocks kept: (row, column)
     std::vector<double> front_faces;  ///< scene y where each row begins, and where the last one ends
     std::vector<double> right_faces;  ///< scene x where each column begins, and where the last one ends
-    double bottom = 0;                ///< scene z of the case's inner side
+    double bottom = 0;                ///< scene z of what it lies on
     double layer_mm = 0;
     int blocks_per_cell = 1;  ///< more where the half has more columns than a drawing can show
-    Grid<int> missing;        ///< of the layers, from the case's side, that it has no room for
+    Grid<int> missing;        ///< of the layers, from the bottom, that the case or a cavity below leaves out
 
     [[nodiscard]] double height(int row, int column) const { return bottom + layers(row, column) * layer_mm; }
     [[nodiscard]] int fewest_layers() const;
 };
 
+/// `half`: whether it lies as the lower or as the upper piece of the pair.
+[[nodiscard]] Relief relief(const Foams& foams, Piece piece, const DesignSpace& space, const OpenedPair& pair,
+                            Half half);
+/// Of the two foams of one layer.
 [[nodiscard]] Relief relief(const Foams& foams, const DesignSpace& space, const OpenedPair& pair, Half half);
 
 enum class FaceSide { top, front, right };

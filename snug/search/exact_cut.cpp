@@ -21,7 +21,8 @@ std::optional<ExactCut> exact_cut(const PreparedSurface& surface, const DesignSp
     result.depths = object_depths(surface, result.placement, space, cut);
     result.blocks = object_cut(half_cuts(result.depths, space), space, result.placement.bounds);
     // Where the halves meet changes neither the walls nor what is cut.
-    const FitReport fit = fit_report(split(result.blocks, 0, available), result.blocks, space, available);
+    const FitReport fit =
+        fit_report(split(result.blocks, 0, available), {&result.blocks, 1}, space, available);
     if (fit.outside_blocks > 0) return {};
     result.cut_blocks = fit.cut_blocks;
     result.wall_mm = fit.wall_mm;

@@ -29,7 +29,7 @@ std::optional<FitReport> evaluate(Climb& climb, const PreparedSurface& surface, 
     const BlockMap blocks = object_cut(half_cuts(depths, climb.space), climb.space, placement.bounds);
     // Where the halves meet changes neither the walls nor what is cut.
     const Foams foams = split(blocks, 0, climb.available);
-    const FitReport fit = fit_report(foams, blocks, climb.space, climb.available);
+    const FitReport fit = fit_report(foams, {&blocks, 1}, climb.space, climb.available);
     if (fit.outside_blocks > 0) return {};
     return fit;
 }

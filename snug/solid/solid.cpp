@@ -21,8 +21,13 @@ Solid solid_of(const Grid<Run>& runs, const DesignSpace& space, Half half) {
     return solid;
 }
 
+Solid solid_of(const Foams& foams, Piece piece, const DesignSpace& space) {
+    if (piece.highest()) return upper_solid(foams, space);
+    return solid_of(foams.piece(piece), space, Half::lower);
+}
+
 Solid lower_solid(const Foams& foams, const DesignSpace& space) {
-    return solid_of(kept_runs(foams, Half::lower, space.blocks.x), space, Half::lower);
+    return solid_of(foams.piece(Half::lower), space, Half::lower);
 }
 Solid upper_solid(const Foams& foams, const DesignSpace& space) {
     return solid_of(kept_runs(foams, Half::lid, space.blocks.x), space, Half::lid);

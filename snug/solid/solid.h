@@ -23,6 +23,7 @@ struct Solid {
 /// `runs`: the blocks in each column, counted from the half's own side.
 [[nodiscard]] Solid solid_of(const Grid<Run>& runs, const DesignSpace& space, Half half);
 
+[[nodiscard]] Solid solid_of(const Foams& foams, Piece piece, const DesignSpace& space);
 [[nodiscard]] Solid lower_solid(const Foams& foams, const DesignSpace& space);
 [[nodiscard]] Solid upper_solid(const Foams& foams, const DesignSpace& space);
 

@@ -12,11 +12,18 @@ Box3d room_of(const std::vector<Item>& items) {
     return room;
 }
 
-std::vector<Vec3d> numbered_places(const std::vector<Item>& items) {
-    std::vector<Vec3d> places;
-    if (items.size() > 1)
-        for (const Item& item : items) places.push_back(item.placement.bounds.centre());
+std::vector<NumberedPlace> numbered_places(const std::vector<Item>& items, int layer) {
+    std::vector<NumberedPlace> places;
+    for (std::size_t i = 0; i < items.size() && items.size() > 1; ++i)
+        if (items[i].layer == layer) places.push_back({i + 1, items[i].placement.bounds.centre()});
     return places;
+}
+
+std::vector<Item> of_layer(const std::vector<Item>& items, int layer) {
+    std::vector<Item> own;
+    for (const Item& item : items)
+        if (item.layer == layer) own.push_back(item);
+    return own;
 }
 
 Box3d bounds_of(const std::vector<Item>& items) {

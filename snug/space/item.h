@@ -16,6 +16,7 @@ struct Item {
     std::size_t object = 0;  ///< which of the objects
     std::string name;        ///< its own or its object's, with its number where others are called the same
     std::string group;
+    int layer = 1;  ///< the lowest is 1
     Vec3d rotation_deg;
     Vec3d offset_mm;  ///< as chosen or, for an item beside others, as it came out
     CutOptions cut;
@@ -26,9 +27,16 @@ struct Item {
 /// What an item takes up with its clearance; and what all of them take up together.
 [[nodiscard]] Box3d room_of(const Item& item);
 [[nodiscard]] Box3d room_of(const std::vector<Item>& items);
-/// Where pictures number them: the middle of each; empty where one lies there alone.
-[[nodiscard]] std::vector<Vec3d> numbered_places(const std::vector<Item>& items);
+/// Where pictures number an item, in design coordinates.
+struct NumberedPlace {
+    std::size_t number = 1;
+    Vec3d at;
+};
+/// The middle of each item of a layer, numbered from 1 as all items are; empty where one lies there alone.
+[[nodiscard]] std::vector<NumberedPlace> numbered_places(const std::vector<Item>& items, int layer = 1);
 /// Their placed bounding boxes together.
 [[nodiscard]] Box3d bounds_of(const std::vector<Item>& items);
+/// Those of one layer, counted from 1.
+[[nodiscard]] std::vector<Item> of_layer(const std::vector<Item>& items, int layer);
 
 }  // namespace snug

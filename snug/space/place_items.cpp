@@ -27,6 +27,7 @@ Result<Item> placed(std::span<const Object> objects, const ItemOptions& options,
     Item item{index,
               options.name.empty() ? objects[index].name : options.name,
               options.group,
+              options.layer,
               options.rotation_deg.value_or(design.placement.rotation_deg),
               options.offset_mm.value_or(design.placement.offset_mm),
               cut_of(options, design),
@@ -38,11 +39,16 @@ Result<Item> placed(std::span<const Object> objects, const ItemOptions& options,
     return item;
 }
 
-/// One after the other along z, their middle at `middle`. Between two grown boxes lies a block more than what
-/// is wanted, so that as many whole blocks lie between them wherever the lattice is.
+/// Between two grown boxes lies a block more than what is wanted, so that as many whole blocks lie between
+/// them wherever the lattice is. mm.
+double apart_along(int axis, const SpaceOptions& space) {
+    const double block = space.block_mm[axis];
+    return (std::ceil(wanted_between_mm(space) / block - 1e-9) + 1) * block;
+}
+
+/// One after the other along z, their middle at `middle`.
 void stand_in_a_row(const std::vector<Item*>& row, const SpaceOptions& space, double middle) {
-    const double block = space.block_mm.z;
-    const double apart = (std::ceil(wanted_between_mm(space) / block - 1e-9) + 1) * block;
+    const double apart = apart_along(2, space);
     double length = -apart;
     for (const Item* item : row) length += room_of(*item).size().z + apart;
     double at = middle - length / 2;
@@ -57,14 +63,46 @@ double volume(Vec3d size) {
     return size.x * size.y * size.z;
 }
 
-std::vector<Item*> without_a_place(std::vector<Item>& items, const Design& design) {
+/// Of one layer, the largest first.
+std::vector<Item*> without_a_place(std::vector<Item>& items, const Design& design, int layer) {
     std::vector<Item*> row;
     for (std::size_t i = 0; i < items.size(); ++i)
-        if (!design.items[i].offset_mm) row.push_back(&items[i]);
+        if (!design.items[i].offset_mm && items[i].layer == layer) row.push_back(&items[i]);
     std::stable_sort(row.begin(), row.end(), [](const Item* a, const Item* b) {
         return volume(a->placement.bounds.size()) > volume(b->placement.bounds.size());
     });
     return row;
+}
+
+Box3d room_of(const std::vector<Item*>& items) {
+    Box3d room;
+    for (const Item* item : items) room.include(room_of(*item));
+    return room;
+}
+
+/// Layers of items upon each other, their middle at `middle`.
+void stack(const std::vector<std::vector<Item*>>& layers, const SpaceOptions& space, double middle) {
+    const double apart = apart_along(0, space);
+    double height = -apart;
+    for (const auto& layer : layers)
+        if (!layer.empty()) height += room_of(layer).size().x + apart;
+    double at = middle - height / 2;
+    for (const auto& layer : layers) {
+        if (layer.empty()) continue;
+        const Box3d room = room_of(layer);
+        for (Item* item : layer) move(*item, {at - room.min.x, 0, 0});
+        at += room.size().x + apart;
+    }
+}
+
+/// Rows along z, a row for each layer.
+void place_beside_each_other(std::vector<Item>& items, const Design& design, Vec3d middle) {
+    std::vector<std::vector<Item*>> layers;
+    for (int layer = 1; layer <= layers_of(design); ++layer) {
+        layers.push_back(without_a_place(items, design, layer));
+        stand_in_a_row(layers.back(), design.space, middle.z);
+    }
+    if (layers.size() > 1) stack(layers, design.space, middle.x);
 }
 
 /// Shifts all so that what they take up together is centred, as a single object is.
@@ -97,7 +135,7 @@ Result<std::vector<Item>> place_items(std::span<const Object> objects, const Des
     }
     if (items.size() == 1) return items;
     number_equal_names(items);
-    stand_in_a_row(without_a_place(items, design), design.space, design.placement.offset_mm.z + walls.z);
+    place_beside_each_other(items, design, design.placement.offset_mm + walls);
     if (!design.space.blocks && !in_case) centre(items, walls);
     return items;
 }

@@ -29,4 +29,11 @@ PlacedMesh::PlacedMesh(std::span<const Object> objects, const std::vector<Item>&
     placement_ = {rotation_from_euler({}), {}, bounds_of(items)};
 }
 
+std::deque<PlacedMesh> placed_layers(std::span<const Object> objects, const std::vector<Item>& items,
+                                     int layers) {
+    std::deque<PlacedMesh> meshes;
+    for (int layer = 1; layer <= layers; ++layer) meshes.emplace_back(objects, of_layer(items, layer));
+    return meshes;
+}
+
 }  // namespace snug

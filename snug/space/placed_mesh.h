@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <optional>
 #include <span>
 #include <vector>
@@ -30,5 +31,9 @@ class PlacedMesh {
     Placement placement_;
     bool whole_ = true, closed_ = true;
 };
+
+/// One for each of so many layers, the lowest first.
+[[nodiscard]] std::deque<PlacedMesh> placed_layers(std::span<const Object> objects,
+                                                   const std::vector<Item>& items, int layers);
 
 }  // namespace snug

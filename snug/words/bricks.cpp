@@ -6,6 +6,11 @@ namespace snug {
 namespace {
 
 constexpr Wording kWordsOfBricks[] = {
+    {"bricks.layers",
+     "foams of several layers are not built of bricks yet: a middle foam would stand on its studs. Pack the "
+     "layers as designs of their own, or take --for {ways/}",
+     "複数の段のフォームは、まだブロックでは組めません（中間のフォームがポッチの上に立つため）。段ごとに別の"
+     "設計にするか、--for で {ways/} を選んでください。"},
     {"brick_pieces",
      "the bricks of the {half} hold together in {pieces} pieces: foam that is one layer thick, or islands "
      "of it, cannot be joined by studs. Glue it, take plates (--brick-unit plate) or more walls",

@@ -10,6 +10,12 @@ constexpr Wording kWordsOfDesign[] = {
     {"clearance.least",
      "the clearance must be {least} mm or more for these blocks (-0.4 of the smallest side), not {found}",
      "このブロックでは、すきまを {least} mm（最も短い辺の -0.4 倍）以上にしてください（指定：{found}）。"},
+    {"parting.layers",
+     "the design has {layers} layers of items and {found} parting levels: give one level for each layer, or "
+     "auto",
+     "段は {layers}、分割の高さは {found} 個です。段ごとに一つずつ指定するか、auto にしてください。"},
+    {"parting.not_rising", "the parting levels must rise from layer to layer, the lowest layer's first",
+     "分割の高さは、下の段から順に高くなるように指定してください。"},
     {"parting.range", "the parting level must be auto or 0 to {most} blocks, not {found}",
      "分割の高さは auto または 0～{most} ブロックにしてください（指定：{found}）。"},
     {"formats.none", "name at least one format: stl, ply",

@@ -43,11 +43,21 @@ constexpr Wording kWordsOfFit[] = {
      "not run into each other",
      "{one} と {other} が同じ列にあります（間は {distance} mm、必要なフォームは {between} mm）。どちらかを y "
      "または z 方向に {shift} mm 動かすか、ぶつからず同じくぼみに入れてよければ同じグループにしてください。"},
+    {"items_near/layers",
+     "between {one} and {other} in a layer above it stand only {distance} mm of foam, and {between} mm are "
+     "wanted: move {other} {shift} mm up, shift one of them aside, or ask for less (--between)",
+     "{one} と上の段の {other} の間のフォームが {distance} mm しかありません（必要なのは {between} mm）。"
+     "{other} を {shift} mm 上げるか、どちらかを横に動かすか、--between を小さくしてください。"},
     {"object_same_name",
      "another object is called {name}, too, and is a different file: a project finds one alone beside it, so "
      "rename one of them before you rely on the project",
      "{name} という名前の別のファイルもあります。プロジェクトから作り直すときに区別できないため、どちらかの"
      "名前を変えてください。"},
+    {"items.empty_layer",
+     "nothing lies in layer {layer} of {layers}: give its items {example}, or number the layers above it "
+     "one lower",
+     "全 {layers} 段のうち {layer} 段目に何もありません。そこに置くものに {example} を付けるか、"
+     "その上の段の番号を一つずつ下げてください。"},
     {"items.no_object", "there is an item of object {number}, but only {objects} of them, counted from 0",
      "対象物 {number} のものがありますが、対象物は {objects} 個しかありません（0 から数えます）。"},
     {"search.one_item", "a search takes one object, and here lie {items}: place them yourself ({example})",
@@ -74,6 +84,11 @@ constexpr Wording kWordsOfFit[] = {
      "下のフォームがありません。分割の高さを変えるか、{instead}。"},
     {"no_upper", "the upper foam is empty: choose another parting level or {instead}",
      "ふたがありません。分割の高さを変えるか、{instead}。"},
+    {"no_middle", "middle foam {number} is empty: move the layers around it farther apart or {instead}",
+     "中間のフォーム {number} がありません。上下の段を離すか、{instead}。"},
+    {"middle_pieces",
+     "middle foam {number} falls into {pieces} pieces: move the layers around it farther apart, or {instead}",
+     "中間のフォーム {number} が {pieces} 個に分かれます。上下の段を離すか、{instead}。"},
     {"lower_pieces", "the lower foam falls into {pieces} pieces: glue them to the case, or {instead}",
      "下のフォームが {pieces} 個に分かれます。ケースに接着するか、{instead}。"},
     {"upper_pieces", "the upper foam falls into {pieces} pieces: glue them to the case, or {instead}",
@@ -102,6 +117,7 @@ constexpr Wording kWordsOfFit[] = {
      "うに対象物を回すか、硬めのフォームを選んでください。"},
     {"foam.lower", "lower foam", "下のフォーム"},
     {"foam.upper", "upper foam", "ふた"},
+    {"foam.middle", "middle foam {number}", "中間のフォーム {number}"},
     {"foam.lid", "lid", "ふた"},
     {"foam.lower_half", "lower half", "下のフォーム"},
     {"no_notches/floor",

@@ -19,8 +19,8 @@ constexpr Wording kWordsOfMillPages[] = {
     {"mill.pass_of",
      "{step_mm} mm down, lines {apart_mm} mm apart, {safe_mm} mm above the stock between them",
      "深さ {step_mm} mm、線の間隔 {apart_mm} mm、移動は材料の上 {safe_mm} mm"},
-    {"mill.cut_stock", "Cut each stock to its size. Write LOWER or LID and BACK on it.",
-     "材料をそれぞれの寸法に切り、LOWER（下）か LID（ふた）と BACK（奥）を書きます。"},
+    {"mill.cut_stock", "Cut each stock to its size. Write {marks/} and BACK on it.",
+     "材料をそれぞれの寸法に切り、どのフォームか（{marks/}）と BACK（奥）を書きます。"},
     {"mill.fix_stock",
      "Fix it on the machine, the cavity's side up and BACK as drawn: double-sided tape or a vacuum, "
      "for screws tear foam. Keep {mm} mm free around it: strips at an edge are cleared from beside "
@@ -37,6 +37,12 @@ constexpr Wording kWordsOfMillPages[] = {
      "only: where they do not, one of them lay turned.",
      "くぼみのプログラムはどちらも、直径 {mm} mm のピンの穴を 2 つ開けてから始まります。下とふたは、"
      "正しい向きでだけピンで合います。合わなければ、どちらかを逆向きに置いて削っています。"},
+    {"mill.pins_layers",
+     "All sides on which pieces meet get two holes for pins of {mm} mm first. The pieces meet on them one "
+     "way "
+     "only: where they do not, one of them lay turned.",
+     "フォーム同士が合わさる面には、まず直径 {mm} mm のピンの穴を 2 つずつ開けます。正しい向きでだけピンで"
+     "合います。合わなければ、どれかを逆向きに置いて削っています。"},
     {"mill.programs", "{names&}", "{names&}"},
     {"mill.turn",
      "Outer sides ({programs}): after a half's cavity is milled, turn it over about the line from "
@@ -57,6 +63,12 @@ constexpr Wording kWordsOfMillPages[] = {
      "Close the empty halves once, BACK over BACK, and try the object's outline before it goes in.",
      "空のまま一度、BACK どうしを合わせて閉じます。対象物を納める前に、輪郭がくぼみに合うか確かめます"
      "。"},
+    {"mill.close_layers",
+     "Stand the empty pieces on each other once, BACK over BACK, and try each layer's outlines before "
+     "anything "
+     "goes in.",
+     "空のまま一度、BACK どうしを合わせて重ねます。収める前に、段ごとに輪郭がくぼみに合うか確かめます。"},
+    {"mill.under", "{half}, underside", "{half}、下面"},
     {"mill.outer", "{half}, outer side", "{half}、外側"},
     {"mill.from_above", "{name} · {file} · from above, as you stand before it",
      "{name} · {file} · 機械の前に立って上から見た図"},
@@ -64,6 +76,7 @@ constexpr Wording kWordsOfMillPages[] = {
     {"mill.lies_so", "{side}, BACK {back}", "{side}、BACK は{back}"},
     {"mill.cavity_up", "cavity up", "くぼみが上"},
     {"mill.outer_up", "outer side up, cavity down", "外側が上、くぼみが下"},
+    {"mill.under_up", "underside up, upper cavity down", "下面が上、上側のくぼみが下"},
     {"mill.away", "away from you", "向こう側"},
     {"mill.towards", "towards you", "手前"},
     {"mill.stock", "Stock", "材料"},

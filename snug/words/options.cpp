@@ -41,6 +41,8 @@ constexpr Wording kWordsOfOptions[] = {
     {"takes.length_and_width", "length and width in mm such as {example}",
      "{example} のような長さと幅（mm）"},
     {"takes.three_numbers", "three numbers such as {example}", "{example} のような三つの数値"},
+    {"takes.levels", "a whole number such as {example}, or of several layers one for each such as {other}",
+     "{example} のような整数、段が複数あれば {other} のように段ごとの整数"},
     {"takes.clearance",
      "one number of mm, three (x,y,z) or six (x,y,z of the lower foam, then of the upper) such as {example} "
      "or {other}",
@@ -101,6 +103,8 @@ constexpr Wording kWordsOfOptions[] = {
     {"json.three_whole", "three whole numbers in brackets", "角括弧に入れた三つの整数"},
     {"json.four", "four numbers in brackets", "角括弧に入れた四つの数値"},
     {"json.walls", "a number, six numbers in brackets", "数値、または角括弧に入れた六つの数値"},
+    {"json.levels", "a whole number, or a list of them for several layers",
+     "整数、段が複数あれば整数のリスト"},
     {"json.clearance", "a number, or six in brackets (x, y, z of the lower foam, then of the upper)",
      "数値、または角括弧に入れた六つの数値（下のフォームの x、y、z、上のフォームの x、y、z）"},
     {"json.weights", "an object with numbers for {words/}", " {words/} の数値を持つオブジェクト"},

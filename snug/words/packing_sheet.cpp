@@ -23,6 +23,36 @@ constexpr Wording kWordsOfPackingSheet[] = {
     {"packing.picture_lower", "1  Lower foam, cavity up", "1　下のフォーム（くぼみが上）"},
     {"packing.picture_object", "2  Object in the lower foam", "2　下のフォームに納めた対象物"},
     {"packing.picture_lid", "3  Lid, here turned over its BACK edge", "3　ふた（奥の縁を軸に裏返した図）"},
+    {"packing.picture_below", "{number}  {piece}, cavity up", "{number}　{piece}（くぼみが上）"},
+    {"packing.picture_layer", "{number}  Items of layer {layer}", "{number}　{layer} 段目に納めたもの"},
+    {"packing.picture_above", "{number}  {piece}, here turned over its BACK edge",
+     "{number}　{piece}（奥の縁を軸に裏返した図）"},
+    {"packing.numbered", "{number} {name}", "{number} {name}"},
+    {"packing.in_layer", "{item}; layer {layer}", "{item}、{layer} 段目"},
+    {"packing.lay_layer",
+     "Layer {layer}: lower {items;} straight down into their cavities, as in picture {picture}, without "
+     "turning "
+     "or pressing. Where one does not go in by its own weight, take it out and look why. Count them: none "
+     "may "
+     "be left over.",
+     "{layer} 段目：{items;} を、図 {picture} のように、回したり押し込んだりせず、それぞれのくぼみへまっすぐ"
+     "に下ろします。自重で収まらないものがあれば、いったん取り出して原因を調べます。数を数え、残りがないこと"
+     "を確かめます。"},
+    {"packing.put_middle",
+     "Lower {piece} straight down onto that, the side with its mark up, BACK over BACK, the marked corners "
+     "together. Its rim must lie on the foam below all round without force.",
+     "その上に {piece} を、印のある面を上に、BACK どうし、印のある角どうしを合わせて、まっすぐに下ろします。"
+     "力を入れなくても、縁は全周で下のフォームに載るはずです。"},
+    {"packing.unpack_layers",
+     "To unpack go the other way round, layer by layer: lift the lid straight up, then each item of the "
+     "uppermost layer by hand where the list below says that fingers fit beside it, and the foam under them "
+     "only when it is empty. Where fingers fit nowhere, lay two ribbons across the cavity before the item, "
+     "their ends outside, and lift by them. Never by a thin or projecting part. Slit sponge is lifted on a "
+     "board that does not bend.",
+     "取り出すときは逆の順に、段ごとに行います。まずふたをまっすぐ上に持ち上げ、一番上の段のものを一つずつ、"
+     "下の一覧で指の入る所から手で取り出します。その下のフォームは、空になってから持ち上げます。指の入る所が"
+     "ないものは、納める前にくぼみへリボンを 2 本、端を外に出して渡しておき、それを持って取り出します。細い部"
+     "分や突き出た部分を持たないでください。スリットスポンジは、曲がらない板に載せて持ち上げます。"},
     {"packing.how", "How to lay it in", "納め方"},
     {"packing.stand",
      "Stand the case with the lower foam in it, cavity up, the edge marked BACK away from you. The "

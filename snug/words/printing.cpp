@@ -24,6 +24,11 @@ constexpr Wording kWordsOfPrinting[] = {
      "program put support under them{glue}",
      "ケースが広がるため、{parts} 個の部品が一番下のブロックより外に張り出します。プリンターのソフトでサポ"
      "ートを付けてください{glue}。"},
+    {"overhang/middle",
+     "{parts} {parts|part|parts} of the middle foams have a cavity below: let the printer's program put "
+     "support under them{glue}",
+     "中間のフォームの部品 {parts} 個は下側にもくぼみがあります。プリンターのソフトでサポートを付けてくださ"
+     "い{glue}。"},
     {"overhang.glue", ", and glue them face to face: they have no dowels",
      "（ダボがないため、面同士を接着してください）"},
     {"narrow_foam",
@@ -51,6 +56,12 @@ constexpr Wording kWordsOfPrinting[] = {
      "{litres} litres, which the mould casts: trim them off by hand until the foam lies in the case",
      "{foam}の外側の {blocks} ブロック（{litres} リットル）は型で作られますが、ケースに入りません。ケース"
      "に収まるまで手で切り落としてください。"},
+    {"mould.layers",
+     "foams of several layers are not cast yet: a middle foam has a cavity on each side, which a mould with "
+     "one "
+     "core does not leave. Pack the layers as designs of their own, or take --for {ways/}",
+     "複数の段のフォームは、まだ注型できません（中間のフォームは両側にくぼみがあり、コアが一つの型では抜けま"
+     "せん）。段ごとに別の設計にするか、--for で {ways/} を選んでください。"},
     {"mould.nothing_to_cast", "there is no foam to cast: the object takes every block; take a larger space",
      "対象物がすべてのブロックを占め、流し込むフォームがありません。空間を大きくしてください。"},
     {"mould.small_bed",

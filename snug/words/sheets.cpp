@@ -21,6 +21,12 @@ constexpr Wording kWordsOfSheets[] = {
      "sheet{falls_out}: glue the first sheet's pieces onto a backing sheet, or make the space deeper.",
      "{foam}の切り抜きがケースまで貫通し、{pieces} を支えるシートがありません{falls_out}。最初のシートの部"
      "品を台紙に接着するか、空間を深くしてください。"},
+    {"sheets-loose/middle",
+     "Pieces of the {foam} stand between cavities of the layer below and lie on no sheet; glue each under "
+     "the "
+     "sheet after it: {pieces}.",
+     "{foam}には、下の段のくぼみの間にあって、どのシートにも載らない部品があります。それぞれ次のシートの下"
+     "面に接着してください：{pieces}"},
     {"sheets.falls_out", " and would fall out when the lid is lifted", "（ふたを持ち上げると落ちます）"},
     {"sheets-islands",
      "Islands of the {foam} fall out of their sheets when cut; keep them and glue each onto the sheet "
@@ -32,6 +38,12 @@ constexpr Wording kWordsOfSheets[] = {
      "rectangle.",
      "ケースが最初のシートから広がるため、{foam}の {sheets} 枚のシートが前のシートからはみ出します。ダボに"
      "合わせるか、破線の四角の中の各シートの図に合わせて重ねてください。"},
+    {"sheets-overhang/middle",
+     "The {foam} has cavities below, so {sheets} {sheets|sheet|sheets} of it reach over the sheet before: "
+     "lay "
+     "them by the dowels, or by the picture of each sheet within the dashed rectangle.",
+     "{foam}は下側にもくぼみがあるため、{sheets} 枚のシートが前のシートからはみ出します。ダボに合わせるか、"
+     "破線の四角の中の各シートの図に合わせて重ねてください。"},
     {"sheets-dowels",
      "No two dowels of {dowel_mm} mm with {edge_mm} mm of foam around them go through the sheets of the "
      "{foam}: lay them by the marked outlines, or choose thinner dowels.",

@@ -19,6 +19,12 @@ constexpr Wording kWordsOfSheetsPages[] = {
      "{first} touches the case; the cavity grows upward, facing you.",
      "{first} を、刻印のある面を上に、BACK への矢印を向こう側に向けて台に置きます。{first} はケースに"
      "接するシートです。くぼみは上に向かってできていきます。"},
+    {"sheets.lay_middle",
+     "Lay {first} on the table, the engraved side up and the arrow to BACK pointing away from you. "
+     "{first} is the underside, with the cavities of the layer below; those of the layer above grow upward, "
+     "facing you.",
+     "{first} を、刻印のある面を上に、BACK への矢印を向こう側に向けて台に置きます。{first} は下面で、下の段"
+     "のくぼみがあります。上の段のくぼみは上に向かってできていきます。"},
     {"sheets.lay_lid",
      "Lay {first} on the table, the engraved side up and the arrow to BACK pointing towards you. "
      "{first} touches the case at the top: the lid is built upside down, its cavity facing you.",
@@ -41,12 +47,19 @@ constexpr Wording kWordsOfSheetsPages[] = {
      "着します。シートの線は、次のシートの端の位置を示します。"},
     {"sheets.glue_islands", "Glue the islands ({islands}) where the sheet before shows their outlines.",
      "島（{islands}）は、前のシートに示された輪郭の位置に接着します。"},
+    {"sheets.glue_hanging",
+     "These lie on no sheet, glue each under the sheet after it, where its picture shows it: {islands}.",
+     "次の部品はどのシートにも載りません。それぞれ図の位置で、次のシートの下面に接着します：{islands}"},
     {"sheets.glue_loose",
      "Held by no sheet: {islands}. Glue all pieces of {first} onto a backing sheet, as on its "
      "picture.",
      "支えるシートのない部品：{islands}。{first} の部品はすべて、図のとおりに台紙に接着します。"},
     {"sheets.lower_done", "The lower foam is done: it goes into the case with {first} below.",
      "これで下のフォームの完成です。{first} を下にしてケースに入れます。"},
+    {"sheets.middle_done",
+     "The middle foam is done: once the layer below is packed it goes onto it with {first} below, BACK on "
+     "BACK.",
+     "これで中間のフォームの完成です。下の段を収めたら、{first} を下に、BACK どうしを合わせて載せます。"},
     {"sheets.lid_done",
      "The lid is done: turn it over about its BACK edge onto the lower foam, BACK on BACK.",
      "これでふたの完成です。奥（BACK）の縁を軸に裏返し、BACK どうしを合わせて下のフォームにかぶせます"
@@ -70,6 +83,7 @@ constexpr Wording kWordsOfSheetsPages[] = {
     {"sheets.bar", "100 mm on paper printed at 100 %", "100 % で印刷した紙で 100 mm"},
     {"sheets.pieces", "{pieces} {pieces|piece|pieces}", "部品 {pieces} 個"},
     {"sheets.islands", "{islands} {islands|island|islands}", "島 {islands} 個"},
+    {"sheets.layer_below", "layer below", "下の段"},
     {"sheets.case_below", "case, below", "ケース（下側）"},
     {"sheets.case_above", "case, above when closed (seen upside down)",
      "ケース（閉じると上側。逆さに見た図）"},

@@ -67,6 +67,7 @@ constexpr Wording kWordsOfSpongeAndMill[] = {
      "Choose it with --cutter, or a larger clearance",
      "直径 {cutter_mm} mm の刃は、どのくぼみにも入りません。入る最大の直径は {widest_mm} mm です。"
      "--cutter で選ぶか、すきまを大きくしてください。"},
+    {"mill.under_side", "{half}'s underside", "{half}の下面"},
     {"mill.outer_side", "{half}'s outer side", "{half}の外側"},
 };
 

@@ -19,6 +19,7 @@ constexpr Wording kWordsOfSpongePages[] = {
     {"sponge.no_stock", "no foam on this side; {blocks} {blocks|block|blocks} to pluck",
      "こちら側にフォームはありません。抜くブロック {blocks} 個"},
     {"sponge.from_cavity", "from the cavity", "くぼみ側から"},
+    {"sponge.from_above", "from above", "上から"},
     {"sponge.in_each", "pluck in each", "1 層で抜く数"},
     {"sponge.together", "together", "合計"},
     {"sponge.nothing", "nothing", "なし"},
@@ -51,10 +52,14 @@ constexpr Wording kWordsOfSpongePages[] = {
      "Print the maps at 100 %, check the square on the first page with a ruler, and join the tiles.",
      "図を 100 % で印刷し、最初のページの正方形を定規で確かめてから、紙をつなぎます。"},
     {"sponge.cut_layers",
-     "Cut the layers to size. Write LOWER or LID and its number on each, and BACK on its back edge. "
+     "Cut the layers to size. Write {marks/} and its number on each, and BACK on its back edge. "
      "Layer 1 is the one at the cavity.",
-     "層を寸法どおりに切ります。それぞれに、下は LOWER、ふたは LID と層の番号を書き、奥の縁に BACK と"
-     "書きます。1 層目はくぼみ側の層です。"},
+     "層を寸法どおりに切ります。それぞれに、どのフォームの層か（{marks/}）と層の番号を書き、奥の縁に "
+     "BACK と書きます。1 層目はくぼみ側の層です。"},
+    {"sponge.middle",
+     "A MIDDLE piece has a cavity on each side; its layer 1 is the uppermost, and all its maps show it from "
+     "above.",
+     "MIDDLE のフォームは両面にくぼみがあります。1 層目は一番上の層で、図はすべて上から見たものです。"},
     {"sponge.trim",
      "Cut off each layer what its map shows in grey: the case has no room for it there. Some layers "
      "have a map for this alone.",
@@ -71,6 +76,11 @@ constexpr Wording kWordsOfSpongePages[] = {
      "allows.",
      "下とふたをそれぞれ、最後の層から 1 層目まで、BACK の縁をそろえて重ね、深さを全体図で確かめます"
      "。それから、対象物の管理者が認めた接着剤で層を接着します。"},
+    {"sponge.close_layers",
+     "Stand the empty pieces on each other once, from LOWER up to the LID, BACK over BACK: the black corners "
+     "meet and the rims touch all round.",
+     "空のまま一度、BACK をそろえて下から順に重ね、最後にふたをします。黒い角が重なり、縁が全周で触れれば"
+     "合っています。"},
     {"sponge.close",
      "Close the empty halves once, lid over lower foam, BACK over BACK: the black corners meet and "
      "the rims touch all round.",
@@ -102,6 +112,7 @@ constexpr Wording kWordsOfSpongePages[] = {
      "{pluck}{cut_off} Cavity facing you; layer 1 is the one at the cavity. True size. {name}",
      "{pluck}{cut_off}くぼみ側から見た図で、1 層目がくぼみ側です。原寸。{name}"},
     {"sponge.fit_test", "FIT TEST", "試験片"},
+    {"sponge.fit_test_of", "FIT TEST, layer {layer}", "試験片（{layer} 段目）"},
     {"sponge.ring", "ring of one layer", "1 層分の枠"},
     {"sponge.ring_task",
      "Keep the shaded ring, pluck what is inside, cut off what is outside. Lies as the lower foam, "

@@ -83,7 +83,7 @@ TEST(Findings, AMissingBaseIsADangerUntilItIsCapped) {
     design.object.cap = true;
     const Packing capped = packed(open_below, design);
     EXPECT_EQ(codes(capped), Codes{"capped"});
-    EXPECT_EQ(capped.blocks, packed(box({0, 0, 0}, {58, 58, 58}), design).blocks);
+    EXPECT_EQ(capped.layers, packed(box({0, 0, 0}, {58, 58, 58}), design).layers);
 }
 
 TEST(Findings, AnOpenObjectWhoseFacesLieOnBlockFacesIsADangerToo) {
@@ -99,7 +99,7 @@ TEST(Findings, CapsAreNoPartsAndBelongToThePartThatTheyClose) {
     for (const int side : {0, 1, 2, 3, 4, 5}) {
         const Packing capped = packed(box({0, 0, 0}, {60, 60, 60}, {side}), design);
         EXPECT_EQ(codes(capped), Codes{"capped"}) << side;
-        EXPECT_EQ(capped.blocks, packed(box({0, 0, 0}, {60, 60, 60}), design_of({10, 10, 10}, 15)).blocks);
+        EXPECT_EQ(capped.layers, packed(box({0, 0, 0}, {60, 60, 60}), design_of({10, 10, 10}, 15)).layers);
     }
     // A part that no cap belongs to is still one that foam would press on.
     const Mesh two = joined(box({0, 0, 0}, {58, 58, 58}, {0}), box({29.5f, 70, 0}, {30.5f, 100, 30}));

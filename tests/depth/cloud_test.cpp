@@ -242,8 +242,8 @@ TEST(Cloud, IsPackedLikeAMeshAndTellsWhatIsNotKnown) {
                                    packing->space, grown);
     for (std::size_t column = 0; column < cut.size(); ++column) {
         if (cut[column].none()) continue;
-        EXPECT_LE(packing->blocks[column].first, cut[column].first);
-        EXPECT_GE(packing->blocks[column].end, cut[column].end);
+        EXPECT_LE(packing->layers.front()[column].first, cut[column].first);
+        EXPECT_GE(packing->layers.front()[column].end, cut[column].end);
     }
 }
 

@@ -234,7 +234,7 @@ TEST(PreparedSurface, GivesTheSamePackingsOfRealObjects) {
         prepare_for_many(*object);
         const auto again = pack(*object, design);
         ASSERT_TRUE(once && again && once->foams && again->foams);
-        EXPECT_EQ(once->blocks, again->blocks);
+        EXPECT_EQ(once->layers, again->layers);
         EXPECT_EQ(once->foams->parting, again->foams->parting);
         EXPECT_EQ(once->items.front().placement.bounds, again->items.front().placement.bounds);
     }

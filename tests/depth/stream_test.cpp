@@ -77,7 +77,7 @@ void expect_the_same_streamed(const FileBytes& bytes, const Design& design) {
     for (int axis = 0; axis < 3; ++axis)
         EXPECT_NEAR(streamed->object.measure.bounds.size()[axis], size[axis], 1e-5 * size[axis] + 1e-9);
     EXPECT_EQ(streamed->packing.items.front().placement.bounds, packing->items.front().placement.bounds);
-    EXPECT_EQ(streamed->packing.blocks, packing->blocks);
+    EXPECT_EQ(streamed->packing.layers, packing->layers);
     ASSERT_EQ(streamed->packing.foams.has_value(), packing->foams.has_value());
     if (!packing->foams) return;
     EXPECT_EQ(streamed->packing.foams->pieces, packing->foams->pieces);
@@ -249,7 +249,7 @@ TEST(Stream, IsPackedItselfInWhicheverPlacement) {
         design.placement.rotation_deg = rotation;
         const auto expected = pack(*whole, design), got = pack(*streamed, design);
         ASSERT_TRUE(expected && got);
-        EXPECT_EQ(got->blocks, expected->blocks);
+        EXPECT_EQ(got->layers, expected->layers);
         // What it has to be looked at by then changes nothing of it.
         take_stand_in(*streamed);
         EXPECT_FALSE(streamed->mesh.triangles.empty());

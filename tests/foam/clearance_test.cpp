@@ -158,8 +158,8 @@ TEST(Clearance, ALinerIsRoomOnTopOfIt) {
     const Mesh box = test::box_mesh({-20, -30, -30}, {20, 30, 30});
     Design with = box_design(1), without = box_design(3);
     with.cut.liner_mm = 2;
-    EXPECT_EQ(packed(box, with).blocks, packed(box, without).blocks);
-    EXPECT_NE(packed(box, with).blocks, packed(box, box_design(0)).blocks);
+    EXPECT_EQ(packed(box, with).layers, packed(box, without).layers);
+    EXPECT_NE(packed(box, with).layers, packed(box, box_design(0)).layers);
 }
 
 TEST(Clearance, ALidThatIsLooserAllAroundLeavesTheLowerFoamTight) {

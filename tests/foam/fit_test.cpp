@@ -147,7 +147,7 @@ TEST(Notches, WithoutRoomAreASentenceAndTheFoamStaysWhole) {
         design.fit.notches = options;
         const Packing packing = packed(bar, design);
         EXPECT_TRUE(packing.notches.empty());
-        EXPECT_EQ(packing.blocks, packed(bar, plain).blocks);
+        EXPECT_EQ(packing.layers.front(), packed(bar, plain).layers.front());
         EXPECT_TRUE(std::any_of(packing.findings.begin(), packing.findings.end(), [](const Finding& finding) {
             return finding.code() == "no_notches" && text(finding.message).find("mm") != std::string::npos;
         }));
@@ -196,8 +196,8 @@ void expect_comes_out_and_is_whole(const Packing& packing) {
     const Foams& foams = *packing.foams;
     const int nx = packing.space.blocks.x;
     const test::Heights lower = test::lower_heights(foams), upper = test::upper_heights(foams, nx);
-    for (std::size_t i = 0; i < packing.blocks.size(); ++i) {
-        const CutRun run = packing.blocks[i];
+    for (std::size_t i = 0; i < packing.layers.front().size(); ++i) {
+        const CutRun run = packing.layers.front()[i];
         ASSERT_LE(lower[i] + upper[i], nx);
         if (run.none()) continue;
         ASSERT_LE(lower[i], run.first);
@@ -205,7 +205,7 @@ void expect_comes_out_and_is_whole(const Packing& packing) {
     }
     for (const Half half : {Half::lower, Half::lid}) test::expect_solid_of(foams, half, packing.space);
     if (!fills_box(packing.available, nx)) return;
-    EXPECT_EQ(packing.fit.lower_blocks + packing.fit.upper_blocks + packing.fit.cut_blocks,
+    EXPECT_EQ(packing.fit.lower().blocks + packing.fit.upper().blocks + packing.fit.cut_blocks,
               packing.space.block_count());
 }
 

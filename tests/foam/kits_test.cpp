@@ -1,6 +1,6 @@
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,6 +16,7 @@
 #include "tests/support/fit_designs.h"
 #include "tests/support/random.h"
 #include "tests/support/random_design.h"
+#include "tests/support/solid_checks.h"
 
 // Several items in one case, against a brute force that unites clipped items.
 
@@ -29,6 +30,16 @@ struct Kit {
     Design design;
     std::vector<Object> objects;
 };
+
+/// Up to three, none of them empty.
+void put_in_layers(Random& random, bool row, Design& design) {
+    const int layers = std::min(random.integer(1, 3), static_cast<int>(design.items.size()));
+    for (std::size_t i = 0; i < design.items.size(); ++i) {
+        ItemOptions& item = design.items[i];
+        item.layer = static_cast<int>(i) < layers ? static_cast<int>(i) + 1 : random.integer(1, layers);
+        if (!row) item.offset_mm->x += 60 * (item.layer - 1) * random.integer(0, 2);
+    }
+}
 
 /// Two to eight items of up to four random soups, some with choices of their own, in a fitted space, a chosen
 /// one or a case.
@@ -66,6 +77,7 @@ Kit random_kit(Random& random) {
         if (random.chance(0.3)) item.group = random.chance(0.5) ? "one" : "two";
         design.items.push_back(item);
     }
+    put_in_layers(random, row, design);
     if (!row && random.chance(0.4)) {
         design.case_options.inside_mm = Vec3d{300, 700, 725};
         design.case_options.lid_mm = random.between(40, 150);
@@ -82,23 +94,33 @@ void include(Blocks& all, const Blocks& more, Vec3i n) {
                 if (more.cut(i, j, k)) all.set_cut(i, j, k);
 }
 
-using Columns = std::set<std::pair<int, int>>;
+using Columns = std::map<std::pair<int, int>, Run>;  // what is cut of each
 
 Columns columns_of(const Blocks& cut, Vec3i n) {
     Columns columns;
     for (int i = 0; i < n.x; ++i)
         for (int j = 0; j < n.y; ++j)
             for (int k = 0; k < n.z; ++k)
-                if (cut.cut(i, j, k)) columns.insert({j, k});
+                if (cut.cut(i, j, k)) {
+                    Run& run =
+                        columns.try_emplace({j, k}, Run{static_cast<std::int16_t>(i), 0}).first->second;
+                    run = {std::min(run.first, static_cast<std::int16_t>(i)),
+                           std::max(run.end, static_cast<std::int16_t>(i + 1))};
+                }
     return columns;
 }
 
-double distance(const Columns& a, const Columns& b, Vec3d block) {
+/// Of items of different layers the lower one's, `a`, up to the other's along x as well.
+double distance(const Columns& a, const Columns& b, Vec3d block, bool one_layer) {
     const auto apart = [](int i, int j, double size) { return std::max(0, std::abs(i - j) - 1) * size; };
     double least = 1e9;
-    for (const auto& [j, k] : a)
-        for (const auto& [l, m] : b)
-            least = std::min(least, std::max(apart(j, l, block.y), apart(k, m, block.z)));
+    for (const auto& [at, one] : a)
+        for (const auto& [place, other] : b) {
+            double mm =
+                std::max(apart(at.first, place.first, block.y), apart(at.second, place.second, block.z));
+            if (!one_layer) mm = std::max(mm, (other.first - one.end) * block.x);
+            least = std::min(least, mm);
+        }
     return least;
 }
 
@@ -107,12 +129,22 @@ bool said_to_be_near(const Packing& packing, const std::string& one, const std::
         const std::string said = text(finding.message);
         return finding.code() == "items_near" &&
                (said.find("between " + one + " and " + other + " stand") == 0 ||
+                said.find("between " + one + " and " + other + " in a layer above") == 0 ||
+                said.find("between " + other + " and " + one + " in a layer above") == 0 ||
                 said.find(one + " and " + other + " lie in") == 0);
     });
 }
 
+/// Kept, cut and missing blocks are all that there are, and solids hold what is kept.
+void expect_nothing_lost(const Packing& packing) {
+    const FitReport& fit = packing.fit;
+    EXPECT_EQ(fit.foam_blocks() + fit.cut_blocks + fit.shortened_blocks, packing.space.block_count());
+    for (const Piece piece : packing.foams->all())
+        test::expect_solid_of(*packing.foams, piece, packing.space);
+}
+
 TEST(Kits, EveryItemHasItsRoomComesOutAndStandsFarEnoughFromOthers) {
-    int packed = 0, near = 0, far = 0, rows = 0, in_cases = 0;
+    int packed = 0, near = 0, far = 0, rows = 0, in_cases = 0, in_layers = 0;
     const int kits = test::cases(166, 30);
     for (int seed = 0; seed < kits; ++seed) {
         SCOPED_TRACE(seed);
@@ -126,8 +158,11 @@ TEST(Kits, EveryItemHasItsRoomComesOutAndStandsFarEnoughFromOthers) {
         if (!packing || !packing->foams) continue;
         ++packed;
         const Vec3i n = packing->space.blocks;
-        Blocks below(n), above(n);
+        const auto layers = static_cast<std::size_t>(packing->foams->layers());
+        in_layers += layers > 1;
+        std::vector<Blocks> below(layers, Blocks(n)), above(layers, Blocks(n));
         std::vector<Columns> columns;
+        std::vector<std::pair<Columns, Columns>> ends;  // what each cuts of the foam below it and above it
         for (const Item& item : packing->items) {
             const auto triangles = test::placed_triangles(kit.objects[item.object].mesh, item.placement);
             const auto cut = [&](Vec3d own) {
@@ -135,22 +170,28 @@ TEST(Kits, EveryItemHasItsRoomComesOutAndStandsFarEnoughFromOthers) {
             };
             Blocks own = cut(item.cut.clearance_mm.lower);
             const Blocks upper = cut(item.cut.clearance_mm.upper);
-            include(below, own, n);
-            include(above, upper, n);
+            include(below[static_cast<std::size_t>(item.layer) - 1], own, n);
+            include(above[static_cast<std::size_t>(item.layer) - 1], upper, n);
+            ends.push_back({columns_of(own, n), columns_of(upper, n)});
             include(own, upper, n);
             columns.push_back(columns_of(own, n));
         }
         const test::Broken broken = test::broken_by(*packing, below, above);
         ASSERT_EQ(broken.in_room, 0);
         ASSERT_EQ(broken.in_the_way, 0);
+        expect_nothing_lost(*packing);
 
         const double wanted = wanted_between_mm(design->space);
         for (std::size_t a = 0; a < columns.size(); ++a)
             for (std::size_t b = a + 1; b < columns.size(); ++b) {
                 const Item &one = packing->items[a], &other = packing->items[b];
                 const bool together = !one.group.empty() && one.group == other.group;
-                const bool too_near =
-                    !together && distance(columns[a], columns[b], packing->space.block_mm) < wanted - 1e-6;
+                const std::size_t low = one.layer > other.layer ? b : a, high = a + b - low;
+                const Vec3d block = packing->space.block_mm;
+                const double mm = one.layer == other.layer
+                                      ? distance(columns[a], columns[b], block, true)
+                                      : distance(ends[low].second, ends[high].first, block, false);
+                const bool too_near = !together && mm < wanted - 1e-6;
                 ASSERT_EQ(said_to_be_near(*packing, one.name, other.name), too_near) << a << " " << b;
                 near += too_near;
                 far += !too_near && !together;
@@ -167,6 +208,7 @@ TEST(Kits, EveryItemHasItsRoomComesOutAndStandsFarEnoughFromOthers) {
     EXPECT_GT(far, kits / 2);
     EXPECT_GT(rows, kits / 6);
     EXPECT_GT(in_cases, 0);
+    EXPECT_GT(in_layers, kits / 4);
 }
 
 TEST(Kits, ARowCutsWhatTheSameItemsCutWherePutByHand) {
@@ -189,7 +231,7 @@ TEST(Kits, ARowCutsWhatTheSameItemsCutWherePutByHand) {
     placed.space.blocks = row.space.blocks;
     for (std::size_t i = 0; i < 3; ++i) placed.items[i].offset_mm = row.items[i].offset_mm;
     const Packing again = pack(objects, placed).value();
-    EXPECT_TRUE(std::equal(row.blocks.begin(), row.blocks.end(), again.blocks.begin(), again.blocks.end()));
+    EXPECT_TRUE(std::equal(row.layers.begin(), row.layers.end(), again.layers.begin(), again.layers.end()));
 }
 
 TEST(Kits, AnItemOutsideIsNamedAndNothingIsMade) {

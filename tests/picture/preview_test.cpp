@@ -231,7 +231,7 @@ GapReport gap_in_column(const DesignSpace& space, int j, int k, float undercut) 
 
 std::string maps_svg(const GapReport& gap, const DesignSpace& space) {
     Canvas canvas("maps", Language::english);
-    const double height = draw_gap_maps(canvas, gap, space, 0);
+    const double height = draw_gap_maps(canvas, gap, {}, space, 0);
     return drawing_svg(canvas.finish({1200, height}));
 }
 

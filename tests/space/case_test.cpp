@@ -224,8 +224,8 @@ void expect_depths_tell_the_foams(const Packing& packing) {
         ++columns;
     }
     EXPECT_EQ(columns, 1LL * space.blocks.y * space.blocks.z);
-    EXPECT_EQ(lower, packing.fit.lower_blocks);
-    EXPECT_EQ(upper, packing.fit.upper_blocks);
+    EXPECT_EQ(lower, packing.fit.lower().blocks);
+    EXPECT_EQ(upper, packing.fit.upper().blocks);
 }
 
 TEST(Case, RandomObjectsInShapedCasesKeepEveryInvariant) {
@@ -243,7 +243,7 @@ TEST(Case, RandomObjectsInShapedCasesKeepEveryInvariant) {
         ASSERT_TRUE(packing) << text(packing.error().message);
         if (!packing->foams) continue;
         const FitReport& fit = packing->fit;
-        EXPECT_EQ(fit.lower_blocks + fit.upper_blocks + fit.cut_blocks + fit.shortened_blocks,
+        EXPECT_EQ(fit.lower().blocks + fit.upper().blocks + fit.cut_blocks + fit.shortened_blocks,
                   packing->space.block_count());
         shortened += fit.shortened_blocks > 0;
         bool told = false;
@@ -252,7 +252,7 @@ TEST(Case, RandomObjectsInShapedCasesKeepEveryInvariant) {
         for (const bool lower : {true, false}) {
             const Solid solid = lower ? lower_solid(*packing->foams, packing->space)
                                       : upper_solid(*packing->foams, packing->space);
-            const long long blocks = lower ? fit.lower_blocks : fit.upper_blocks;
+            const long long blocks = lower ? fit.lower().blocks : fit.upper().blocks;
             EXPECT_TRUE(test::every_edge_has_two_triangles(solid.triangles));
             EXPECT_TRUE(test::closed_when_welded(solid.vertices, solid.triangles));
             const double wanted = static_cast<double>(blocks) * packing->space.block_volume();
@@ -263,8 +263,8 @@ TEST(Case, RandomObjectsInShapedCasesKeepEveryInvariant) {
         const int nx = packing->space.blocks.x;
         const test::Heights lower = test::lower_heights(*packing->foams),
                             upper = test::upper_heights(*packing->foams, nx);
-        for (std::size_t c = 0; c < packing->blocks.size(); ++c) {
-            const CutRun cut = packing->blocks[c];
+        for (std::size_t c = 0; c < packing->layers.front().size(); ++c) {
+            const CutRun cut = packing->layers.front()[c];
             if (cut.none()) continue;
             EXPECT_LE(lower[c], cut.first);
             EXPECT_LE(upper[c], nx - cut.end);

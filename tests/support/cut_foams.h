@@ -19,7 +19,7 @@ struct CutFoams {
     Foams foams;
     Grid<Run> available;
 
-    [[nodiscard]] FoamDesign design() const { return {space, blocks, foams, available, "a test"}; }
+    [[nodiscard]] FoamDesign design() const { return {space, {&blocks, 1}, foams, available, "a test"}; }
     [[nodiscard]] long long cut() const {
         long long count = 0;
         for (const CutRun& run : blocks) count += run.blocks();

@@ -42,15 +42,16 @@ double away_from_pocket(const MillField& field, Vec2d at, double height, double 
 /// No foam within the clearance of any point of the object, by brute force.
 void expect_clear(const GcodeStock& stock, const MillPlan& plan, const Object& object, const Packing& packing,
                   const Design& design, Random& random) {
-    const Vec3d e = plan.half == Half::lower ? design.cut.whole_clearance_mm().lower
-                                             : design.cut.whole_clearance_mm().upper;
+    const Vec3d e = plan.piece.half() == Half::lower ? design.cut.whole_clearance_mm().lower
+                                                     : design.cut.whole_clearance_mm().upper;
     const DesignSpace& space = packing.space;
     const double around = e.y - 0.011;
     const auto check = [&](Vec3d p) {
         const double up =
-            plan.half == Half::lower ? p.x - space.face(0, 0) : space.face(0, space.blocks.x) - p.x;
-        const Vec2d at{p.z - space.face(2, 0), plan.half == Half::lower ? space.face(1, space.blocks.y) - p.y
-                                                                        : p.y - space.face(1, 0)};
+            plan.piece.half() == Half::lower ? p.x - space.face(0, 0) : space.face(0, space.blocks.x) - p.x;
+        const Vec2d at{p.z - space.face(2, 0), plan.piece.half() == Half::lower
+                                                   ? space.face(1, space.blocks.y) - p.y
+                                                   : p.y - space.face(1, 0)};
         for (double dx : {-around, 0.0, around})
             for (double dy : {-around, 0.0, around})
                 ASSERT_LE(stock.at(at + Vec2d{dx, dy}), up - e.x + 0.011 + 1e-4) << at.x << " " << at.y;
@@ -160,8 +161,8 @@ Lost lost_of(const GcodeStock& stock, const MillPlan& plan, const MillOptions& o
 }
 
 void expect_the_blocks(const GcodeStock& stock, const MillPlan& plan, const FoamDesign& design) {
-    const bool lid = plan.half == Half::lid;
-    const Heights kept = heights_of(design.foams, plan.half, design.space.blocks.x);
+    const bool lid = plan.piece.half() == Half::lid;
+    const Heights kept = heights_of(design.foams, plan.piece.half(), design.space.blocks.x);
     const Vec3d block = design.space.block_mm;
     for (int j = 0; j < kept.ny(); ++j)
         for (int k = 0; k < kept.nz(); ++k) {

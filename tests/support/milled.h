@@ -49,7 +49,7 @@ struct MilledCase {
     Object object;
     Packing packing;
     [[nodiscard]] FoamDesign foams() const {
-        return {packing.space, packing.blocks, *packing.foams, packing.available, "vase"};
+        return {packing.space, packing.layers, *packing.foams, packing.available, "vase"};
     }
     [[nodiscard]] MilledObject milled() const {
         return {{{object.mesh, packing.items.front().placement, design.cut}},

@@ -54,7 +54,7 @@ struct PrintDesign {
         test::shorten(foams, exists);
         available = std::move(exists);
     }
-    [[nodiscard]] FoamDesign view() const { return {space, blocks, foams, available, "L & co"}; }
+    [[nodiscard]] FoamDesign view() const { return {space, {&blocks, 1}, foams, available, "L & co"}; }
 };
 
 [[nodiscard]] inline PrintDesign random_print_design(Random& random) {

@@ -66,6 +66,11 @@ struct Drawing {
         std::sort(values->begin(), values->end(), less);
         values->erase(std::unique(values->begin(), values->end(), same), values->end());
     }
+    /// Of one layer, since what is random elsewhere has no more.
+    void operator()(PartingLevels* levels) const {
+        levels->each.resize(1);
+        (*this)(levels->each.data());
+    }
     void operator()(const Choice& choice) const {
         const int last = static_cast<int>(choice.words.size()) - 1;
         choice.set(random.integer(choice.may_be_none ? -1 : 0, last));

@@ -8,11 +8,11 @@
 
 namespace snug::test {
 
-/// The solid of a half is closed both ways and holds just the blocks that it keeps.
-inline void expect_solid_of(const Foams& foams, Half half, const DesignSpace& space) {
-    const Solid solid = half == Half::lower ? lower_solid(foams, space) : upper_solid(foams, space);
+/// The solid of a piece is closed both ways and holds just the blocks that it keeps.
+inline void expect_solid_of(const Foams& foams, Piece piece, const DesignSpace& space) {
+    const Solid solid = solid_of(foams, piece, space);
     long long blocks = 0;
-    for (const Run& run : kept_runs(foams, half, space.blocks.x)) blocks += run.blocks();
+    for (const Run& run : foams.piece(piece)) blocks += run.blocks();
     if (blocks == 0) {
         EXPECT_TRUE(solid.triangles.empty());
         return;

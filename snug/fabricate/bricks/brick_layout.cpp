@@ -10,7 +10,7 @@
 #include "snug/fabricate/bricks/brick_repair.h"
 #include "snug/fabricate/bricks/course_filler.h"
 #include "snug/fabricate/bricks/laid_bricks.h"
-#include "snug/words/halves.h"
+#include "snug/words/pieces.h"
 
 namespace snug {
 namespace {

@@ -8,7 +8,7 @@
 #include "snug/drawing/page_builder.h"
 #include "snug/drawing/svg.h"
 #include "snug/fabricate/bricks/brick_list.h"
-#include "snug/words/halves.h"
+#include "snug/words/pieces.h"
 #include "snug/words/words.h"
 
 namespace snug {
@@ -167,8 +167,8 @@ class HalfPages {
 
     [[nodiscard]] std::vector<Drawing> pages(std::size_t most, bool& cut_short) {
         const std::vector<Step> steps = steps_of(*half_.build);
-        PageFlow flow(paper_, say("bricks.steps", {{"half", marked_half(half_.build->half)}}),
-                      say("bricks.how_to_read", {{"name", text_.object_name}}), half_ink(half_.build->half),
+        PageFlow flow(paper_, say("bricks.steps", {{"half", marked_piece(half_.build->half)}}),
+                      say("bricks.how_to_read", {{"name", text_.object_name}}), piece_ink(half_.build->half),
                       text_.language);
         const auto across = static_cast<std::size_t>(across_), down = static_cast<std::size_t>(down_);
         for (std::size_t first = 0; first < steps.size(); first += across) {

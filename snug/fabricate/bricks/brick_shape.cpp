@@ -66,7 +66,7 @@ BrickShape brick_shape(const FoamDesign& design, Half half, const BlockInStuds& 
             const int j = lower ? seen : kept.ny() - 1 - seen;
             shape.top(row, column) = kept(j, k).end * layers;
             shape.first(row, column) = kept(j, k).first * layers;
-            shape.rim(row, column) = !kept(j, k).none() && design.blocks(j, k).none();
+            shape.rim(row, column) = !kept(j, k).none() && design.layers.front()(j, k).none();
         }
     return shape;
 }

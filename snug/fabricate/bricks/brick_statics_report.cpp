@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "snug/base/text.h"
-#include "snug/words/halves.h"
+#include "snug/words/pieces.h"
 
 namespace snug {
 namespace {

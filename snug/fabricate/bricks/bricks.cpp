@@ -13,7 +13,7 @@
 #include "snug/fabricate/bricks/brick_shape.h"
 #include "snug/fabricate/bricks/brick_statics_report.h"
 #include "snug/fabricate/bricks/ldraw.h"
-#include "snug/words/halves.h"
+#include "snug/words/pieces.h"
 
 namespace snug {
 namespace {
@@ -99,6 +99,8 @@ std::optional<Error> cannot_join(const BrickOptions& options) {
 
 Result<WorkshopPack> brick_pack(const FoamDesign& design, const WorkshopOptions& workshop,
                                 const LpSolver& solve, const Progress& progress) {
+    if (design.foams.layers() > 1)
+        return fail(ErrorKind::usage, say("bricks.layers", {{"ways", ways_for_layers()}}));
     const BrickOptions& options = workshop.bricks;
     if (const auto problem = problem_of(options)) return fail(ErrorKind::usage, problem->message);
     if (auto error = cannot_join(options)) return tl::unexpected(std::move(*error));

@@ -20,14 +20,14 @@ int cells_a_block(double block_mm, int blocks) {
 enum class Ground : char { foam, room, object };
 
 Grid<Ground> ground(const Mesh& mesh, const Placement& placement, const DesignSpace& space,
-                    const DesignSpace& fine, const BlockMap& blocks, const Foams& foams) {
+                    const DesignSpace& fine, const BlockMap& blocks, const Grid<Run>& below, int parting) {
     const DepthMap object = depth_map(mesh, placement, fine, Reach{});
     const int per_y = fine.blocks.y / space.blocks.y, per_z = fine.blocks.z / space.blocks.z;
-    const double deepest = space.face(0, foams.parting.front()) - kFingerDepth;
+    const double deepest = space.face(0, parting) - kFingerDepth;
     Grid<Ground> grid(fine.blocks.y, fine.blocks.z, Ground::foam);
     for (int j = 0; j < grid.ny(); ++j)
         for (int k = 0; k < grid.nz(); ++k) {
-            const int lower = foams.piece(Half::lower)(j / per_y, k / per_z).end;
+            const int lower = below(j / per_y, k / per_z).end;
             const bool open = !blocks(j / per_y, k / per_z).none() && space.face(0, lower) <= deepest + 1e-9;
             grid(j, k) = !object(j, k).none() ? Ground::object : open ? Ground::room : Ground::foam;
         }
@@ -77,13 +77,13 @@ FingerRoom room_on_side(const Grid<Ground>& grid, const DesignSpace& fine, doubl
 }  // namespace
 
 std::array<FingerRoom, 4> finger_room(const Mesh& mesh, const Placement& placement, const DesignSpace& space,
-                                      const BlockMap& blocks, const Foams& foams) {
+                                      const BlockMap& blocks, const Grid<Run>& below, int parting) {
     const int per_y = cells_a_block(space.block_mm.y, space.blocks.y);
     const int per_z = cells_a_block(space.block_mm.z, space.blocks.z);
     const DesignSpace fine{{space.blocks.x, space.blocks.y * per_y, space.blocks.z * per_z},
                            {space.block_mm.x, space.block_mm.y / per_y, space.block_mm.z / per_z}};
-    const Grid<Ground> grid = ground(mesh, placement, space, fine, blocks, foams);
-    const double parting_x = space.face(0, foams.parting.front());
+    const Grid<Ground> grid = ground(mesh, placement, space, fine, blocks, below, parting);
+    const double parting_x = space.face(0, parting);
     return {room_on_side(grid, fine, parting_x, true, false), room_on_side(grid, fine, parting_x, true, true),
             room_on_side(grid, fine, parting_x, false, false),
             room_on_side(grid, fine, parting_x, false, true)};

@@ -22,9 +22,10 @@ struct FingerRoom {
 
 /// Measured from above on a grid finer than the blocks, between the object's silhouette and the foam that
 /// stands less than a finger's depth below the parting. Room that foam or object covers from above does not
-/// count. Never too wide; too small by two cells (of about 2 mm) at most.
+/// count. Never too wide; too small by two cells (of about 2 mm) at most. `blocks`: what the object's layer
+/// cuts, `below`: the piece under it, which ends at the level `parting` where nothing lies in it.
 [[nodiscard]] std::array<FingerRoom, 4> finger_room(const Mesh& mesh, const Placement& placement,
                                                     const DesignSpace& space, const BlockMap& blocks,
-                                                    const Foams& foams);
+                                                    const Grid<Run>& below, int parting);
 
 }  // namespace snug

@@ -84,13 +84,15 @@ int cells_for(double mm, double cell_mm) {
 
 }  // namespace
 
-std::optional<FitTest> fit_test(const FoamDesign& design, double least_ring_mm) {
+std::optional<FitTest> fit_test(const FoamDesign& design, double least_ring_mm, int layer) {
     const auto count = [](const Grid<char>& mask) { return std::count(mask.begin(), mask.end(), 1); };
-    const int parting = design.foams.parting.front();
+    const auto at = static_cast<std::size_t>(layer) - 1;
+    const int parting = design.foams.parting[at];
+    const BlockMap& blocks = design.layers[at];
     FitTest test;
     test.level = parting - 1;
-    test.opening = columns_cut_at(design.blocks, parting - 1);
-    Grid<char> above = columns_cut_at(design.blocks, parting);
+    test.opening = columns_cut_at(blocks, parting - 1);
+    Grid<char> above = columns_cut_at(blocks, parting);
     if (count(above) > count(test.opening)) {
         test.level = parting;
         test.opening = std::move(above);
@@ -104,6 +106,17 @@ std::optional<FitTest> fit_test(const FoamDesign& design, double least_ring_mm) 
         if (test.opening[column] || !design.available[column].contains(test.level)) test.ring[column] = 0;
     for_each_piece(test.ring, [&](const std::vector<Place>&) { ++test.pieces; });
     return test;
+}
+
+std::vector<LayerTest> fit_tests(const FoamDesign& design) {
+    std::vector<LayerTest> tests;
+    for (int layer = 1; layer <= design.foams.layers(); ++layer)
+        if (auto test = fit_test(design, kLeastRing, layer)) tests.push_back({layer, std::move(*test)});
+    return tests;
+}
+
+std::string fit_test_stem(const FoamDesign& design, int layer) {
+    return design.foams.layers() == 1 ? "fit-test" : "fit-test-" + std::to_string(layer);
 }
 
 }  // namespace snug

@@ -5,6 +5,8 @@
 
 #include "snug/base/stopwatch.h"
 #include "snug/base/text.h"
+#include "snug/drawing/page_builder.h"
+#include "snug/fabricate/kit/piece_names.h"
 #include "snug/formats/mesh_files.h"
 #include "snug/picture/preview.h"
 #include "snug/solid/solid.h"
@@ -14,9 +16,11 @@
 namespace snug {
 namespace {
 
-FileBytes foam_file(const Solid& solid, const std::string& format, bool lower) {
-    if (format == "ply") return write_ply(solid.vertices, solid.triangles, lower ? kLowerBlue : kUpperOrange);
-    return write_stl(solid.vertices, solid.triangles, lower ? "Snug lower foam, mm" : "Snug upper foam, mm");
+FileBytes foam_file(const Solid& solid, const std::string& format, Piece piece) {
+    if (format == "ply") return write_ply(solid.vertices, solid.triangles, piece_color(piece));
+    const std::string name =
+        piece.middle() ? "middle foam " + std::to_string(piece.index) : foam_stem(piece) + " foam";
+    return write_stl(solid.vertices, solid.triangles, "Snug " + name + ", mm");
 }
 
 Message caption(const Packing& packing, const std::string& object_name) {
@@ -36,7 +40,10 @@ std::string depths_csv(const Foams& foams, const Grid<Run>& available, int nx) {
     const bool shortened = !fills_box(available, nx);
     const Grid<Run>&below = foams.piece(Half::lower), &above = foams.piece(Half::lid);
     std::string text = "j,k,lower_blocks,upper_blocks";
-    text += shortened ? ",lower_first,upper_first\n" : "\n";
+    if (shortened) text += ",lower_first,upper_first";
+    for (int i = 1; i < foams.layers(); ++i)
+        text += ",middle_" + std::to_string(i) + "_blocks,middle_" + std::to_string(i) + "_first";
+    text += "\n";
     const auto add = [&](int value) { text += "," + std::to_string(value); };
     for (int j = 0; j < below.ny(); ++j)
         for (int k = 0; k < below.nz(); ++k) {
@@ -49,6 +56,11 @@ std::string depths_csv(const Foams& foams, const Grid<Run>& available, int nx) {
                 add(lower.first);
                 add(upper.none() ? nx : upper.first);
             }
+            for (int i = 1; i < foams.layers(); ++i) {
+                const Run middle = foams.piece(foams.at(i))(j, k);
+                add(middle.blocks());
+                add(middle.first);
+            }
             text += "\n";
         }
     return text;
@@ -59,24 +71,27 @@ Result<void> make_output_files(std::span<const Object> objects, const Project& p
     Packing& packing = made.packing;
     const Foams& foams = *packing.foams;
     packing.timing.solids = 0;
-    for (const bool lower : {true, false}) {
+    for (const Piece piece : foams.all()) {
         Stopwatch watch;
-        const Solid solid = lower ? lower_solid(foams, packing.space) : upper_solid(foams, packing.space);
+        const Solid solid = solid_of(foams, piece, packing.space);
         packing.timing.solids += watch.lap();
         for (const std::string& format : project.design.output.formats)
-            if (auto done = take({(lower ? "lower." : "upper.") + format, foam_file(solid, format, lower)});
-                !done)
+            if (auto done = take({foam_stem(piece) + "." + format, foam_file(solid, format, piece)}); !done)
                 return done;
     }
     if (auto done =
             take(text_file("depths.csv", depths_csv(foams, packing.available, packing.space.blocks.x)));
         !done)
         return done;
-    const PlacedMesh together(objects, packing.items);
-    const std::vector<Vec3d> places = numbered_places(packing.items);
-    const std::string preview = preview_svg(foams, packing.space, together.mesh(), together.placement(),
-                                            text(caption(packing, names_of_items(project)), made.language),
-                                            made.fit.gap ? &*made.fit.gap : nullptr, made.language, places);
+    const std::deque<PlacedMesh> meshes = placed_layers(objects, packing.items, foams.layers());
+    std::vector<PreviewLayer> layers;
+    for (std::size_t i = 0; i < meshes.size(); ++i)
+        layers.push_back({meshes[i].mesh(), meshes[i].placement(),
+                          made.fit.gap ? &made.fit.layer_gaps[i] : nullptr,
+                          numbered_places(packing.items, static_cast<int>(i) + 1)});
+    const std::string preview =
+        preview_svg(foams, packing.space, layers,
+                    text(caption(packing, names_of_items(project)), made.language), made.language);
     if (auto done = take(text_file("preview.svg", preview)); !done) return done;
     return take(text_file("project.snug.json", project_json(project)));
 }

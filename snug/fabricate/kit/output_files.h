@@ -15,7 +15,7 @@ namespace snug {
 
 /// One line a column, j (y) over k (z), header `j,k,lower_blocks,upper_blocks`: blocks that are kept, of nx.
 /// Where a case leaves blocks out, `lower_first,upper_first` follow: the first block that a half keeps, from
-/// -x; 0 and nx where it keeps none.
+/// -x; 0 and nx where it keeps none. Of pieces between layers `middle_1_blocks,middle_1_first` and so on.
 [[nodiscard]] std::string depths_csv(const Foams& foams, const Grid<Run>& available, int nx);
 
 /// Takes one file after the other, so that they need not all be held at once. An error ends the making.

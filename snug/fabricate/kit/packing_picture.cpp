@@ -17,13 +17,15 @@ constexpr double kShade = 0.1;           // of black, each shade of the object o
 constexpr double kFinestOutline = 0.15;  // mm on the page
 constexpr double kSeam = 0.12;           // mm, closes the seams between neighbours
 
-struct HalfScene {
+struct PieceScene {
+    Piece piece;
     Relief relief;
     std::vector<Face> faces;
 };
 
-HalfScene half_scene(const Foams& foams, const DesignSpace& space, const OpenedPair& pair, Half half) {
-    HalfScene scene{relief(foams, space, pair, half), {}};
+PieceScene piece_scene(const Foams& foams, Piece piece, const DesignSpace& space, const OpenedPair& pair,
+                       Half half) {
+    PieceScene scene{piece, relief(foams, piece, space, pair, half), {}};
     scene.faces = visible_faces(scene.relief);
     return scene;
 }
@@ -47,8 +49,8 @@ Page fitted(const std::vector<Vec2d>& points, Vec2d corner, Vec2d size) {
     return page;
 }
 
-void draw_half(PageBuilder& builder, const Page& page, const HalfScene& scene, Half half) {
-    const FoamTones tones(scene.relief, half_color(half));
+void draw_piece(PageBuilder& builder, const Page& page, const PieceScene& scene) {
+    const FoamTones tones(scene.relief, piece_color(scene.piece));
     for (const Face& face : scene.faces) {
         std::vector<Vec2d> loop;
         for (const Vec3d& point : corners(face)) loop.push_back(page.at(point));
@@ -77,12 +79,12 @@ void draw_object(PageBuilder& builder, const Page& page, const ObjectOutlines& o
 }
 
 void draw_numbers(PageBuilder& builder, const Page& page, const OpenedPair& pair,
-                  std::span<const Vec3d> places) {
+                  const std::vector<NumberedPlace>& places) {
     constexpr double kRadius = 1.9;  // mm
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        const Vec2d at = page.at(pair.lower(places[i]));
+    for (const NumberedPlace& place : places) {
+        const Vec2d at = page.at(pair.lower(place.at));
         builder.circle(at, kRadius, kPaper, Pen{kInk, 0.25, {}});
-        builder.text(at + Vec2d{0, 0.95}, std::to_string(i + 1),
+        builder.text(at + Vec2d{0, 0.95}, std::to_string(place.number),
                      {kSmallText, kInk, true, TextAnchor::middle});
     }
 }
@@ -90,28 +92,30 @@ void draw_numbers(PageBuilder& builder, const Page& page, const OpenedPair& pair
 }  // namespace
 
 void draw_packing_picture(PageBuilder& builder, Vec2d corner, Vec2d size, PictureParts parts,
-                          const Foams& foams, const DesignSpace& space, const Mesh& mesh,
-                          const Placement& placement, std::span<const Vec3d> numbered) {
-    const OpenedPair pair = opened(space, foams.parting.front());
-    const HalfScene lower = half_scene(foams, space, pair, Half::lower);
-    const HalfScene lid = parts.lid ? half_scene(foams, space, pair, Half::lid) : HalfScene{};
+                          const Foams& foams, const DesignSpace& space, const PackedLayer& layer) {
+    const Mesh& mesh = layer.mesh;
+    const OpenedPair pair = opened(space, foams.parting[static_cast<std::size_t>(layer.layer) - 1]);
+    const PieceScene lower = piece_scene(foams, foams.at(layer.layer - 1), space, pair, Half::lower);
+    const PieceScene lid =
+        parts.lid ? piece_scene(foams, foams.at(layer.layer), space, pair, Half::lid) : PieceScene{};
     std::vector<Projected> vertices;
     if (parts.object)
-        for (const Vec3f& vertex : mesh.vertices) vertices.push_back(project(pair.lower(placement(vertex))));
+        for (const Vec3f& vertex : mesh.vertices)
+            vertices.push_back(project(pair.lower(layer.placement(vertex))));
 
     std::vector<Vec2d> points;
-    for (const HalfScene* half : {&lower, &lid})
-        for (const Face& face : half->faces)
+    for (const PieceScene* piece : {&lower, &lid})
+        for (const Face& face : piece->faces)
             for (const Vec3d& point : corners(face)) points.push_back(project(point).at);
     for (const Projected& vertex : vertices) points.push_back(vertex.at);
     if (points.empty()) return;
     const Page page = fitted(points, corner, size);
-    if (parts.lid) draw_half(builder, page, lid, Half::lid);
-    draw_half(builder, page, lower, Half::lower);
+    if (parts.lid) draw_piece(builder, page, lid);
+    draw_piece(builder, page, lower);
     if (parts.object)
         draw_object(builder, page,
                     object_outlines(vertices, mesh.triangles, lower.faces, kFinestOutline / page.scale));
-    draw_numbers(builder, page, pair, numbered);
+    draw_numbers(builder, page, pair, layer.numbered);
     const Vec3d back_left{lower.relief.right_faces.front(), lower.relief.front_faces.front(), 0};
     const Vec2d hinge = parts.lid ? Vec2d{-2, -3.5} : Vec2d{-1, -1.5};
     builder.text(page.at(back_left) + hinge, "BACK", {kSmallText, kInk, true, TextAnchor::end});

@@ -11,7 +11,7 @@
 #include "snug/drawing/page_builder.h"
 #include "snug/fabricate/kit/block_names.h"
 #include "snug/fabricate/kit/finger_room.h"
-#include "snug/fabricate/kit/packing_picture.h"
+#include "snug/words/pieces.h"
 #include "snug/words/sides.h"
 #include "snug/words/words.h"
 
@@ -24,26 +24,42 @@ constexpr double kFactIndent = 30;
 constexpr double kFindingIndent = 24;
 constexpr std::array<Side, 4> kSides{kBack, kFront, kLeft, kRight};  // as finger_room() has them
 
-struct Picture {
-    PictureParts parts;
-    const char* caption;
-};
-constexpr std::array<Picture, 3> kPictures{{{{false, false}, "packing.picture_lower"},
-                                            {{true, false}, "packing.picture_object"},
-                                            {{true, true}, "packing.picture_lid"}}};
+constexpr std::array<PictureParts, 3> kPictures{{{false, false}, {true, false}, {true, true}}};
+
+/// Under a picture of the only layer.
+Message caption(std::size_t picture, bool items) {
+    constexpr std::array<const char*, 3> kCaptions{"packing.picture_lower", "packing.picture_object",
+                                                   "packing.picture_lid"};
+    return say(picture == 1 && items ? "packing.picture_items" : kCaptions[picture]);
+}
+
+/// Pictures of several layers are numbered on.
+std::size_t picture_number(int layer, std::size_t picture) {
+    return 3 * static_cast<std::size_t>(layer - 1) + picture + 1;
+}
+
+Message caption(std::size_t picture, int layer, const Foams& foams) {
+    const std::string number = std::to_string(picture_number(layer, picture));
+    if (picture == 1)
+        return say("packing.picture_layer", {{"number", number}, {"layer", std::to_string(layer)}});
+    return say(picture == 0 ? "packing.picture_below" : "packing.picture_above",
+               {{"number", number}, {"piece", marked_piece(foams.at(picture == 0 ? layer - 1 : layer))}});
+}
 
 void draw_pictures(PageFlow& flow, const PackedObject& packed) {
     const double width = (flow.width() - 2 * kPictureGap) / 3, height = width * 1.02;
-    const Vec2d corner = flow.room(height + 9);
-    for (std::size_t i = 0; i < kPictures.size(); ++i) {
-        const Vec2d at = corner + Vec2d{static_cast<double>(i) * (width + kPictureGap), 0};
-        draw_packing_picture(flow.page(), at + Vec2d{2, 6}, {width - 4, height - 7}, kPictures[i].parts,
-                             packed.design.foams, packed.design.space, packed.mesh, packed.placement,
-                             packed.numbered);
-        const bool items = packed.items.size() > 1 && i == 1;
-        flow.page().text(at + Vec2d{width / 2, height + 4.6},
-                         say(items ? "packing.picture_items" : kPictures[i].caption),
-                         {kSmallText, kInk, true, TextAnchor::middle});
+    const Foams& foams = packed.design.foams;
+    for (const PackedLayer& layer : packed.layers) {
+        const Vec2d corner = flow.room(height + 9);
+        for (std::size_t i = 0; i < kPictures.size(); ++i) {
+            const Vec2d at = corner + Vec2d{static_cast<double>(i) * (width + kPictureGap), 0};
+            draw_packing_picture(flow.page(), at + Vec2d{2, 6}, {width - 4, height - 7}, kPictures[i], foams,
+                                 packed.design.space, layer);
+            flow.page().text(at + Vec2d{width / 2, height + 4.6},
+                             packed.layers.size() == 1 ? caption(i, packed.items.size() > 1)
+                                                       : caption(i, layer.layer, foams),
+                             {kSmallText, kInk, true, TextAnchor::middle});
+        }
     }
 }
 
@@ -62,9 +78,11 @@ struct Grips {
     std::optional<Message> widest;  ///< none where there is no room at all
 };
 
-Grips grips(const Mesh& mesh, const Placement& placement, const FoamDesign& design) {
+Grips grips(const PackedItem& item, const FoamDesign& design) {
+    const auto layer = static_cast<std::size_t>(item.layer) - 1;
     const std::array<FingerRoom, 4> room =
-        finger_room(mesh, placement, design.space, design.blocks, design.foams);
+        finger_room(item.mesh, item.placement, design.space, design.layers[layer], design.foams.pieces[layer],
+                    design.foams.parting[layer]);
     std::array<std::size_t, 4> order{0, 1, 2, 3};
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return room[a].mm > room[b].mm; });
@@ -81,19 +99,47 @@ Grips grips(const Mesh& mesh, const Placement& placement, const FoamDesign& desi
 }
 
 Message lifting_text(const PackedObject& packed) {
+    if (packed.layers.size() > 1) return say("packing.unpack_layers");
     if (packed.items.size() > 1) return say("packing.unpack_items");
-    const Grips found = grips(packed.mesh, packed.placement, packed.design);
+    const Grips found = grips(packed.items.front(), packed.design);
     if (!found.places.empty()) return say("packing.unpack", {{"places", found.places}});
     return say("packing.unpack_ribbons",
                {{"mm", number(kFingerWidth, 0)}, {"widest", found.widest.value_or(say("figure.none"))}});
 }
 
+/// "1 camera"
+std::vector<Message> items_of(const PackedObject& packed, int layer) {
+    std::vector<Message> names;
+    for (std::size_t i = 0; i < packed.items.size(); ++i)
+        if (packed.items[i].layer == layer)
+            names.push_back(
+                say("packing.numbered", {{"number", std::to_string(i + 1)}, {"name", packed.items[i].name}}));
+    return names;
+}
+
+/// Layer by layer from below.
+std::vector<Message> laying_steps(const PackedObject& packed) {
+    if (packed.layers.size() == 1)
+        return {packed.items.size() == 1 ? say("packing.lay") : say("packing.lay_items")};
+    std::vector<Message> steps;
+    for (const PackedLayer& layer : packed.layers) {
+        const std::string picture = std::to_string(picture_number(layer.layer, 1));
+        steps.push_back(say("packing.lay_layer", {{"layer", std::to_string(layer.layer)},
+                                                  {"items", items_of(packed, layer.layer)},
+                                                  {"picture", picture}}));
+        const Piece above = packed.design.foams.at(layer.layer);
+        if (above.middle()) steps.push_back(say("packing.put_middle", {{"piece", marked_piece(above)}}));
+    }
+    return steps;
+}
+
 void tell_order(PageFlow& flow, const PackedObject& packed) {
     flow.heading(say("packing.how"));
-    flow.steps(
-        {say("packing.stand"), packed.items.size() == 1 ? say("packing.lay") : say("packing.lay_items"),
-         say("packing.close"), lifting_text(packed)},
-        kMarkIndent);
+    std::vector<Message> steps{say("packing.stand")};
+    for (Message& step : laying_steps(packed)) steps.push_back(std::move(step));
+    steps.push_back(say("packing.close"));
+    steps.push_back(lifting_text(packed));
+    flow.steps(steps, kMarkIndent);
 }
 
 Message walls_text(const FitReport& fit) {
@@ -114,9 +160,11 @@ Message item_text(const PackedItem& item) {
 
 /// With where to take hold of it, where there are several.
 Message listed_item(const PackedItem& item, const PackedObject& packed) {
-    const Message text = item_text(item);
+    Message text = item_text(item);
     if (packed.items.size() == 1) return text;
-    const Grips found = grips(item.mesh, item.placement, packed.design);
+    if (packed.layers.size() > 1)
+        text = say("packing.in_layer", {{"item", text}, {"layer", std::to_string(item.layer)}});
+    const Grips found = grips(item, packed.design);
     if (found.places.empty()) return say("packing.without_fingers", {{"item", text}});
     return say("packing.with_fingers", {{"item", text}, {"places", found.places}});
 }

@@ -6,6 +6,7 @@
 
 #include "snug/check/fit_report.h"
 #include "snug/design/workshop_options.h"
+#include "snug/fabricate/kit/packing_picture.h"
 #include "snug/fabricate/kit/workshop_pack.h"
 #include "snug/mesh/mesh.h"
 #include "snug/space/placement.h"
@@ -19,6 +20,7 @@ struct PackedItem {
     std::optional<double> mass_kg;
     const Mesh& mesh;
     const Placement& placement;
+    int layer = 1;
 };
 
 /// What the packing sheet tells of.
@@ -26,10 +28,8 @@ struct PackedObject {
     const FoamDesign& design;
     const FitReport& fit;
     const std::vector<Finding>& findings;  ///< dangers first
-    const Mesh& mesh;                      ///< of all items together
-    const Placement& placement;
-    std::vector<PackedItem> items;  ///< one at least
-    std::vector<Vec3d> numbered;    ///< where pictures number them, see numbered_places()
+    std::vector<PackedLayer> layers;       ///< the lowest first
+    std::vector<PackedItem> items;         ///< one at least
     const PackMaterial& material;
     const WorkshopOptions& options;
 };

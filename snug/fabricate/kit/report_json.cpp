@@ -95,14 +95,25 @@ Json findings_json(const std::vector<Finding>& findings, Language language) {
     return list;
 }
 
+/// Of one layer a number.
+Json parting_json(const std::vector<int>& levels) {
+    return levels.size() == 1 ? Json(levels.front()) : Json(levels);
+}
+
 Json foam_json(const Packing& packing) {
     const FitReport& fit = packing.fit;
     const Foams& foams = *packing.foams;
-    return {{"lower_blocks", fit.lower_blocks}, {"upper_blocks", fit.upper_blocks},
-            {"cut_blocks", fit.cut_blocks},     {"volume_mm3", rounded(fit.foam_mm3, 1e3)},
-            {"fill_ratio", fit.fill_ratio},     {"parting_level", foams.parting.front()},
-            {"lower_pieces", fit.lower_pieces}, {"upper_pieces", fit.upper_pieces},
-            {"rib_blocks", packing.rib_blocks}};
+    Json json{{"lower_blocks", fit.lower().blocks}, {"upper_blocks", fit.upper().blocks},
+              {"cut_blocks", fit.cut_blocks},       {"volume_mm3", rounded(fit.foam_mm3, 1e3)},
+              {"fill_ratio", fit.fill_ratio},       {"parting_level", parting_json(foams.parting)},
+              {"lower_pieces", fit.lower().parts},  {"upper_pieces", fit.upper().parts},
+              {"rib_blocks", packing.rib_blocks}};
+    for (const Piece piece : foams.all()) {
+        if (!piece.middle()) continue;
+        const PieceFigures& figures = fit.pieces[static_cast<std::size_t>(piece.index)];
+        json["middle"].push_back({{"blocks", figures.blocks}, {"pieces", figures.parts}});
+    }
+    return json;
 }
 
 /// One number where all six are equal.
@@ -125,7 +136,7 @@ Json items_json(const Packing& packing, const Project& project) {
             {{"name", item_name(project, project.design.items[i])},
              {"file", project.objects[item.object].file.name},
              {"number", i + 1},
-             {"layer", 1},
+             {"layer", item.layer},
              {"placement",
               {{"rotation_deg", array(item.rotation_deg)}, {"offset_mm", array(item.offset_mm + walls)}}},
              {"box_mm", Json::array({array(box.min), array(box.max)})},
@@ -253,7 +264,7 @@ std::string report_json(std::span<const Object> objects, const Project& project,
     }
     if (!packing.notches.empty()) json["notches"] = notches_json(packing.notches);
     if (packing.fitted_case) {
-        const int level = packing.foams ? packing.foams->parting.front() : 0;
+        const int level = packing.foams ? packing.foams->parting.back() : 0;
         json["case"] = case_json(*packing.fitted_case, level, packing.fit);
     }
     if (made.search) json["search"] = search_json(*made.search);

@@ -3,8 +3,16 @@
 #include <utility>
 
 #include "snug/base/text.h"
+#include "snug/design/workshop_options.h"
 
 namespace snug {
+
+std::vector<Message> ways_for_layers() {
+    std::vector<Message> ways;
+    for (const Workshop way : {Workshop::sponge, Workshop::sheets, Workshop::print, Workshop::mill})
+        ways.push_back(as_it_is(name_of(way)));
+    return ways;
+}
 
 Message litres_text(double litres) {
     return say("figure.litres", {{"litres", number(litres, 2)}});

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,11 +22,14 @@ namespace snug {
 /// The foams as a maker's drawings need them. References live as long as the packing that they belong to.
 struct FoamDesign {
     const DesignSpace& space;
-    const BlockMap& blocks;
+    std::span<const BlockMap> layers;  ///< what each layer of items cuts, the lowest first
     const Foams& foams;
     const Grid<Run>& available;             ///< blocks that exist
     std::string object_name;                ///< as people know it; UTF-8
     Language language = Language::english;  ///< of pages and pictures
+
+    /// A piece as it is worked from the side that is looked at first.
+    [[nodiscard]] SeenPiece seen(Piece piece) const { return seen_piece(foams, piece, space.blocks.x); }
 };
 
 /// A file to be written, by its name within the output folder ("sheets/lower-01.svg").
@@ -47,6 +51,9 @@ struct PackFigure {
     Message label;
     Message value;
 };
+
+/// The ways that make foams of several layers, for a sentence that refuses another.
+[[nodiscard]] std::vector<Message> ways_for_layers();
 
 /// "1.25 litres"
 [[nodiscard]] Message litres_text(double litres);

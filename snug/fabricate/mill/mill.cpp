@@ -11,6 +11,7 @@
 #include "snug/fabricate/mill/gcode.h"
 #include "snug/fabricate/mill/mill_plan.h"
 #include "snug/fabricate/mill/mill_setup.h"
+#include "snug/words/pieces.h"
 #include "snug/words/words.h"
 
 namespace snug {
@@ -45,27 +46,27 @@ std::string board_program(const FoamDesign& design, const MillPlan& own, const M
                           const MillOptions& options) {
     std::vector<MillPin> pins = own.pins;
     for (MillPin& pin : pins) pin.at.y = own.field.size_mm().y - pin.at.y;
-    return grbl_program(mill_path(own.field, {}, {}, pins, options), own.field.size_mm(), options,
-                        {"BOARD below " + std::string(half_title(own.half)), design.object_name},
-                        {"Holes for pins in the board, for " + mill_file_name(outside),
-                         zero_text(options, "where the stock will lie", "the board"),
-                         "Then lay the " + std::string(half_title(own.half)) +
-                             " on the pins, cavity down, BACK " + back(outside)});
+    return grbl_program(
+        mill_path(own.field, {}, {}, pins, options), own.field.size_mm(), options,
+        {"BOARD below " + piece_title(own.piece), design.object_name},
+        {"Holes for pins in the board, for " + mill_file_name(outside),
+         zero_text(options, "where the stock will lie", "the board"),
+         "Then lay the " + piece_title(own.piece) + " on the pins, cavity down, BACK " + back(outside)});
 }
 
 void add_programs(const FoamDesign& design, const MillPlans& plans, const MillOptions& options,
                   WorkshopPack& pack) {
     for (const MillPlan& plan : plans.plans) {
         if (plan.empty()) continue;
-        pack.files.push_back(text_file(
-            "mill/" + mill_file_name(plan),
-            grbl_program(plan.path, plan.field.size_mm(), options,
-                         {std::string(half_title(plan.half)) + ", " + side_up(plan), design.object_name},
-                         remarks(plan, options))));
-        const MillPlan& own = plans.plans[plan.half == Half::lower ? 0 : 1];
+        pack.files.push_back(
+            text_file("mill/" + mill_file_name(plan),
+                      grbl_program(plan.path, plan.field.size_mm(), options,
+                                   {piece_title(plan.piece) + ", " + side_up(plan), design.object_name},
+                                   remarks(plan, options))));
+        const MillPlan& own = plans.own(plan);
         if (plan.outside && !own.pins.empty())
             pack.files.push_back(
-                text_file("mill/" + mill_board_name(plan.half), board_program(design, own, plan, options)));
+                text_file("mill/" + mill_board_name(plan.piece), board_program(design, own, plan, options)));
     }
 }
 
@@ -86,14 +87,19 @@ void tell_figures(const MillPlans& plans, WorkshopPack& pack) {
         const Vec2d size = plan.field.size_mm();
         if (!plan.outside) litres += size.x * size.y * plan.field.top_mm() * 1e-6;
     }
-    pack.figures = {
-        {say("figure.stock_lower"), stock_text(plans.plans[0])},
-        {say("figure.stock_lid"), stock_text(plans.plans[1])},
-        {say("figure.deepest_pocket"), as_it_is(number(deepest, 1) + " mm")},
-        {say("figure.passes"), as_it_is(grouped(static_cast<unsigned long long>(passes)))},
-        {say("figure.way_of_cutter"), as_it_is(number(way / 1000, 1) + " m")},
-        {say("figure.time"), say("figure.minutes", {{"minutes", number(std::ceil(minutes), 0)}})}};
-    pack.material.pieces = 2;
+    for (const MillPlan& plan : plans.plans)
+        if (!plan.outside)
+            pack.figures.push_back(
+                {piece_text(plan.piece, "figure.stock_lower", "figure.stock_middle", "figure.stock_lid"),
+                 stock_text(plan)});
+    const auto tell = [&](const char* label, Message value) {
+        pack.figures.push_back({say(label), std::move(value)});
+    };
+    tell("figure.deepest_pocket", as_it_is(number(deepest, 1) + " mm"));
+    tell("figure.passes", as_it_is(grouped(static_cast<unsigned long long>(passes))));
+    tell("figure.way_of_cutter", as_it_is(number(way / 1000, 1) + " m"));
+    tell("figure.time", say("figure.minutes", {{"minutes", number(std::ceil(minutes), 0)}}));
+    pack.material.pieces = plans.pieces();
     pack.material.litres = litres;
 }
 
@@ -131,7 +137,7 @@ void tell_round_corners(const MillPlans& plans, const MillOptions& options, Work
 void tell_pins(const MillPlans& plans, const MillOptions& options, WorkshopPack& pack) {
     if (options.pin_mm == 0 || !plans.plans[0].pins.empty()) return;
     const std::string pin_mm = number(options.pin_mm);
-    const bool turned = plans.plans.size() > 2;
+    const bool turned = static_cast<int>(plans.plans.size()) > plans.pieces();
     pack.findings.push_back(
         {turned ? Severity::warning : Severity::note,
          plans.no_room_for_pins

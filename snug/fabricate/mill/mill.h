@@ -19,6 +19,7 @@ struct MilledSurface {
     const Mesh& mesh;
     const Placement& placement;
     CutOptions cut;
+    int layer = 1;
 };
 
 /// What foam that a round cutter leaves in corners must not reach into.
@@ -27,7 +28,8 @@ struct MilledObject {
     const CaseSpace* fitted_case = nullptr;  ///< nor beyond its walls; none: the space's box alone
 };
 
-/// Both halves for a three-axis mill, each from its cavity's side, as programs for GRBL 1.1. Fails (kind
+/// All pieces for a three-axis mill, each from its cavity's side and, where a case or a cavity below leaves
+/// foam out there, from the other, as programs for GRBL 1.1. Fails (kind
 /// usage) for options out of range, a cutter wider than every pocket or a flute shorter than a pocket is
 /// deep. Without `object` no foam is left in any corner of the blocks that are cut. `page_mm`: of the set-up
 /// sheet's paper.

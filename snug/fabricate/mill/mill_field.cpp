@@ -26,29 +26,29 @@ int MillField::lowest() const {
     return *std::min_element(height.begin(), height.end());
 }
 
-MillField mill_field(const FoamDesign& design, Half half, double step_down_mm) {
-    const Grid<Run> kept = kept_runs(design.foams, half, design.space.blocks.x);
+MillField mill_field(const FoamDesign& design, Piece piece, double step_down_mm) {
+    const Grid<Run> kept = design.seen(piece).kept;
     MillField field = empty_field(design, kept, step_down_mm);
     for (int j = 0; j < kept.ny(); ++j)
         for (int k = 0; k < kept.nz(); ++k)
-            field.height(mill_row(half, j, kept.ny()), k) = kept(j, k).end * field.steps_a_block;
+            field.height(mill_row(piece.half(), j, kept.ny()), k) = kept(j, k).end * field.steps_a_block;
     return field;
 }
 
-MillField mill_outside(const FoamDesign& design, Half half, double step_down_mm) {
-    const Grid<Run> kept = kept_runs(design.foams, half, design.space.blocks.x);
+MillField mill_outside(const FoamDesign& design, Piece piece, double step_down_mm) {
+    const Grid<Run> kept = design.seen(piece).kept;
     MillField field = empty_field(design, kept, step_down_mm);
     field.height = Grid<int>(field.height.ny(), field.height.nz(), field.top);
     const int ny = kept.ny();
     for (int j = 0; j < ny; ++j)
         for (int k = 0; k < kept.nz(); ++k)
-            field.height(outside_row(half, j, ny), k) -= kept(j, k).first * field.steps_a_block;
+            field.height(outside_row(piece.half(), j, ny), k) -= kept(j, k).first * field.steps_a_block;
     // Where the cavity's side took all foam the cutter goes through air, or what is left out beside it would
     // be a slot.
     const int lowest = field.lowest();
     for (int j = 0; j < ny; ++j)
         for (int k = 0; k < kept.nz(); ++k)
-            if (kept(j, k).none()) field.height(outside_row(half, j, ny), k) = lowest;
+            if (kept(j, k).none()) field.height(outside_row(piece.half(), j, ny), k) = lowest;
     return field;
 }
 

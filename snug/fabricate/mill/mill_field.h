@@ -1,7 +1,7 @@
 #pragma once
 
 #include "snug/base/grid.h"
-#include "snug/base/half.h"
+#include "snug/base/piece.h"
 #include "snug/base/vec2.h"
 #include "snug/fabricate/kit/workshop_pack.h"
 
@@ -26,14 +26,14 @@ struct MillField {
     [[nodiscard]] int lowest() const;
 };
 
-/// The half from its cavity's side; the stock is as thick as its highest column. Passes go down by the
+/// The piece from its cavity's side; the stock is as thick as its highest column. Passes go down by the
 /// greatest part of a block that is no more than `step_down_mm`.
-[[nodiscard]] MillField mill_field(const FoamDesign& design, Half half, double step_down_mm);
+[[nodiscard]] MillField mill_field(const FoamDesign& design, Piece piece, double step_down_mm);
 
-/// The same half from its outer side, after the stock was turned over about its long axis (x): what a case
-/// with rounded corners or leaning walls leaves out there. Nothing is to be milled where it leaves out
-/// nothing.
-[[nodiscard]] MillField mill_outside(const FoamDesign& design, Half half, double step_down_mm);
+/// The same piece from its other side, after the stock was turned over about its long axis (x): what a case
+/// with rounded corners or leaning walls leaves out there, or the cavities of the layer below. Nothing is to
+/// be milled where nothing is left out.
+[[nodiscard]] MillField mill_outside(const FoamDesign& design, Piece piece, double step_down_mm);
 
 /// Row (from the operator) of the columns j of the design.
 [[nodiscard]] inline int mill_row(Half half, int j, int ny) {

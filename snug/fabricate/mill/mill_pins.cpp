@@ -13,9 +13,9 @@ constexpr double kLeastDepth = 4;  // mm that hold a pin
 constexpr double kApart = 1.5;     // pins: as near as a turned half's holes may come
 constexpr double kRaster = 2;      // mm between places that are tried
 
-/// Where the lower half has a place, from the lid's: near and far change.
-Vec2d in_lid(Vec2d at, const MillField& lower) {
-    return {at.x, lower.size_mm().y - at.y};
+/// Where a place of the lower foam comes to lie on a side.
+Vec2d on_side(Vec2d at, const PinnedSide& side) {
+    return side.turned ? Vec2d{at.x, side.field.size_mm().y - at.y} : at;
 }
 
 /// The foam is as high as the stock within `radius` of the place.
@@ -30,17 +30,28 @@ bool stands_full(const MillField& field, Vec2d at, double radius) {
     return true;
 }
 
-/// The place nearest to `goal` where both halves stand full.
-std::optional<Vec2d> place_near(const MillField& lower, const MillField& lid, double radius, Vec2d goal) {
-    const Vec2d size = lower.size_mm();
+/// The place nearest to `goal` where all sides stand full.
+std::optional<Vec2d> place_near(std::span<const PinnedSide> sides, double radius, Vec2d goal) {
+    const Vec2d size = sides.front().field.size_mm();
     std::optional<Vec2d> best;
     for (double y = radius; y <= size.y - radius; y += kRaster)
         for (double x = radius; x <= size.x - radius; x += kRaster) {
             const Vec2d at{x, y};
             if (best && length(at - goal) >= length(*best - goal)) continue;
-            if (stands_full(lower, at, radius) && stands_full(lid, in_lid(at, lower), radius)) best = at;
+            if (std::all_of(sides.begin(), sides.end(), [&](const PinnedSide& side) {
+                    return stands_full(side.field, on_side(at, side), radius);
+                }))
+                best = at;
         }
     return best;
+}
+
+/// The deepest that holes may be everywhere, mm.
+double depth_of(std::span<const PinnedSide> sides, double flute_mm) {
+    double depth = std::min(kDepth, flute_mm);
+    for (const PinnedSide& side : sides)
+        depth = std::min(depth, (side.field.top_mm() - kLeastDepth) / (side.other_too ? 2 : 1));
+    return depth;
 }
 
 /// Mirrored or turned by half, the two holes must not lie on the two pins again.
@@ -59,25 +70,21 @@ bool fits_one_way(Vec2d a, Vec2d b, Vec2d size, double least_apart) {
 
 }  // namespace
 
-MillPins mill_pins(const MillField& lower, const MillField& lid, double pin_mm, double flute_mm) {
-    MillPins pins;
-    const double depth =
-        std::min({kDepth, flute_mm, lower.top_mm() - kLeastDepth, lid.top_mm() - kLeastDepth});
-    const Vec2d size = lower.size_mm();
+MillPins mill_pins(std::span<const PinnedSide> sides, double pin_mm, double flute_mm) {
+    MillPins pins{std::vector<std::vector<MillPin>>(sides.size()), true};
+    const double depth = depth_of(sides, flute_mm);
+    const Vec2d size = sides.front().field.size_mm();
     const double radius = pin_mm / 2 + kAround;
-    pins.no_room = true;
     if (depth < kLeastDepth) return pins;
-    const auto first = place_near(lower, lid, radius, {0, size.y});
+    const auto first = place_near(sides, radius, {0, size.y});
     if (!first) return pins;
     for (const double inwards : {2.0, 4.0, 8.0, 16.0}) {
-        const auto second = place_near(lower, lid, radius, {size.x - inwards * pin_mm, 0});
+        const auto second = place_near(sides, radius, {size.x - inwards * pin_mm, 0});
         if (!second || length(*first - *second) < 4 * radius) continue;
         if (!fits_one_way(*first, *second, size, kApart * pin_mm)) continue;
         pins.no_room = false;
-        for (const Vec2d at : {*first, *second}) {
-            pins.halves[0].push_back({at, depth});
-            pins.halves[1].push_back({in_lid(at, lower), depth});
-        }
+        for (std::size_t i = 0; i < sides.size(); ++i)
+            for (const Vec2d at : {*first, *second}) pins.sides[i].push_back({on_side(at, sides[i]), depth});
         return pins;
     }
     return pins;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <span>
 #include <vector>
 
 #include "snug/fabricate/mill/mill_field.h"
@@ -13,15 +13,21 @@ struct MillPin {
     double depth_mm = 0;
 };
 
-/// Where the halves get their pins.
+/// A side that gets holes, on which it meets another piece.
+struct PinnedSide {
+    const MillField& field;
+    bool turned = false;     ///< near and far lie the other way round than in the lower foam
+    bool other_too = false;  ///< the piece gets holes from its other side as well
+};
+
+/// Where the sides get their pins.
 struct MillPins {
-    std::array<std::vector<MillPin>, 2> halves;  ///< lower, lid: the same places of the design
+    std::vector<std::vector<MillPin>> sides;  ///< the same places of the design
     bool no_room = false;
 };
 
-/// Two holes where both halves stand full height around them, near opposite corners, so placed that a half
-/// which is turned or mirrored does not fit on them.
-[[nodiscard]] MillPins mill_pins(const MillField& lower, const MillField& lid, double pin_mm,
-                                 double flute_mm);
+/// Two holes where all sides stand full height around them, near opposite corners, so placed that a piece
+/// which is turned or mirrored does not fit on them. The first side is the lower foam's.
+[[nodiscard]] MillPins mill_pins(std::span<const PinnedSide> sides, double pin_mm, double flute_mm);
 
 }  // namespace snug

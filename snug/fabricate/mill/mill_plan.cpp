@@ -1,13 +1,14 @@
 #include "snug/fabricate/mill/mill_plan.h"
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <utility>
 
 #include "snug/base/text.h"
 #include "snug/design/option_list.h"
 #include "snug/fabricate/mill/mill_allowed.h"
-#include "snug/words/halves.h"
+#include "snug/words/pieces.h"
 
 namespace snug {
 namespace {
@@ -17,8 +18,8 @@ constexpr double kPinFit = 1e-6;         // mm
 constexpr double kFluteRounding = 1e-6;  // mm
 
 Message name_of(const MillPlan& plan) {
-    if (!plan.outside) return half_of(plan.half);
-    return say("mill.outer_side", {{"half", half_of(plan.half)}});
+    if (!plan.outside) return half_of(plan.piece);
+    return say(plan.piece.middle() ? "mill.under_side" : "mill.outer_side", {{"half", half_of(plan.piece)}});
 }
 
 /// A cutter that enters some pockets is enough: reliefs take what the others need.
@@ -61,8 +62,8 @@ Result<void> work_out(MillPlan& plan, const FoamDesign& design, const std::optio
     for (const LevelPass& pass : passes)
         for (const std::vector<CutLine>* lines : {&pass.fill, &pass.walls})
             for (const CutLine& line : *lines) stock.cut(line, pass.level);
-    const Grid<int> allowed = plan.outside ? allowed_outside(design, plan.half, plan.field, stock, object)
-                                           : allowed_heights(design, plan.half, plan.field, stock, object);
+    const Grid<int> allowed = plan.outside ? allowed_outside(design, plan.piece, plan.field, stock, object)
+                                           : allowed_heights(design, plan.piece, plan.field, stock, object);
     plan.relief = relieve(plan.field, passes, allowed, radius, stock);
     plan.path = mill_path(plan.field, passes, plan.relief.reliefs, plan.pins, options);
     if (!plan.path.too_long) return {};
@@ -70,8 +71,32 @@ Result<void> work_out(MillPlan& plan, const FoamDesign& design, const std::optio
                 say("mill.too_many_moves", {{"half", name_of(plan)}, {"most", kMostMoves}}));
 }
 
-bool cuts_outside(const MillField& outside) {
-    return outside.lowest() < outside.top;
+/// Each piece from its cavity's side, then from the other one where foam is left out there. What lies between
+/// two layers meets another piece on both.
+std::vector<MillPlan> all_sides(const FoamDesign& design, const MillOptions& options) {
+    std::vector<MillPlan> plans, outside;
+    const double step_mm = wanted_step_down_mm(options);
+    for (const Piece piece : design.foams.all()) {
+        plans.push_back({piece, false, mill_field(design, piece, step_mm), {}, {}, {}});
+        MillPlan other{piece, true, mill_outside(design, piece, step_mm), {}, {}, {}};
+        if (piece.middle() || other.field.lowest() < other.field.top) outside.push_back(std::move(other));
+    }
+    plans.insert(plans.end(), std::make_move_iterator(outside.begin()),
+                 std::make_move_iterator(outside.end()));
+    return plans;
+}
+
+void put_pins(MillPlans& all, const MillOptions& options) {
+    std::vector<MillPlan*> plans;
+    std::vector<PinnedSide> sides;
+    for (MillPlan& plan : all.plans) {
+        if (plan.outside && !plan.piece.middle()) continue;
+        plans.push_back(&plan);
+        sides.push_back({plan.field, plan.outside != (plan.piece.half() == Half::lid), plan.piece.middle()});
+    }
+    MillPins pins = mill_pins(sides, options.pin_mm, options.flute_mm);
+    all.no_room_for_pins = pins.no_room;
+    for (std::size_t i = 0; i < plans.size(); ++i) plans[i]->pins = std::move(pins.sides[i]);
 }
 
 }  // namespace
@@ -79,29 +104,11 @@ bool cuts_outside(const MillField& outside) {
 Result<MillPlans> mill_plans(const FoamDesign& design, const std::optional<MilledObject>& object,
                              const MillOptions& options) {
     if (auto problem = out_of_range(options)) return fail(ErrorKind::usage, std::move(problem->message));
-    MillPlans result;
+    MillPlans result{all_sides(design, options), false};
     std::vector<MillPlan>& plans = result.plans;
-    for (const Half half : {Half::lower, Half::lid}) {
-        MillPlan plan;
-        plan.half = half;
-        plan.field = mill_field(design, half, wanted_step_down_mm(options));
-        plans.push_back(std::move(plan));
-    }
-    for (const Half half : {Half::lower, Half::lid}) {
-        MillPlan plan;
-        plan.half = half;
-        plan.outside = true;
-        plan.field = mill_outside(design, half, wanted_step_down_mm(options));
-        if (cuts_outside(plan.field)) plans.push_back(std::move(plan));
-    }
     if (auto error = too_wide(plans, options)) return tl::unexpected(std::move(*error));
     if (auto error = too_deep(plans, options)) return tl::unexpected(std::move(*error));
-    if (options.pin_mm >= options.cutter_mm - kPinFit) {
-        MillPins pins = mill_pins(plans[0].field, plans[1].field, options.pin_mm, options.flute_mm);
-        result.no_room_for_pins = pins.no_room;
-        plans[0].pins = std::move(pins.halves[0]);
-        plans[1].pins = std::move(pins.halves[1]);
-    }
+    if (options.pin_mm >= options.cutter_mm - kPinFit) put_pins(result, options);
     for (MillPlan& plan : plans)
         if (auto done = work_out(plan, design, object, options); !done) return tl::unexpected(done.error());
     return result;

@@ -10,8 +10,8 @@ namespace snug {
 
 /// One stock and what is done to it from one side.
 struct MillPlan {
-    Half half = Half::lower;
-    bool outside = false;  ///< turned over about x, for what a case leaves out
+    Piece piece;
+    bool outside = false;  ///< turned over about x, for what a case or a cavity below leaves out
     MillField field;
     std::vector<MillPin> pins;
     ReliefReport relief;
@@ -23,11 +23,17 @@ struct MillPlan {
 };
 
 struct MillPlans {
-    std::vector<MillPlan> plans;  ///< lower, lid, then what is milled from outside
+    std::vector<MillPlan> plans;  ///< each piece, the lowest first, then what is milled from outside
     bool no_room_for_pins = false;
+
+    /// Of the same piece from its cavity's side.
+    [[nodiscard]] const MillPlan& own(const MillPlan& plan) const {
+        return plans[static_cast<std::size_t>(plan.piece.index)];
+    }
+    [[nodiscard]] int pieces() const { return plans.front().piece.count; }
 };
 
-/// Both halves' ways, or what forbids them (kind usage), see mill_pack().
+/// All pieces' ways, or what forbids them (kind usage), see mill_pack().
 [[nodiscard]] Result<MillPlans> mill_plans(const FoamDesign& design,
                                            const std::optional<MilledObject>& object,
                                            const MillOptions& options);

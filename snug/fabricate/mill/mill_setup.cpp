@@ -7,7 +7,8 @@
 #include "snug/base/text.h"
 #include "snug/drawing/page_builder.h"
 #include "snug/drawing/svg.h"
-#include "snug/words/halves.h"
+#include "snug/fabricate/kit/piece_names.h"
+#include "snug/words/pieces.h"
 #include "snug/words/words.h"
 
 namespace snug {
@@ -18,7 +19,7 @@ constexpr double kNames = 7;            // mm around the picture
 constexpr int kMostDrawnCells = 220;
 
 bool back_is_far(const MillPlan& plan) {
-    return (plan.half == Half::lower) != plan.outside;
+    return (plan.piece.half() == Half::lower) != plan.outside;
 }
 
 /// A side from above, as the operator sees it: the farther, the higher on the page.
@@ -69,8 +70,8 @@ class TopView {
         const MillField& field = plan_.field;
         const double depth =
             field.top > field.lowest() ? 1.0 * (field.top - height) / (field.top - field.lowest()) : 0;
-        const Color foam = mixed(half_color(plan_.half), {255, 255, 255}, 0.55);
-        return mixed(foam, mixed(half_ink(plan_.half), {0, 0, 0}, 0.35), 0.9 * depth);
+        const Color foam = mixed(piece_color(plan_.piece), {255, 255, 255}, 0.55);
+        return mixed(foam, mixed(piece_ink(plan_.piece), {0, 0, 0}, 0.35), 0.9 * depth);
     }
 
     void circle(Vec2d middle, double radius) {
@@ -124,21 +125,26 @@ double highest_stock(const MillPlans& plans) {
 Message turning(const MillPlans& plans) {
     const Message names = say("mill.programs", {{"names", programs(plans, true)}});
     if (plans.plans.front().pins.empty()) return say("mill.turn", {{"programs", names}});
-    const bool lower_is_turned = std::any_of(
-        plans.plans.begin(), plans.plans.end(),
-        [](const MillPlan& plan) { return plan.outside && plan.half == Half::lower && !plan.empty(); });
+    std::vector<Message> boards;
+    for (const MillPlan& plan : plans.plans)
+        if (plan.outside && !plan.empty()) boards.push_back(as_it_is(mill_board_name(plan.piece)));
+    const bool layers = plans.pieces() > 2;
+    if (!layers) boards.resize(1);  // as an example
     return say("mill.turn_on_pins",
-               {{"programs", names}, {"board", mill_board_name(lower_is_turned ? Half::lower : Half::lid)}});
+               {{"programs", names}, {"board", say("mill.programs", {{"names", boards}})}});
 }
 
 std::vector<Message> order_of_work(const MillPlans& plans, const MillOptions& options) {
-    std::vector<Message> steps{say("mill.cut_stock"),
+    std::vector<Message> marks;
+    for (int i = 0; i < plans.pieces(); ++i) marks.push_back(as_it_is(piece_title({i, plans.pieces()})));
+    const bool layers = plans.pieces() > 2;
+    std::vector<Message> steps{say("mill.cut_stock", {{"marks", marks}}),
                                say("mill.fix_stock", {{"mm", number(options.cutter_mm)}}),
                                say("mill.set_zero", {{"mm", number(highest_stock(plans) + 20, 0)}})};
     if (!plans.plans.front().pins.empty())
-        steps.push_back(say("mill.pins", {{"mm", number(options.pin_mm)}}));
+        steps.push_back(say(layers ? "mill.pins_layers" : "mill.pins", {{"mm", number(options.pin_mm)}}));
     if (!programs(plans, true).empty()) steps.push_back(turning(plans));
-    steps.push_back(say("mill.close"));
+    steps.push_back(say(layers ? "mill.close_layers" : "mill.close"));
     return steps;
 }
 
@@ -170,11 +176,12 @@ std::vector<Drawing> first_pages(const FoamDesign& design, const MillPlans& plan
 
 std::vector<Drawing> side_page(const FoamDesign& design, const MillPlan& plan, const MillOptions& options,
                                Vec2d page_mm) {
-    const Message half = marked_half(plan.half);
+    const Message half = marked_piece(plan.piece);
+    const char* const other = plan.piece.middle() ? "mill.under" : "mill.outer";
     PageFlow flow(
-        page_mm, plan.outside ? say("mill.outer", {{"half", half}}) : half,
+        page_mm, plan.outside ? say(other, {{"half", half}}) : half,
         say("mill.from_above", {{"name", design.object_name}, {"file", "mill/" + mill_file_name(plan)}}),
-        half_ink(plan.half), design.language);
+        piece_ink(plan.piece), design.language);
     flow.space(kNames);
     const double picture = page_mm.y - kBesidePicture;
     const Vec2d corner = flow.room(picture + kNames);
@@ -200,15 +207,16 @@ std::vector<Drawing> side_page(const FoamDesign& design, const MillPlan& plan, c
 }  // namespace
 
 std::string mill_file_name(const MillPlan& plan) {
-    return (plan.half == Half::lower ? "lower" : "lid") + std::string(plan.outside ? "-outside" : "") + ".nc";
+    return pack_stem(plan.piece) + (plan.outside ? "-outside.nc" : ".nc");
 }
 
-std::string mill_board_name(Half half) {
-    return half == Half::lower ? "lower-board.nc" : "lid-board.nc";
+std::string mill_board_name(Piece piece) {
+    return pack_stem(piece) + "-board.nc";
 }
 
 Message mill_side_up(const MillPlan& plan) {
-    return say(plan.outside ? "mill.outer_up" : "mill.cavity_up");
+    if (!plan.outside) return say("mill.cavity_up");
+    return say(plan.piece.middle() ? "mill.under_up" : "mill.outer_up");
 }
 
 Message mill_back(const MillPlan& plan) {

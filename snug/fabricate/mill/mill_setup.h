@@ -10,7 +10,7 @@ namespace snug {
 /// "lower.nc", "lid-outside.nc"
 [[nodiscard]] std::string mill_file_name(const MillPlan& plan);
 /// "lower-board.nc": holes in the board for the pins that the turned half lies on
-[[nodiscard]] std::string mill_board_name(Half half);
+[[nodiscard]] std::string mill_board_name(Piece piece);
 /// "cavity up", or "outer side up, cavity down"
 [[nodiscard]] Message mill_side_up(const MillPlan& plan);
 /// Where BACK is to the operator: "away from you" or "towards you"

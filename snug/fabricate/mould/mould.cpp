@@ -13,7 +13,7 @@
 #include "snug/fabricate/mould/mould_guide.h"
 #include "snug/fabricate/mould/mould_parts.h"
 #include "snug/fabricate/printing/print_things.h"
-#include "snug/words/halves.h"
+#include "snug/words/pieces.h"
 
 namespace snug {
 namespace {
@@ -132,6 +132,8 @@ void tell_figures(const std::vector<Mould>& moulds, std::size_t bores, std::size
 }  // namespace
 
 Result<WorkshopPack> mould_pack(const FoamDesign& design, const WorkshopOptions& options) {
+    if (design.foams.layers() > 1)
+        return fail(ErrorKind::usage, say("mould.layers", {{"ways", ways_for_layers()}}));
     if (const auto problem = out_of_range(options.mould)) return fail(ErrorKind::usage, problem->message);
     if (const auto problem = problem_of(options.print)) return fail(ErrorKind::usage, problem->message);
     const auto moulds = all_moulds(design, options);
@@ -143,7 +145,7 @@ Result<WorkshopPack> mould_pack(const FoamDesign& design, const WorkshopOptions&
     int without_joint = 0;
     for (const Mould& mould : *moulds) {
         for (std::size_t i = 0; i < mould.names.size(); ++i)
-            things.push_back({mould.names[i], half_color(mould.form.half), mould.made.parts[i].solid});
+            things.push_back({mould.names[i], piece_color(mould.form.half), mould.made.parts[i].solid});
         bores += static_cast<std::size_t>(mould.made.bores);
         without_joint += mould.made.without_joint;
     }

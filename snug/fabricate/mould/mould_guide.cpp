@@ -8,7 +8,7 @@
 #include "snug/base/text.h"
 #include "snug/drawing/page_builder.h"
 #include "snug/fabricate/mould/mould_picture.h"
-#include "snug/words/halves.h"
+#include "snug/words/pieces.h"
 #include "snug/words/words.h"
 
 namespace snug {
@@ -53,11 +53,11 @@ Message picture_text(const MouldPicture& picture) {
 
 std::vector<Drawing> mould_pages(const FoamDesign& design, const Mould& mould, Vec2d paper) {
     const Vec3d size = mould.form.size();
-    PageFlow flow(paper, say("mould.heading", {{"half", marked_half(mould.form.half)}}),
+    PageFlow flow(paper, say("mould.heading", {{"half", marked_piece(mould.form.half)}}),
                   say("mould.page_of", {{"name", design.object_name},
                                         {"size", dimensions({size.z, size.y, size.x})},
                                         {"litres", litres(mould.made.pour_mm3)}}),
-                  half_ink(mould.form.half), design.language);
+                  piece_ink(mould.form.half), design.language);
     MouldPicture picture(mould.form, flow.width());
     picture.move_to(flow.room(picture.height()), flow.width());
     draw_mould(flow.page(), picture, mould);
@@ -72,7 +72,7 @@ std::vector<Drawing> mould_pages(const FoamDesign& design, const Mould& mould, V
 Message pour_text(const Mould& mould) {
     const MouldForm& form = mould.form;
     return say(form.margin > 1 ? "mould.pour_to_ledge" : "mould.pour_to_top",
-               {{"half", marked_half(form.half)},
+               {{"half", marked_piece(form.half)},
                 {"litres", litres(mould.made.pour_mm3)},
                 {"mm", number(form.mm(0, form.pour_level) - form.mm(0, 1), 1)}});
 }
@@ -104,7 +104,7 @@ void tell_moulds(PageFlow& flow, const std::vector<Mould>& moulds, std::size_t b
              shares, {kSmallText, kSoftInk, true});
     for (const Mould& mould : moulds) {
         const Vec3d size = mould.form.size();
-        flow.row({marked_half(mould.form.half), as_it_is(dimensions({size.z, size.y, size.x})),
+        flow.row({marked_piece(mould.form.half), as_it_is(dimensions({size.z, size.y, size.x})),
                   as_it_is(std::to_string(mould.made.parts.size())), litres(mould.made.pour_mm3),
                   litres(mould.made.plastic_mm3)},
                  shares, {});

@@ -18,7 +18,7 @@ constexpr double kPourLabel = 24;       // mm beside the section
 
 Color shade(const MouldPicture& picture, int core) {
     if (core == 0) return kPaper;
-    const Color color = half_color(picture.form.half);
+    const Color color = piece_color(picture.form.half);
     return mixed(mixed(color, kPaper, 0.8), mixed(color, {0, 0, 0}, 0.35),
                  static_cast<double>(core) / picture.highest);
 }
@@ -68,7 +68,7 @@ void draw_section(PageBuilder& page, const MouldPicture& picture) {
     page.loops(
         {{picture.in_section(inner(form.margin), pour), picture.in_section(inner(last - form.margin), pour),
           picture.in_section(inner(last - form.margin), 0), picture.in_section(inner(form.margin), 0)}},
-        mixed(half_color(form.half), kPaper, 0.75));
+        mixed(piece_color(form.half), kPaper, 0.75));
     std::vector<Vec2d> outline{picture.in_section(width, 0), picture.in_section(0, 0)};
     for (int k = 0; k < last; ++k)
         for (const int line : {k, k + 1})

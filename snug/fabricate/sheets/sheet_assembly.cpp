@@ -6,10 +6,11 @@
 #include <utility>
 
 #include "snug/base/text.h"
+#include "snug/drawing/page_builder.h"
 #include "snug/drawing/svg.h"
 #include "snug/fabricate/sheets/sheet_engraving.h"
 #include "snug/fabricate/sheets/sheet_findings.h"
-#include "snug/words/halves.h"
+#include "snug/words/pieces.h"
 
 namespace snug {
 namespace {
@@ -18,12 +19,8 @@ constexpr double kMargin = 15;
 constexpr int kPicturesAcross = 4;
 constexpr double kBetween = 6;
 constexpr double kCaption = 9;          // mm below a picture
-constexpr std::size_t kMostNamed = 60;  // islands
+constexpr std::size_t kMostIslands = 60;  // that are named
 constexpr Color kInk{28, 36, 46}, kSoft{96, 106, 120}, kIsland{196, 60, 60};
-
-Color foam_color(Half half) {
-    return half == Half::lower ? kLowerBlue : kUpperOrange;
-}
 
 Drawing new_page(const Message& title, Vec2d size_mm, Language language) {
     Drawing page;
@@ -77,8 +74,11 @@ double heading(Drawing& page, const SheetAssembly& half, const Message& title,
 std::vector<Message> steps(const SheetAssembly& half, const SheetOptions& options) {
     const SheetStack& stack = half.stack;
     const std::string first = stack.sheet_name(0), last = stack.sheet_name(stack.count - 1);
-    const bool lower = stack.half == Half::lower;
-    std::vector<Message> steps{say(lower ? "sheets.lay_lower" : "sheets.lay_lid", {{"first", first}})};
+    const auto of_piece = [&](const char* lower_code, const char* middle_code, const char* lid_code) {
+        return stack.piece.middle() ? middle_code : stack.piece.highest() ? lid_code : lower_code;
+    };
+    std::vector<Message> steps{
+        say(of_piece("sheets.lay_lower", "sheets.lay_middle", "sheets.lay_lid"), {{"first", first}})};
     if (half.dowels.sheets > 1)
         steps.push_back(say("sheets.put_dowels", {{"dowels", std::to_string(half.dowels.centres.size())},
                                                   {"mm", number(options.dowel_mm)},
@@ -88,10 +88,14 @@ std::vector<Message> steps(const SheetAssembly& half, const SheetOptions& option
     if (stack.count > 2)
         steps.push_back(say("sheets.glue_all", {{"first", stack.sheet_name(1)}, {"last", last}}));
     const auto loose = island_names(stack, true), glued = island_names(stack, false);
-    if (!glued.empty()) steps.push_back(say("sheets.glue_islands", {{"islands", listed(glued, kMostNamed)}}));
-    if (!loose.empty())
-        steps.push_back(say("sheets.glue_loose", {{"islands", listed(loose, kMostNamed)}, {"first", first}}));
-    steps.push_back(lower ? say("sheets.lower_done", {{"first", first}}) : say("sheets.lid_done"));
+    if (!glued.empty()) steps.push_back(say("sheets.glue_islands", {{"islands", listed(glued, kMostIslands)}}));
+    if (!loose.empty() && stack.piece.middle())
+        steps.push_back(say("sheets.glue_hanging", {{"islands", listed(loose, kMostIslands)}}));
+    else if (!loose.empty())
+        steps.push_back(say("sheets.glue_loose", {{"islands", listed(loose, kMostIslands)}, {"first", first}}));
+    steps.push_back(stack.piece.highest()
+                        ? say("sheets.lid_done")
+                        : say(of_piece("sheets.lower_done", "sheets.middle_done", ""), {{"first", first}}));
     return steps;
 }
 
@@ -124,7 +128,7 @@ void side_view(Drawing& page, double top, const SheetAssembly& half) {
                {kMargin + 20 + width, y},
                {kMargin + 20 + width, y + bar},
                {kMargin + 20, y + bar}}},
-             true, mixed(foam_color(stack.half), {255, 255, 255}, 0.55),
+             true, mixed(piece_color(stack.piece), {255, 255, 255}, 0.55),
              Pen{kInk, std::min(0.2, bar / 4), {}});
         if (sheet % every != 0 && sheet + 1 != stack.count) continue;
         write(page, {kMargin + 17, y + bar / 2 + 1.1}, stack.sheet_name(sheet), 3.2, kInk, true,
@@ -135,7 +139,10 @@ void side_view(Drawing& page, double top, const SheetAssembly& half) {
               3.2, kSoft);
     }
     write(page, {kMargin + 20, bottom + 5},
-          say(stack.half == Half::lower ? "sheets.case_below" : "sheets.case_above"), 3.2, kSoft);
+          say(stack.piece.middle()    ? "sheets.layer_below"
+              : stack.piece.highest() ? "sheets.case_above"
+                                      : "sheets.case_below"),
+          3.2, kSoft);
 }
 
 /// One sheet small: its pieces, islands by their letters, BACK, the odd corner, dowels.
@@ -172,7 +179,7 @@ class Picture {
         const Vec2d size = stack_.size_mm();
         draw(page_, {{at({0, 0}), at({size.x, 0}), at(size), at({0, size.y})}}, true, Color{244, 245, 247},
              Pen{kSoft, 0.15, {0.8, 0.6}});
-        const bool lower = stack_.half == Half::lower;
+        const bool lower = stack_.piece.half() == Half::lower;
         const double y = lower ? 0 : size.y;
         draw(page_, {{at({0, y}), at({size.x, y})}}, false, {}, Pen{kInk, 0.6, {}});
         write(page_, at({size.x, y}) + Vec2d{0, lower ? -1.0 : 3.2}, "BACK", 2.4, kInk, true,
@@ -180,8 +187,8 @@ class Picture {
     }
 
     void odd_corner() {
-        const double side = 2.5, down = stack_.half == Half::lower ? side : -side;
-        const Vec2d corner = at({0, stack_.half == Half::lower ? 0 : stack_.size_mm().y});
+        const double side = 2.5, down = stack_.piece.half() == Half::lower ? side : -side;
+        const Vec2d corner = at({0, stack_.piece.half() == Half::lower ? 0 : stack_.size_mm().y});
         draw(page_, {{corner, corner + Vec2d{side, 0}, corner + Vec2d{0, down}}}, true, kInk, {});
     }
 
@@ -193,7 +200,7 @@ class Picture {
                 loops.back().push_back(
                     at({(piece.column + p.x) * stack_.cell_mm.x, (piece.row + p.y) * stack_.cell_mm.y}));
         }
-        const Color color = foam_color(stack_.half);
+        const Color color = piece_color(stack_.piece);
         draw(page_, std::move(loops), true, mixed(color, {255, 255, 255}, piece.island ? 0.1 : 0.5),
              Pen{kInk, 0.12, {}});
     }
@@ -224,7 +231,7 @@ void add_pictures(std::vector<Drawing>& pages, const SheetAssembly& half, const 
     for (int sheet = 0; sheet < stack.count; ++sheet) {
         const int on_page = sheet % (down * kPicturesAcross);
         if (on_page == 0) {
-            const Message name = marked_half(stack.half);
+            const Message name = marked_piece(stack.piece);
             pages.push_back(
                 new_page(say("sheets.page_pictures", {{"half", name}}), page_mm, design.language));
             heading(pages.back(), half, say("sheets.heading_pictures", {{"half", name}}), design.object_name);
@@ -248,7 +255,7 @@ DrawingDocument sheet_assembly(std::span<const SheetAssembly> halves, const Foam
     for (const SheetAssembly& half : halves) {
         const int count = half.stack.count;
         if (count == 0) continue;
-        const Message name = marked_half(half.stack.half);
+        const Message name = marked_piece(half.stack.piece);
         Drawing page = new_page(say("sheets.page_order", {{"half", name}}), page_mm, design.language);
         double y = heading(page, half, say("sheets.heading_order", {{"half", name}, {"sheets", count}}),
                            design.object_name);

@@ -91,13 +91,13 @@ class FreeCells {
 
 /// Whether the piece has the half's corner at BACK and low z.
 bool has_odd_corner(const SheetStack& stack, const SheetPiece& piece) {
-    const int row = stack.half == Half::lower ? 0 : stack.rows() - 1;
+    const int row = stack.piece.half() == Half::lower ? 0 : stack.rows() - 1;
     return piece.mask.contains(-piece.column, row - piece.row);
 }
 
 std::vector<Vec2d> odd_corner(const SheetStack& stack, const SheetPiece& piece) {
     const double side = std::min({kOddCorner, 0.8 * stack.cell_mm.x, 0.8 * stack.cell_mm.y});
-    if (stack.half == Half::lower) return {{0, side}, {side, 0}};
+    if (stack.piece.half() == Half::lower) return {{0, side}, {side, 0}};
     const double bottom = piece.mask.height * stack.cell_mm.y;
     return {{0, bottom - side}, {side, bottom}};
 }
@@ -111,7 +111,7 @@ std::optional<Lines> placed_label(const SheetStack& stack, const SheetPiece& pie
     if (!piece.island) variants.insert(variants.begin(), {piece.name + " BACK", true});
     for (const Variant& variant : variants) {
         for (const double height : kHeights) {
-            Lines lines = label(stack.half, variant.words, height, variant.arrow);
+            Lines lines = label(stack.piece.half(), variant.words, height, variant.arrow);
             const Extent box = extent(lines);
             const auto middle = free.room_for(box.high - box.low + Vec2d{2 * kAround, 2 * kAround});
             if (!middle) continue;
@@ -140,7 +140,7 @@ Engraving engraving(const SheetStack& stack, const SheetPiece& piece, const std:
     Engraving made;
     if (has_odd_corner(stack, piece)) {
         made.lines.push_back(odd_corner(stack, piece));
-        const double row = stack.half == Half::lower ? 0.5 : piece.mask.height - 0.5;
+        const double row = stack.piece.half() == Half::lower ? 0.5 : piece.mask.height - 0.5;
         const Vec2d middle{0.5 * stack.cell_mm.x, row * stack.cell_mm.y};
         free.take(middle, middle + Vec2d{1e-6, 1e-6});
     }

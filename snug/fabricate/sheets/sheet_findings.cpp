@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "snug/base/text.h"
-#include "snug/words/halves.h"
+#include "snug/words/pieces.h"
 
 namespace snug {
 namespace {
@@ -18,8 +18,7 @@ Message named(const std::vector<std::string>& pieces) {
 void add_lost(std::vector<Finding>& findings, const FoamDesign& design, const SheetStack& stack) {
     if (stack.lost_blocks == 0) return;
     int highest = 0;
-    for (const Run kept : kept_runs(design.foams, stack.half, design.space.blocks.x))
-        highest = std::max<int>(highest, kept.end);
+    for (const Run kept : design.seen(stack.piece).kept) highest = std::max<int>(highest, kept.end);
     const double lost = static_cast<double>(stack.lost_blocks) * design.space.block_volume();
     const int missing = highest - stack.count * stack.levels;
     std::vector<Message> lower;
@@ -29,7 +28,7 @@ void add_lost(std::vector<Finding>& findings, const FoamDesign& design, const Sh
     findings.push_back({missing > 0 ? Severity::warning : Severity::note,
                         say("sheets-lost", {{"levels", std::to_string(stack.levels)},
                                             {"blocks", stack.lost_blocks},
-                                            {"foam", foam_of(stack.half)},
+                                            {"foam", foam_of(stack.piece)},
                                             {"mm3", static_cast<unsigned long long>(lost + 0.5)},
                                             {"litres", number(lost / 1e6, 2)},
                                             {"lower", lower}})});
@@ -48,17 +47,20 @@ bool lies_on_a_sheet(const SheetStack& stack, const SheetPiece& piece) {
 
 void add_islands(std::vector<Finding>& findings, const SheetStack& stack) {
     const auto loose = island_names(stack, true), glued = island_names(stack, false);
-    if (!loose.empty()) {
+    if (!loose.empty() && stack.piece.middle()) {
+        findings.push_back({Severity::note, say("sheets-loose/middle",
+                                                {{"foam", foam_of(stack.piece)}, {"pieces", named(loose)}})});
+    } else if (!loose.empty()) {
         std::vector<Message> falls_out;
-        if (stack.half == Half::lid) falls_out.push_back(say("sheets.falls_out"));
-        findings.push_back({Severity::warning, say("sheets-loose", {{"foam", foam_of(stack.half)},
+        if (stack.piece.half() == Half::lid) falls_out.push_back(say("sheets.falls_out"));
+        findings.push_back({Severity::warning, say("sheets-loose", {{"foam", foam_of(stack.piece)},
                                                                     {"pieces", named(loose)},
                                                                     {"count", loose.size()},
                                                                     {"falls_out", falls_out}})});
     }
     if (!glued.empty())
         findings.push_back({Severity::note, say("sheets-islands",
-                                                {{"foam", foam_of(stack.half)}, {"pieces", named(glued)}})});
+                                                {{"foam", foam_of(stack.piece)}, {"pieces", named(glued)}})});
 }
 
 /// Sheets that are wider than the one before, as the case is.
@@ -69,14 +71,15 @@ void add_overhang(std::vector<Finding>& findings, const SheetStack& stack) {
     const auto count = std::count(wider.begin(), wider.end(), 1);
     if (count == 0) return;
     findings.push_back(
-        {Severity::note, say("sheets-overhang", {{"sheets", count}, {"foam", foam_of(stack.half)}})});
+        {Severity::note, say(stack.piece.middle() ? "sheets-overhang/middle" : "sheets-overhang",
+                             {{"sheets", count}, {"foam", foam_of(stack.piece)}})});
 }
 
 void add_dowels(std::vector<Finding>& findings, const SheetAssembly& half, const SheetOptions& options) {
     if (options.dowels == 0 || half.stack.count < 2) return;
     const std::string from = half.stack.sheet_name(half.dowels.sheets);
     const std::string last = half.stack.sheet_name(half.stack.count - 1);
-    const Message foam = foam_of(half.stack.half);
+    const Message foam = foam_of(half.stack.piece);
     if (half.dowels.sheets < 2)
         findings.push_back(
             {Severity::warning, say("sheets-dowels", {{"dowel_mm", number(options.dowel_mm)},

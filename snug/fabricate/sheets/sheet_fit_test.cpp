@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "snug/fabricate/kit/fit_test.h"
 #include "snug/fabricate/sheets/cut_piece.h"
 #include "snug/fabricate/sheets/nesting.h"
 #include "snug/fabricate/sheets/sheet_drawing.h"
@@ -25,14 +24,13 @@ void crop(Drawing& drawing, const std::vector<SheetPiece>& pieces, const Nesting
 
 }  // namespace
 
-std::optional<Drawing> sheet_fit_test(const FoamDesign& design, const SheetOptions& options) {
-    const auto test = fit_test(design);
-    if (!test) return {};
+std::optional<Drawing> sheet_fit_test(const FitTest& test, const FoamDesign& design,
+                                      const SheetOptions& options) {
     SheetStack stack;
     stack.cell_mm = {design.space.block_mm.z, design.space.block_mm.y};
-    stack.kept = Grid<int>(test->ring.ny(), test->ring.nz(), 0);
+    stack.kept = Grid<int>(test.ring.ny(), test.ring.nz(), 0);
     stack.missing = stack.kept;
-    for (std::size_t i = 0; i < stack.kept.size(); ++i) stack.kept[i] = test->ring[i] != 0;
+    for (std::size_t i = 0; i < stack.kept.size(); ++i) stack.kept[i] = test.ring[i] != 0;
     stack.count = 1;
     const std::vector<SheetPiece> pieces = sheet_pieces(stack, 0, "FIT");
     std::vector<PieceToNest> to_nest;

@@ -18,12 +18,11 @@ std::string mm(double value) {
     return number(value, 3) + " mm";
 }
 
-/// The levels of the higher half.
+/// The levels of the highest piece.
 int most_levels_of(const FoamDesign& design) {
     int most = 0;
-    for (const Half half : {Half::lower, Half::lid})
-        for (const Run kept : kept_runs(design.foams, half, design.space.blocks.x))
-            most = std::max<int>(most, kept.end);
+    for (const Piece piece : design.foams.all())
+        for (const Run kept : design.seen(piece).kept) most = std::max<int>(most, kept.end);
     return most;
 }
 
@@ -108,11 +107,11 @@ std::string island_letters(std::size_t number) {
 
 /// The sheets that each column keeps, as the half is seen, and what is lost by whole sheets.
 void count_sheets(const FoamDesign& design, const SheetMeasure& measure, SheetStack& stack) {
-    const Grid<Run> runs = kept_runs(design.foams, stack.half, design.space.blocks.x);
+    const Grid<Run> runs = design.seen(stack.piece).kept;
     stack.kept = Grid<int>(runs.ny(), runs.nz(), 0);
     stack.missing = stack.kept;
     for (int row = 0; row < stack.rows(); ++row) {
-        const int j = stack.half == Half::lower ? row : stack.rows() - 1 - row;
+        const int j = stack.piece.half() == Half::lower ? row : stack.rows() - 1 - row;
         for (int k = 0; k < stack.columns(); ++k) {
             const Run blocks = runs(j, k);
             const int first = (blocks.first + measure.levels - 1) / measure.levels;
@@ -137,6 +136,13 @@ void name_pieces(std::vector<SheetPiece>& of_a_sheet, int sheet, const std::stri
 }
 
 }  // namespace
+
+std::string SheetStack::sheet_name(int sheet) const {
+    const std::string letter = piece.middle()    ? "M" + std::to_string(piece.index) + "-"
+                               : piece.highest() ? "U"
+                                                 : "L";
+    return letter + std::to_string(sheet + 1);
+}
 
 Result<SheetMeasure> sheet_measure(const FoamDesign& design, double thickness_mm) {
     const double depth = design.space.block_mm.x;
@@ -164,9 +170,9 @@ std::vector<SheetPiece> sheet_pieces(const SheetStack& stack, int sheet, const s
     return pieces;
 }
 
-Result<SheetStack> sheet_stack(const FoamDesign& design, Half half, const SheetMeasure& measure) {
+Result<SheetStack> sheet_stack(const FoamDesign& design, Piece piece, const SheetMeasure& measure) {
     SheetStack stack;
-    stack.half = half;
+    stack.piece = piece;
     stack.cell_mm = {design.space.block_mm.z, design.space.block_mm.y};
     stack.levels = measure.levels;
     count_sheets(design, measure, stack);

@@ -4,14 +4,14 @@
 #include <vector>
 
 #include "snug/base/grid.h"
-#include "snug/base/half.h"
+#include "snug/base/piece.h"
 #include "snug/base/result.h"
 #include "snug/base/vec2.h"
 #include "snug/fabricate/kit/workshop_pack.h"
 #include "snug/polygon/cell_loops.h"
 
-// A foam half as sheets that are glued on each other. Rows and columns as the half is seen, its cavity facing
-// the reader: z to the right; y downward in the lower foam, upward in the lid.
+// A piece of foam as sheets that are glued on each other. Rows and columns as the piece is seen first, its
+// cavity facing the reader: z to the right; y downward but in the lid, where it is upward.
 
 namespace snug {
 
@@ -38,10 +38,10 @@ struct SheetPiece {
 };
 
 struct SheetStack {
-    Half half = Half::lower;
+    Piece piece;
     Vec2d cell_mm;
     Grid<int> kept;     ///< sheets up to the cavity in each column: (row, column)
-    Grid<int> missing;  ///< of them, those next to the case that it leaves no room for
+    Grid<int> missing;  ///< of them, those from the case on that it leaves no room for, or a cavity below
     int count = 0;      ///< sheets with foam
     int levels = 1;     ///< of blocks in a sheet
     std::vector<SheetPiece> pieces;
@@ -53,8 +53,8 @@ struct SheetStack {
         return kept(row, column) > sheet && missing(row, column) <= sheet;
     }
     [[nodiscard]] Vec2d size_mm() const { return {columns() * cell_mm.x, rows() * cell_mm.y}; }
-    [[nodiscard]] char letter() const { return half == Half::lower ? 'L' : 'U'; }
-    [[nodiscard]] std::string sheet_name(int sheet) const { return letter() + std::to_string(sheet + 1); }
+    /// "L3", "U1", and of pieces between layers "M1-3".
+    [[nodiscard]] std::string sheet_name(int sheet) const;
 };
 
 /// The pieces of a sheet, the largest first, named after the sheet, with their loops.
@@ -62,7 +62,7 @@ struct SheetStack {
                                                    const std::string& sheet_name);
 
 /// Fails (kind usage) where the foam falls into more pieces than anyone glues.
-[[nodiscard]] Result<SheetStack> sheet_stack(const FoamDesign& design, Half half,
+[[nodiscard]] Result<SheetStack> sheet_stack(const FoamDesign& design, Piece piece,
                                              const SheetMeasure& measure);
 
 }  // namespace snug

@@ -9,6 +9,8 @@
 #include "snug/base/text.h"
 #include "snug/drawing/drawing_dxf.h"
 #include "snug/drawing/drawing_svg.h"
+#include "snug/fabricate/kit/fit_test.h"
+#include "snug/fabricate/kit/piece_names.h"
 #include "snug/fabricate/sheets/cut_piece.h"
 #include "snug/fabricate/sheets/dowel_holes.h"
 #include "snug/fabricate/sheets/nesting.h"
@@ -27,7 +29,7 @@ void add_drawing(WorkshopPack& pack, const std::string& name, const Drawing& dra
     if (options.dxf) pack.files.push_back(text_file(name + ".dxf", drawing_dxf(drawing)));
 }
 
-/// Both halves, and where their dowels go.
+/// All pieces of the foams, and where their dowels go.
 struct Stacks {
     SheetMeasure measure;
     std::vector<SheetStack> halves;
@@ -43,8 +45,8 @@ Result<Stacks> stacks_of(const FoamDesign& design, const SheetOptions& options) 
     const auto measure = sheet_measure(design, wanted_thickness_mm(options, design.space.block_mm.x));
     if (!measure) return tl::unexpected(measure.error());
     Stacks stacks{*measure, {}, {}};
-    for (const Half half : {Half::lower, Half::lid}) {
-        auto stack = sheet_stack(design, half, *measure);
+    for (const Piece piece : design.foams.all()) {
+        auto stack = sheet_stack(design, piece, *measure);
         if (!stack) return tl::unexpected(stack.error());
         stacks.dowels.push_back(dowel_holes(*stack, options));
         stacks.halves.push_back(std::move(*stack));
@@ -52,7 +54,7 @@ Result<Stacks> stacks_of(const FoamDesign& design, const SheetOptions& options) 
     return stacks;
 }
 
-/// Every piece of both halves in one list.
+/// Every piece of all stacks in one list.
 struct AllPieces {
     std::vector<const SheetStack*> stacks;
     std::vector<const SheetPiece*> pieces;
@@ -90,7 +92,7 @@ std::string index_csv(const AllPieces& all, const Nesting& nesting) {
         int column = 0;
         while (!piece.mask.contains(column, 0)) ++column;
         text += piece.name;
-        text += all.stacks[i]->half == Half::lower ? ",lower" : ",lid";
+        text += "," + pack_stem(all.stacks[i]->piece);
         for (const int value : {piece.sheet + 1, place.stock + 1}) text += "," + std::to_string(value);
         for (const double value : {place.corner.x, place.corner.y}) text += "," + number(value, 4);
         for (const int value : {piece.column, piece.row, piece.mask.width, piece.mask.height, piece.cells})
@@ -169,7 +171,9 @@ Result<WorkshopPack> sheets_pack(const FoamDesign& design, const SheetOptions& o
 
     WorkshopPack pack;
     add_stock_files(pack, all, *nesting, design, stacks->measure, options);
-    if (const auto ring = sheet_fit_test(design, options)) add_drawing(pack, "fit-test", *ring, options);
+    for (const LayerTest& layer : fit_tests(design))
+        if (const auto ring = sheet_fit_test(layer.test, design, options))
+            add_drawing(pack, fit_test_stem(design, layer.layer), *ring, options);
     std::vector<SheetAssembly> halves;
     for (std::size_t half = 0; half < stacks->halves.size(); ++half)
         halves.push_back({stacks->halves[half], stacks->dowels[half], stacks->measure.thickness_mm});

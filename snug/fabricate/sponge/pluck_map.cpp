@@ -8,7 +8,7 @@
 #include "snug/drawing/text_lines.h"
 #include "snug/fabricate/kit/block_grid.h"
 #include "snug/fabricate/kit/block_names.h"
-#include "snug/words/halves.h"
+#include "snug/words/pieces.h"
 
 namespace snug {
 namespace {
@@ -86,8 +86,8 @@ Overview overview_of(const PluckPlan& plan, Vec2d paper) {
 Color shade(const PluckPlan& plan, int removed) {
     if (removed == 0) return kPaper;
     const double share = static_cast<double>(removed) / std::max(1, plan.deepest());
-    const Color deep = mixed(half_color(plan.half), {0, 0, 0}, 0.35);
-    return mixed(mixed(half_color(plan.half), kPaper, 0.82), deep, share);
+    const Color deep = mixed(piece_color(plan.piece), {0, 0, 0}, 0.35);
+    return mixed(mixed(piece_color(plan.piece), kPaper, 0.82), deep, share);
 }
 
 /// White on the dark shades.
@@ -163,10 +163,10 @@ Drawing pluck_map(const PluckPlan& plan, const LayerRun& run, const FoamDesign& 
     const CellTest cut_off = [&](int row, int column) { return plan.cut_off_at(row, column, run.first); };
     MapPage map =
         map_page({plan.half, plan.removed.ny(), plan.removed.nz(), {}, {plan.column_mm, plan.row_mm}}, design,
-                 {marked_half(plan.half), title_of(run, plan.layers), task_of(run, design.object_name),
-                  half_ink(plan.half)});
-    const Color tint = mixed(half_color(plan.half), kPaper, 0.55);
-    map.page.layer("pluck", half_color(plan.half));
+                 {marked_piece(plan.piece), title_of(run, plan.layers), task_of(run, design.object_name),
+                  piece_ink(plan.piece)});
+    const Color tint = mixed(piece_color(plan.piece), kPaper, 0.55);
+    map.page.layer("pluck", piece_color(plan.piece));
     draw_cells(map.page, map.grid, plucked, tint);
     if (run.cut_off > 0) {
         map.page.layer("cut-off", kSoftInk);
@@ -174,24 +174,23 @@ Drawing pluck_map(const PluckPlan& plan, const LayerRun& run, const FoamDesign& 
     }
     map.page.layer("grid", kHairline);
     draw_grid(map.page, map.grid);
-    draw_borders(map.page, map.grid, plucked, {half_ink(plan.half), 0.6, {}});
+    draw_borders(map.page, map.grid, plucked, {piece_ink(plan.piece), 0.6, {}});
     if (run.cut_off > 0) draw_borders(map.page, map.grid, cut_off, {kInk, 0.6, {}});
     map.page.layer("edge", kInk);
     draw_edge(map.page, map.grid);
     map.page.layer("notes", kInk);
     draw_names(map.page, map.grid);
-    name_cells(map.page, map.grid, plucked, half_ink(plan.half));
+    name_cells(map.page, map.grid, plucked, piece_ink(plan.piece));
     return map.page.finish();
 }
 
-Drawing fit_test_map(const FitTest& test, const FoamDesign& design) {
+Drawing fit_test_map(const FitTest& test, const Message& name, const FoamDesign& design) {
     // A ring has no lid: it lies as the lower half does.
     const CellTest ring = [&](int row, int column) { return test.ring(row, column) != 0; };
     const Vec3d block_mm = design.space.block_mm;
     MapPage map =
         map_page({Half::lower, test.ring.ny(), test.ring.nz(), {}, {block_mm.z, block_mm.y}}, design,
-                 {say("sponge.fit_test"), say("sponge.ring"),
-                  say("sponge.ring_task", {{"name", design.object_name}}), kInk});
+                 {name, say("sponge.ring"), say("sponge.ring_task", {{"name", design.object_name}}), kInk});
     map.page.layer("ring", kSoftInk);
     draw_cells(map.page, map.grid, ring, mixed(kSoftInk, kPaper, 0.6));
     map.page.layer("grid", kHairline);
@@ -211,13 +210,13 @@ bool overview_has_numbers(const PluckPlan& plan, Vec2d paper) {
 
 Drawing pluck_overview(const PluckPlan& plan, Vec2d paper, const FoamDesign& design) {
     const auto [page_mm, cell] = overview_of(plan, paper);
-    const Message half = marked_half(plan.half);
+    const Message half = marked_side(plan.piece, plan.half);
     PageBuilder page(
         text(say("sponge.overview", {{"name", design.object_name}, {"half", half}}), design.language),
         page_mm, design.language);
     const double width = page_mm.x - 2 * kPageMargin;
     const bool with_numbers = overview_has_numbers(plan, paper);
-    page.text({kPageMargin, kPageMargin + 7}, half, {kTitleText, half_ink(plan.half), true});
+    page.text({kPageMargin, kPageMargin + 7}, half, {kTitleText, piece_ink(plan.piece), true});
     page.text({page_mm.x - kPageMargin, kPageMargin + 7},
               shortened(design.object_name, width * 0.7, {kHeadingText, kInk, true}),
               {kHeadingText, kInk, true, TextAnchor::end});
@@ -227,7 +226,7 @@ Drawing pluck_overview(const PluckPlan& plan, Vec2d paper, const FoamDesign& des
 
     BlockGrid grid{plan.half, plan.removed.ny(), plan.removed.nz(), {}, cell};
     grid.corner = {(page_mm.x - grid.size().x) / 2, kOverviewHead + kGridMargin};
-    page.layer("pluck", half_color(plan.half));
+    page.layer("pluck", piece_color(plan.piece));
     draw_depths(page, grid, plan, with_numbers);
     page.layer("edge", kInk);
     draw_edge(page, grid);
@@ -237,7 +236,7 @@ Drawing pluck_overview(const PluckPlan& plan, Vec2d paper, const FoamDesign& des
     const double foot = grid.corner.y + grid.size().y + kGridMargin + 6;
     draw_scale(page, plan, {kPageMargin, foot});
     page.text({page_mm.x - kPageMargin, foot + 3.8}, say("sponge.to_remove", {{"blocks", plan.plucked}}),
-              {kHeadingText, half_ink(plan.half), true, TextAnchor::end});
+              {kHeadingText, piece_ink(plan.piece), true, TextAnchor::end});
     page.text({page_mm.x - kPageMargin, foot + 9},
               say("sponge.from_layers",
                   {{"layers", std::to_string(plan.layers)}, {"mm", number(plan.layer_mm, 2)}}),

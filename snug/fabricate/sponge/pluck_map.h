@@ -11,8 +11,9 @@ namespace snug {
 /// one corner cut off), `notes`.
 [[nodiscard]] Drawing pluck_map(const PluckPlan& plan, const LayerRun& run, const FoamDesign& design);
 
-/// The fit-test piece at true size, drawn like a layer's map: the layer `ring` holds what stays.
-[[nodiscard]] Drawing fit_test_map(const FitTest& test, const FoamDesign& design);
+/// The fit-test piece at true size, drawn like a layer's map and called `name`: the layer `ring` holds what
+/// stays.
+[[nodiscard]] Drawing fit_test_map(const FitTest& test, const Message& name, const FoamDesign& design);
 
 /// How many blocks deep each column goes, fitted on one page of upright paper, which may lie across: shades,
 /// and numbers where they can be read.

@@ -47,19 +47,24 @@ class LevelCounts {
     std::vector<long long> changes_;
 };
 
+Run moved_down(Run run, int by) {
+    return {static_cast<std::int16_t>(run.first - by), static_cast<std::int16_t>(run.end - by)};
+}
+
 }  // namespace
 
 int PluckPlan::deepest() const {
     return removed.size() == 0 ? 0 : *std::max_element(removed.begin(), removed.end());
 }
 
-PluckPlan pluck_plan(const FoamDesign& design, Half half) {
+PluckPlan pluck_plan(const FoamDesign& design, Piece piece) {
     const int nx = design.space.blocks.x;
-    const Grid<Run> kept = kept_runs(design.foams, half, nx);
+    const auto [kept, under] = design.seen(piece);
     PluckPlan plan;
-    plan.half = half;
+    plan.piece = piece;
+    plan.half = piece.half();
     for (const Run run : kept) plan.layers = std::max<int>(plan.layers, run.end);
-    plan.removed = Grid<std::uint16_t>(kept.ny(), kept.nz());
+    plan.removed = plan.behind = Grid<std::uint16_t>(kept.ny(), kept.nz());
     plan.exists = Grid<Run>(kept.ny(), kept.nz());
     plan.row_mm = design.space.block_mm.y;
     plan.column_mm = design.space.block_mm.z;
@@ -69,20 +74,44 @@ PluckPlan pluck_plan(const FoamDesign& design, Half half) {
     for (int row = 0; row < kept.ny(); ++row)
         for (int column = 0; column < kept.nz(); ++column) {
             const std::size_t at = kept.index(plan.row_from_back(row), column);
-            const Run there = design.available[at];
-            Run exists = (half == Half::lower ? there : from_other_end(there, nx)).common(all);
+            const Run there = moved_down(design.available[at], under);
+            Run exists = (plan.half == Half::lower ? there : from_other_end(there, nx)).common(all);
             if (exists.none()) exists = {};
-            const int removed = exists.blocks() - kept[at].blocks();
+            const int behind = piece.middle() && !kept[at].none() ? kept[at].first - exists.first : 0;
+            const int removed = exists.blocks() - kept[at].blocks() - behind;
             plan.exists(row, column) = exists;
             plan.removed(row, column) = static_cast<std::uint16_t>(removed);
-            plan.plucked += removed;
+            plan.behind(row, column) = static_cast<std::uint16_t>(behind);
+            plan.plucked += removed + behind;
             plan.cut_off += plan.layers - exists.blocks();
             counts.pluck({static_cast<std::int16_t>(exists.end - removed), exists.end});
+            counts.pluck({exists.first, static_cast<std::int16_t>(exists.first + behind)});
             counts.cut_off({0, exists.first});
             counts.cut_off({exists.end, all.end});
         }
     plan.runs = counts.layer_runs();
     return plan;
+}
+
+PluckPlan seen_from_below(const PluckPlan& plan) {
+    PluckPlan turned = plan;
+    turned.half = Half::lid;
+    for (int row = 0; row < plan.removed.ny(); ++row)
+        for (int column = 0; column < plan.removed.nz(); ++column) {
+            const int other = plan.removed.ny() - 1 - row;
+            const Run exists = plan.exists(row, column);
+            const bool through = plan.removed(row, column) == exists.blocks();
+            turned.exists(other, column) = from_other_end(exists, plan.layers);
+            turned.removed(other, column) = through ? plan.removed(row, column) : plan.behind(row, column);
+            turned.behind(other, column) = through ? std::uint16_t{0} : plan.removed(row, column);
+        }
+    std::reverse(turned.runs.begin(), turned.runs.end());
+    for (LayerRun& run : turned.runs) {
+        const int first = run.first;
+        run.first = plan.layers + 1 - run.last;
+        run.last = plan.layers + 1 - first;
+    }
+    return turned;
 }
 
 Message layers_text(const LayerRun& run) {

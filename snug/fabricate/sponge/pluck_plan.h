@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "snug/base/grid.h"
-#include "snug/base/half.h"
+#include "snug/base/piece.h"
 #include "snug/fabricate/kit/workshop_pack.h"
 
 namespace snug {
@@ -20,17 +20,20 @@ struct LayerRun {
     [[nodiscard]] int layers() const { return last - first + 1; }
 };
 
-/// Which blocks of one half are pulled out of a whole block of foam, and which are cut off it because a case
-/// that is rounded or leans has no room for them. What a layer loses of the blocks that exist in all layers
-/// is a part of what the layer above it loses, so that the work goes from the cavity's side downward.
+/// Which blocks of one piece are pulled out of a whole block of foam, and which are cut off it because a case
+/// that is rounded or leans has no room for them. Of a piece that lies on the case what a layer loses of the
+/// blocks that exist in all layers is a part of what the layer above it loses, so that the work goes from the
+/// cavity's side downward; one between two layers of items has a cavity on each side.
 ///
-/// The grid lies as the half is seen, its cavity facing the reader: columns along k to the right; the rows
-/// of the lower half along j downward, those of the lid along j upward.
+/// The grid lies as the piece is seen, its cavity facing the reader: columns along k to the right; rows along
+/// j downward, seen from -x along j upward.
 struct PluckPlan {
-    Half half = Half::lower;
-    int layers = 0;               ///< of the whole block: as many as the half's highest column keeps
-    Grid<std::uint16_t> removed;  ///< blocks to pluck in each column: (row, column) as seen
-    Grid<Run> exists;             ///< blocks of each column, from the case's side, of `layers`
+    Piece piece;
+    Half half = Half::lower;      ///< from where it is seen
+    int layers = 0;               ///< of the whole block: as many as the piece's highest column keeps
+    Grid<std::uint16_t> removed;  ///< blocks to pluck in each column from this side: (row, column) as seen
+    Grid<std::uint16_t> behind;   ///< and from the other side; none in a piece that lies on the case
+    Grid<Run> exists;             ///< blocks of each column, from the other side, of `layers`
     double row_mm = 0;
     double column_mm = 0;
     double layer_mm = 0;
@@ -43,8 +46,10 @@ struct PluckPlan {
         return half == Half::lower ? row : removed.ny() - 1 - row;
     }
     [[nodiscard]] bool plucked_at(int row, int column, int layer) const {
-        const int end = exists(row, column).end, level = layers - layer;
-        return level < end && level >= end - removed(row, column);
+        const Run there = exists(row, column);
+        const int level = layers - layer;
+        return there.contains(level) &&
+               (level >= there.end - removed(row, column) || level < there.first + behind(row, column));
     }
     [[nodiscard]] bool cut_off_at(int row, int column, int layer) const {
         return !exists(row, column).contains(layers - layer);
@@ -52,7 +57,10 @@ struct PluckPlan {
     [[nodiscard]] int deepest() const;
 };
 
-[[nodiscard]] PluckPlan pluck_plan(const FoamDesign& design, Half half);
+[[nodiscard]] PluckPlan pluck_plan(const FoamDesign& design, Piece piece);
+
+/// The same piece between two layers turned over: what is plucked from below, to look at.
+[[nodiscard]] PluckPlan seen_from_below(const PluckPlan& plan);
 
 /// "layer 3" or "layers 3 to 5"
 [[nodiscard]] Message layers_text(const LayerRun& run);

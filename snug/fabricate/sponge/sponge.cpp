@@ -8,8 +8,10 @@
 #include "snug/base/text.h"
 #include "snug/drawing/drawing_svg.h"
 #include "snug/drawing/tiling.h"
+#include "snug/fabricate/kit/piece_names.h"
 #include "snug/fabricate/sponge/pluck_map.h"
 #include "snug/fabricate/sponge/sponge_plan.h"
+#include "snug/words/pieces.h"
 
 namespace snug {
 namespace {
@@ -24,8 +26,7 @@ std::string padded(int value, int greatest) {
 
 /// "sponge/lower-03.svg", "sponge/lid-04-06.svg"
 std::string map_name(const PluckPlan& plan, const LayerRun& run) {
-    const std::string half = plan.half == Half::lower ? "lower" : "lid";
-    return "sponge/" + half + "-" + padded(run.first, plan.layers) +
+    return "sponge/" + pack_stem(plan.piece) + "-" + padded(run.first, plan.layers) +
            (run.layers() > 1 ? "-" + padded(run.last, plan.layers) : "") + ".svg";
 }
 
@@ -58,17 +59,20 @@ Result<Maps> true_size_maps(const FoamDesign& design, const SpongeWork& work, Ve
     const std::string title = text(say("sponge.maps_title", {{"name", design.object_name}}), design.language);
     maps.document = {"sponge-maps", title, {print_check_page(paper, title, design.language)}, true};
     std::size_t test_pages = 1;
-    if (work.test) {
-        const Drawing map = fit_test_map(*work.test, design);
-        if (auto done = add_map(map, "sponge/fit-test.svg", paper, maps); !done)
+    for (const auto& [layer, test] : work.tests) {
+        const Message name = design.foams.layers() == 1
+                                 ? say("sponge.fit_test")
+                                 : say("sponge.fit_test_of", {{"layer", std::to_string(layer)}});
+        const Drawing map = fit_test_map(test, name, design);
+        if (auto done = add_map(map, "sponge/" + fit_test_stem(design, layer) + ".svg", paper, maps); !done)
             return tl::unexpected(done.error());
         test_pages = maps.document.pages.size();
     }
-    for (const PluckPlan* plan : {&work.lower, &work.lid})
-        for (const LayerRun& run : plan->runs) {
+    for (const PluckPlan& plan : work.plans)
+        for (const LayerRun& run : plan.runs) {
             if (run.plucked + run.cut_off == 0) continue;
-            const Drawing map = pluck_map(*plan, run, design);
-            if (auto done = add_map(map, map_name(*plan, run), paper, maps); !done)
+            const Drawing map = pluck_map(plan, run, design);
+            if (auto done = add_map(map, map_name(plan, run), paper, maps); !done)
                 return tl::unexpected(done.error());
         }
     // Some layers on paper and others not would mislead.
@@ -83,13 +87,16 @@ Message blocks_text(const PluckPlan& plan) {
 
 void tell_figures(const FoamDesign& design, const SpongeWork& work, const Maps& maps,
                   const std::string& paper, WorkshopPack& pack) {
-    const long long plucked = work.lower.plucked + work.lid.plucked;
-    const double columns = static_cast<double>(work.lower.removed.size());
-    pack.material.pieces = plucked;
-    pack.material.litres =
-        (work.lower.layers + work.lid.layers) * columns * design.space.block_volume() * 1e-6;
-    pack.figures.push_back({say("figure.pluck_lower"), blocks_text(work.lower)});
-    pack.figures.push_back({say("figure.pluck_lid"), blocks_text(work.lid)});
+    const double columns = static_cast<double>(design.available.size());
+    int layers = 0;
+    for (const PluckPlan& plan : work.plans) {
+        layers += plan.layers;
+        pack.figures.push_back(
+            {piece_text(plan.piece, "figure.pluck_lower", "figure.pluck_middle", "figure.pluck_lid"),
+             blocks_text(plan)});
+    }
+    pack.material.pieces = plucked_of(work);
+    pack.material.litres = layers * columns * design.space.block_volume() * 1e-6;
     const std::size_t pages = maps.files.empty() ? 0 : maps.document.pages.size();
     pack.figures.push_back(
         {say("figure.maps"), say("figure.maps_on_pages", {{"maps", std::to_string(maps.files.size())},
@@ -100,7 +107,8 @@ void tell_figures(const FoamDesign& design, const SpongeWork& work, const Maps& 
 }  // namespace
 
 Result<WorkshopPack> sponge_pack(const FoamDesign& design, const WorkshopOptions& options) {
-    const SpongeWork work{pluck_plan(design, Half::lower), pluck_plan(design, Half::lid), fit_test(design)};
+    SpongeWork work{{}, fit_tests(design)};
+    for (const Piece piece : design.foams.all()) work.plans.push_back(pluck_plan(design, piece));
     auto maps = true_size_maps(design, work, paper_mm(options.paper));
     if (!maps) return tl::unexpected(maps.error());
 
@@ -111,7 +119,7 @@ Result<WorkshopPack> sponge_pack(const FoamDesign& design, const WorkshopOptions
     if (maps->too_many)
         pack.findings.push_back(
             {Severity::note, say("many_maps", {{"pages", std::to_string(kMostMapPages)}})});
-    if (const long long off = work.lower.cut_off + work.lid.cut_off; off > 0)
+    if (const long long off = cut_off_of(work); off > 0)
         pack.findings.push_back({Severity::note, say("cut_off/sponge", {{"blocks", off}})});
     if (!maps->files.empty()) pack.documents.push_back(std::move(maps->document));
     pack.files = std::move(maps->files);

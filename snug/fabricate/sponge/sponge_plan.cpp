@@ -10,7 +10,7 @@
 #include "snug/drawing/text_lines.h"
 #include "snug/fabricate/kit/block_names.h"
 #include "snug/fabricate/sponge/pluck_map.h"
-#include "snug/words/halves.h"
+#include "snug/words/pieces.h"
 
 namespace snug {
 namespace {
@@ -34,16 +34,18 @@ Message blocks_text(long long blocks) {
 }
 
 void tell_half(PageFlow& flow, const PluckPlan& plan) {
-    const TextLook name{kHeadingText, half_ink(plan.half), true};
+    const TextLook name{kHeadingText, piece_ink(plan.piece), true};
     double indent = kHalfIndent;
-    for (const Half half : {Half::lower, Half::lid})
-        indent = std::max(indent,
-                          text_width(flow.page().words(marked_half(half)), name.height_mm, true) + kHalfGap);
+    for (int i = 0; i < plan.piece.count; ++i) {
+        const std::string mark = flow.page().words(marked_piece({i, plan.piece.count}));
+        indent = std::max(indent, text_width(mark, name.height_mm, true) + kHalfGap);
+    }
     flow.space(2);
-    flow.item(marked_half(plan.half), stock_text(plan), name, indent);
+    flow.item(marked_piece(plan.piece), stock_text(plan), name, indent);
     const std::vector<double> shares{0.12, 0.42, 0.66};
-    flow.row({say("sponge.from_cavity"), say("sponge.in_each"), say("sponge.together")}, shares,
-             {kSmallText, kSoftInk, true});
+    flow.row({say(plan.piece.middle() ? "sponge.from_above" : "sponge.from_cavity"), say("sponge.in_each"),
+              say("sponge.together")},
+             shares, {kSmallText, kSoftInk, true});
     for (const LayerRun& run : plan.runs) {
         if (run.plucked == 0) {
             flow.row({layers_text(run), say(run.cut_off > 0 ? "sponge.nothing" : "sponge.leave_whole")},
@@ -58,6 +60,7 @@ void tell_half(PageFlow& flow, const PluckPlan& plan) {
 /// The uppermost layers may be little more than what stands above the parting: less work to build than to
 /// pluck.
 std::optional<Message> advice_on_high_columns(const PluckPlan& plan) {
+    if (plan.piece.middle()) return {};  // its cavities would have to be told apart
     const long long columns = static_cast<long long>(plan.removed.size());
     long long kept = 0;
     int last = 0;
@@ -67,7 +70,7 @@ std::optional<Message> advice_on_high_columns(const PluckPlan& plan) {
             last = run.last;
         }
     if (last == 0) return {};
-    const Message half = marked_half(plan.half);
+    const Message half = marked_piece(plan.piece);
     if (last == 1) return say("sponge.high_layer", {{"half", half}, {"blocks", kept}});
     return say("sponge.high_layers", {{"half", half},
                                       {"last", std::to_string(last)},
@@ -78,13 +81,16 @@ std::optional<Message> advice_on_high_columns(const PluckPlan& plan) {
 
 std::vector<Message> order_of_work(const SpongeWork& work) {
     std::vector<Message> steps;
-    if (work.test) steps.push_back(say("sponge.try_fit"));
+    if (!work.tests.empty()) steps.push_back(say("sponge.try_fit"));
     steps.push_back(say("sponge.print_maps"));
-    steps.push_back(say("sponge.cut_layers"));
-    if (work.lower.cut_off + work.lid.cut_off > 0) steps.push_back(say("sponge.trim"));
+    std::vector<Message> marks;
+    for (const PluckPlan& plan : work.plans) marks.push_back(as_it_is(piece_title(plan.piece)));
+    steps.push_back(say("sponge.cut_layers", {{"marks", marks}}));
+    if (cut_off_of(work) > 0) steps.push_back(say("sponge.trim"));
     steps.push_back(say("sponge.pluck"));
+    if (work.plans.size() > 2) steps.push_back(say("sponge.middle"));
     steps.push_back(say("sponge.stack"));
-    steps.push_back(say("sponge.close"));
+    steps.push_back(say(work.plans.size() > 2 ? "sponge.close_layers" : "sponge.close"));
     return steps;
 }
 
@@ -109,8 +115,8 @@ std::string runs_of_row(const PluckPlan& plan, int row) {
 }
 
 void add_table(const FoamDesign& design, const PluckPlan& plan, Vec2d page_mm, std::vector<Drawing>& pages) {
-    PageFlow flow(page_mm, say("sponge.depths", {{"half", marked_half(plan.half)}}),
-                  say("sponge.how_to_read", {{"name", design.object_name}}), half_ink(plan.half),
+    PageFlow flow(page_mm, say("sponge.depths", {{"half", marked_side(plan.piece, plan.half)}}),
+                  say("sponge.how_to_read", {{"name", design.object_name}}), piece_ink(plan.piece),
                   design.language);
     const auto text_of = [&](int from_back) { return runs_of_row(plan, plan.row_from_back(from_back)); };
     for (int begin = 0; begin < plan.removed.ny();) {
@@ -119,11 +125,21 @@ void add_table(const FoamDesign& design, const PluckPlan& plan, Vec2d page_mm, s
         while (end < plan.removed.ny() && text_of(end) == text) ++end;
         const std::string rows = row_name(begin) + (end - begin > 1 ? "-" + row_name(end - 1) : "");
         if (!text.empty())
-            flow.item(as_it_is(rows), as_it_is(text), {kBodyText, half_ink(plan.half), true}, kRowIndent);
+            flow.item(as_it_is(rows), as_it_is(text), {kBodyText, piece_ink(plan.piece), true}, kRowIndent);
         begin = end;
     }
     std::vector<Drawing> done = flow.finish();
     pages.insert(pages.end(), std::make_move_iterator(done.begin()), std::make_move_iterator(done.end()));
+}
+
+/// Each piece from where it is looked at; one between two layers from above and from below.
+std::vector<PluckPlan> sides_of(const SpongeWork& work) {
+    std::vector<PluckPlan> sides;
+    for (const PluckPlan& plan : work.plans) {
+        sides.push_back(plan);
+        if (plan.piece.middle()) sides.push_back(seen_from_below(plan));
+    }
+    return sides;
 }
 
 }  // namespace
@@ -132,32 +148,44 @@ std::string sponge_title(const FoamDesign& design) {
     return text(say("sponge.title", {{"name", design.object_name}}), design.language);
 }
 
+long long plucked_of(const SpongeWork& work) {
+    long long blocks = 0;
+    for (const PluckPlan& plan : work.plans) blocks += plan.plucked;
+    return blocks;
+}
+
+long long cut_off_of(const SpongeWork& work) {
+    long long blocks = 0;
+    for (const PluckPlan& plan : work.plans) blocks += plan.cut_off;
+    return blocks;
+}
+
 std::vector<Drawing> sponge_plan(const FoamDesign& design, const SpongeWork& work, Vec2d page_mm) {
     PageFlow flow(page_mm, as_it_is(design.object_name),
                   say("sponge.subtitle", {{"size", dimensions(design.space.size())},
                                           {"block", dimensions(design.space.block_mm, 2)},
-                                          {"blocks", work.lower.plucked + work.lid.plucked}}),
+                                          {"blocks", plucked_of(work)}}),
                   kInk, design.language);
-    tell_half(flow, work.lower);
-    tell_half(flow, work.lid);
+    for (const PluckPlan& plan : work.plans) tell_half(flow, plan);
     flow.space(2);
     flow.heading(say("page.order_of_work"));
     flow.steps(order_of_work(work), kNumberIndent);
-    for (const PluckPlan* plan : {&work.lower, &work.lid})
-        if (const auto advice = advice_on_high_columns(*plan))
-            flow.item(as_it_is("+"), *advice, {kBodyText, half_ink(plan->half), true}, kNumberIndent);
-    if (work.test && (work.test->islands > 0 || work.test->pieces > 1))
-        flow.paragraph(
-            say("sponge.test_leaves_out", {{"islands", work.test->islands}, {"pieces", work.test->pieces}}),
-            {kSmallText, kSoftInk});
+    for (const PluckPlan& plan : work.plans)
+        if (const auto advice = advice_on_high_columns(plan))
+            flow.item(as_it_is("+"), *advice, {kBodyText, piece_ink(plan.piece), true}, kNumberIndent);
+    for (const LayerTest& layer : work.tests)
+        if (layer.test.islands > 0 || layer.test.pieces > 1)
+            flow.paragraph(say("sponge.test_leaves_out",
+                               {{"islands", layer.test.islands}, {"pieces", layer.test.pieces}}),
+                           {kSmallText, kSoftInk});
 
     std::vector<Drawing> pages;
     for (Drawing& page : flow.finish()) pages.push_back(titled(std::move(page), sponge_title(design)));
-    for (const PluckPlan* plan : {&work.lower, &work.lid})
-        if (plan->plucked + plan->cut_off > 0) pages.push_back(pluck_overview(*plan, page_mm, design));
-    for (const PluckPlan* plan : {&work.lower, &work.lid})
-        if (plan->plucked > 0 && !overview_has_numbers(*plan, page_mm))
-            add_table(design, *plan, page_mm, pages);
+    const std::vector<PluckPlan> sides = sides_of(work);
+    for (const PluckPlan& plan : sides)
+        if (plan.plucked + plan.cut_off > 0) pages.push_back(pluck_overview(plan, page_mm, design));
+    for (const PluckPlan& plan : sides)
+        if (plan.plucked > 0 && !overview_has_numbers(plan, page_mm)) add_table(design, plan, page_mm, pages);
     return pages;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,16 +9,18 @@
 
 namespace snug {
 
-/// What the plan tells of: both halves and, where there is one, the fit test.
+/// What the plan tells of: all pieces, the lowest first, and the fit tests.
 struct SpongeWork {
-    PluckPlan lower, lid;
-    std::optional<FitTest> test;
+    std::vector<PluckPlan> plans;
+    std::vector<LayerTest> tests;
 };
+[[nodiscard]] long long plucked_of(const SpongeWork& work);
+[[nodiscard]] long long cut_off_of(const SpongeWork& work);
 
 /// Of the document that the pages make.
 [[nodiscard]] std::string sponge_title(const FoamDesign& design);
 
-/// The pages of the plan: stock, counts and order of work in words; the overview of each half; for grids too
+/// The pages of the plan: stock, counts and order of work in words; the overview of each side; for grids too
 /// fine for numbers, tables of the depths in runs.
 [[nodiscard]] std::vector<Drawing> sponge_plan(const FoamDesign& design, const SpongeWork& work,
                                                Vec2d page_mm);

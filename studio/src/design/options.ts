@@ -14,6 +14,7 @@ export interface OptionRow {
     | 'word'
     | 'numbers'
     | 'integers'
+    | 'levels'
     | 'words'
     | 'pieces'
     | 'weights'

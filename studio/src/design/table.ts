@@ -48,6 +48,8 @@ export interface Design {
     name: string;
     /** Items of one group may share a pocket. */
     group: string;
+    /** Which layer it lies in; 1 is the lowest. */
+    layer: number;
     /** Its own rotation (degrees). */
     rotation_deg: [number, number, number] | null;
     /** Its own shift from the middle of the space (mm). */
@@ -86,8 +88,8 @@ export interface Design {
     creep_kpa: number | null;
   };
   parting: {
-    /** Blocks of the lower foam where the object does not touch (blocks). */
-    level: number | 'auto';
+    /** Blocks below the parting where the object does not touch, for each layer (blocks). */
+    level: number | number[] | 'auto';
   };
   output: {
     /** Formats of the foams: stl, ply. */
@@ -243,6 +245,7 @@ export type OptionPath =
   | 'items.0.object'
   | 'items.0.name'
   | 'items.0.group'
+  | 'items.0.layer'
   | 'items.0.rotation_deg'
   | 'items.0.offset_mm'
   | 'items.0.clearance_mm'

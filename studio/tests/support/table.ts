@@ -10,6 +10,7 @@ function typeOf(row: OptionRow): string {
     number: 'number',
     text: words || 'string',
     word: words,
+    levels: 'number | number[]',
     numbers: row.or_one ? 'number | number[]' : list,
     integers: list,
     words: words ? `(${words})[]` : 'string[]',

@@ -149,7 +149,7 @@ struct BrickCase {
     Packing packing;
     WorkshopOptions workshop;
     [[nodiscard]] FoamDesign design() const {
-        return {packing.space, packing.blocks, *packing.foams, packing.available, "vase"};
+        return {packing.space, packing.layers, *packing.foams, packing.available, "vase"};
     }
 };
 
@@ -240,7 +240,7 @@ TEST(BricksTest, StudsHaveRoomInTheCavity) {
         const DesignSpace& space = brick.packing.space;
         const int j = static_cast<int>(std::floor((p.y - space.face(1, 0)) / space.block_mm.y));
         const int k = static_cast<int>(std::floor((p.z - space.face(2, 0)) / space.block_mm.z));
-        const CutRun run = brick.packing.blocks(j, k);
+        const CutRun run = brick.packing.layers.front()(j, k);
         EXPECT_LE(space.face(0, run.first) + kStudHeight, p.x - 1 + 0.011);
         EXPECT_GE(space.face(0, run.end) - kStudHeight, p.x + 1 - 0.011);
     }

@@ -21,7 +21,8 @@ TEST(FingerRoomTest, IsTheWayFromTheFoamToTheObject) {
     for (int j = 1; j < 9; ++j)
         for (int k = 3; k < 11; ++k) blocks(j, k) = {2, 10};
     const CutFoams foams = foams_of(space, std::move(blocks), 6);
-    const auto room = finger_room(mesh, place(mesh, {}, {}), space, foams.blocks, foams.foams);
+    const auto room =
+        finger_room(mesh, place(mesh, {}, {}), space, foams.blocks, foams.foams.piece(Half::lower), 6);
     // The cavity reaches from y = -50 to 30 and from z = -30 to 50.
     const double expected[] = {30, 10, 10, 30};  // back, front, left, right
     for (int side = 0; side < 4; ++side) {
@@ -41,7 +42,8 @@ TEST(FingerRoomTest, AShallowLedgeIsNoRoom) {
     for (int j = 4; j < 8; ++j)
         for (int k = 4; k < 8; ++k) blocks(j, k) = {4, 8};
     const CutFoams foams = foams_of(space, std::move(blocks), 6);
-    for (const FingerRoom& room : finger_room(mesh, place(mesh, {}, {}), space, foams.blocks, foams.foams))
+    for (const FingerRoom& room :
+         finger_room(mesh, place(mesh, {}, {}), space, foams.blocks, foams.foams.piece(Half::lower), 6))
         EXPECT_EQ(room.mm, 0);
 }
 

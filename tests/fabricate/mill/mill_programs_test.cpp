@@ -77,7 +77,7 @@ TEST(MillTest, WhatACaseLeavesOutIsMilledFromOutsideOnTheSamePins) {
     ASSERT_TRUE(plans) << snug::text(plans.error().message);
     ASSERT_EQ(plans->plans.size(), 3u);
     const MillPlan& outside = plans->plans[2];
-    EXPECT_EQ(outside.half, Half::lower);
+    EXPECT_EQ(outside.piece.half(), Half::lower);
     // BACK is far in the lower half; turned over about x it comes near, and left stays left.
     EXPECT_EQ(outside.field.height(0, 0), outside.field.top - outside.field.steps_a_block);
     EXPECT_EQ(std::count(outside.field.height.begin(), outside.field.height.end(), outside.field.top), 79);

@@ -163,7 +163,7 @@ TEST(MillTest, WhatIsMilledGoesIntoItsCase) {
         const DesignSpace& space = milled->packing.space;
         for (const MillPlan& plan : plans->plans) {
             if (plan.outside) continue;
-            const bool lower = plan.half == Half::lower;
+            const bool lower = plan.piece.half() == Half::lower;
             const auto carved_by = [&](const MillPlan& each, double cell) {
                 return carved(
                     test::read_gcode(grbl_program(each.path, each.field.size_mm(), options, {"", ""}, {})),
@@ -173,7 +173,7 @@ TEST(MillTest, WhatIsMilledGoesIntoItsCase) {
             const GcodeStock stock = carved_by(plan, cell);
             std::optional<GcodeStock> outer;
             for (const MillPlan& other : plans->plans)
-                if (other.outside && other.half == plan.half) outer = carved_by(other, cell);
+                if (other.outside && other.piece.half() == plan.piece.half()) outer = carved_by(other, cell);
             const Vec2d size = plan.field.size_mm();
             for (int row = 0; row < stock.height().ny(); ++row)
                 for (int column = 0; column < stock.height().nz(); ++column) {
@@ -261,7 +261,7 @@ TEST(MillTest, TheCarvedStockRebuildsRandomHeightFieldsAndNothingStaysInCorners)
         ASSERT_TRUE(pack);
         for (const MillPlan& plan : plans->plans) {
             const std::string text =
-                text_of(*pack, plan.half == Half::lower ? "mill/lower.nc" : "mill/lid.nc");
+                text_of(*pack, plan.piece.half() == Half::lower ? "mill/lower.nc" : "mill/lid.nc");
             const double steps = plan.field.steps_a_block;
             EXPECT_NEAR(steps * plan.field.step_mm, space.block_mm.x, 1e-9);
             EXPECT_LE(plan.field.step_mm, options.step_down_mm.value_or(options.cutter_mm / 2) + 1e-9);
@@ -297,7 +297,7 @@ TEST(MillTest, OfSeveralItemsFoamStandsWhereEachOfThemAllowsIt) {
     design.items[1].clearance_mm = Clearance{{0.5, 1, 2}, {2, 0, 1}};
     const Packing packing = pack(objects, checked(design).value()).value();
     ASSERT_TRUE(packing.foams);
-    const FoamDesign foams{packing.space, packing.blocks, *packing.foams, packing.available, "kit"};
+    const FoamDesign foams{packing.space, packing.layers, *packing.foams, packing.available, "kit"};
     const auto surface = [&](std::size_t i) {
         const Item& item = packing.items[i];
         return MilledSurface{objects[item.object].mesh, item.placement, item.cut};

@@ -254,7 +254,7 @@ void expect_moulds_of(const Mesh& mesh, const Design& design) {
     ASSERT_TRUE(object.has_value());
     const auto packing = pack(*object, design);
     ASSERT_TRUE(packing && packing->foams);
-    const FoamDesign foams{packing->space, packing->blocks, *packing->foams, packing->available, "object"};
+    const FoamDesign foams{packing->space, packing->layers, *packing->foams, packing->available, "object"};
     WorkshopOptions options;
     expect_moulds_of(foams, options);
     const auto pack = mould_pack(foams, options);

@@ -37,7 +37,7 @@ CutFoams packed(Mesh mesh) {
     design.object.longest_mm = 200;
     const auto object = prepare(std::move(mesh), design);
     const auto packing = pack(*object, design);
-    return {packing->space, packing->blocks, *packing->foams, packing->available};
+    return {packing->space, packing->layers.front(), *packing->foams, packing->available};
 }
 
 int highest(const CutFoams& foam, Half half) {

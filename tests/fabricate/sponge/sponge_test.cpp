@@ -238,9 +238,9 @@ CutFoams large_bowl() {
 
 TEST(SpongeTest, FineGridsGetATableThatSaysTheSame) {
     const CutFoams foams = large_bowl();
-    const SpongeWork work{pluck_plan(foams.design(), Half::lower), pluck_plan(foams.design(), Half::lid),
-                          fit_test(foams.design())};
-    ASSERT_FALSE(overview_has_numbers(work.lower, {210, 297}));
+    const SpongeWork work{{pluck_plan(foams.design(), Half::lower), pluck_plan(foams.design(), Half::lid)},
+                          fit_tests(foams.design())};
+    ASSERT_FALSE(overview_has_numbers(work.plans.front(), {210, 297}));
     const std::vector<Drawing> pages = sponge_plan(foams.design(), work, {210, 297});
     std::map<std::string, Grid<int>> read;
     for (const char* half : {"LOWER: depths", "LID: depths"}) read.emplace(half, Grid<int>(180, 180, 0));
@@ -265,8 +265,8 @@ TEST(SpongeTest, FineGridsGetATableThatSaysTheSame) {
     }
     for (int j = 0; j < 180; ++j)
         for (int k = 0; k < 180; ++k) {
-            EXPECT_EQ(read.at("LOWER: depths")(j, k), work.lower.removed(j, k)) << row_name(j) << k + 1;
-            EXPECT_EQ(read.at("LID: depths")(j, k), work.lid.removed(179 - j, k));
+            EXPECT_EQ(read.at("LOWER: depths")(j, k), work.plans[0].removed(j, k)) << row_name(j) << k + 1;
+            EXPECT_EQ(read.at("LID: depths")(j, k), work.plans[1].removed(179 - j, k));
         }
 }
 
