@@ -13,7 +13,8 @@ constexpr Wording kWordsOfSession[] = {
     {"session.one_item", "this looks at one item, and {items} lie in the case",
      "これは一つのものだけを調べますが、ケースには {items} 個あります。"},
     {"session.one_layer",
-     "the items lie in {layers} layers, and this page shows one: make it with `snug make` on the command line",
+     "the items lie in {layers} layers, and this page shows one: make it with `snug make` on the command "
+     "line",
      "ものが {layers} 段に分かれていますが、このページで扱えるのは 1 段だけです。コマンドラインの "
      "`snug make` で作ってください。"},
     {"session.no_object", "there is no object yet: open one first",

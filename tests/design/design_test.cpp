@@ -115,7 +115,8 @@ TEST(Project, SaysWhatIsWrong) {
     EXPECT_EQ(with("\"scale\"", "\"skale\""),
               "design.object.skale is not an option that this version of Snug knows");
     EXPECT_EQ(with("\"vase.stl\"", "\"../vase.stl\""), "objects.0.name must be a file name without folders");
-    EXPECT_EQ(with("\"auto\"", "\"low\""), "design.parting.level must be a whole number, or a list of them for several layers, or auto");
+    EXPECT_EQ(with("\"auto\"", "\"low\""),
+              "design.parting.level must be a whole number, or a list of them for several layers, or auto");
     EXPECT_EQ(with("30,\n", "0,\n"),
               "design.space.blocks: a count of blocks is 0, but must be from 1 to 4096");
     EXPECT_NE(problem_of(good.substr(0, good.size() / 2)).find("not valid JSON"), std::string::npos);

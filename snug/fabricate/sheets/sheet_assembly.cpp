@@ -18,7 +18,7 @@ namespace {
 constexpr double kMargin = 15;
 constexpr int kPicturesAcross = 4;
 constexpr double kBetween = 6;
-constexpr double kCaption = 9;          // mm below a picture
+constexpr double kCaption = 9;            // mm below a picture
 constexpr std::size_t kMostIslands = 60;  // that are named
 constexpr Color kInk{28, 36, 46}, kSoft{96, 106, 120}, kIsland{196, 60, 60};
 
@@ -88,11 +88,13 @@ std::vector<Message> steps(const SheetAssembly& half, const SheetOptions& option
     if (stack.count > 2)
         steps.push_back(say("sheets.glue_all", {{"first", stack.sheet_name(1)}, {"last", last}}));
     const auto loose = island_names(stack, true), glued = island_names(stack, false);
-    if (!glued.empty()) steps.push_back(say("sheets.glue_islands", {{"islands", listed(glued, kMostIslands)}}));
+    if (!glued.empty())
+        steps.push_back(say("sheets.glue_islands", {{"islands", listed(glued, kMostIslands)}}));
     if (!loose.empty() && stack.piece.middle())
         steps.push_back(say("sheets.glue_hanging", {{"islands", listed(loose, kMostIslands)}}));
     else if (!loose.empty())
-        steps.push_back(say("sheets.glue_loose", {{"islands", listed(loose, kMostIslands)}, {"first", first}}));
+        steps.push_back(
+            say("sheets.glue_loose", {{"islands", listed(loose, kMostIslands)}, {"first", first}}));
     steps.push_back(stack.piece.highest()
                         ? say("sheets.lid_done")
                         : say(of_piece("sheets.lower_done", "sheets.middle_done", ""), {{"first", first}}));
