@@ -31,8 +31,6 @@ struct Error {
 template <class T>
 using Result = tl::expected<T, Error>;
 
-[[nodiscard]] inline tl::unexpected<Error> fail(ErrorKind kind, Message message) {
-    return tl::unexpected<Error>(Error{kind, std::move(message)});
-}
+[[nodiscard]] tl::unexpected<Error> fail(ErrorKind kind, Message message);
 
 }  // namespace snug
