@@ -35,7 +35,7 @@ const char* label_of(Severity severity) {
                                            : "severity.note";
 }
 
-Message gap_text(const GapReport& gap) {
+Message gap_text(const GapFigures& gap) {
     std::vector<Message> undercut;
     if (gap.undercut_mm3)
         undercut.push_back(say("summary.undercut", {{"litres", litres(*gap.undercut_mm3)}}));

@@ -91,9 +91,9 @@ std::vector<HalfCuts> united_in_layers(const std::vector<Item>& items, const std
                                        int layers) {
     std::vector<HalfCuts> all;
     for (int layer = 1; layer <= layers; ++layer) {
-        std::vector<HalfCuts> own;
+        std::vector<const HalfCuts*> own;
         for (std::size_t i = 0; i < items.size(); ++i)
-            if (items[i].layer == layer) own.push_back(cuts[i]);
+            if (items[i].layer == layer) own.push_back(&cuts[i]);
         all.push_back(united(own));
     }
     return all;
@@ -121,18 +121,30 @@ Result<std::vector<int>> parting_levels(const Packing& packing, const std::vecto
     return levels;
 }
 
+/// What a finding about a whole layer is of; empty where there is no other.
+std::string names_in(const Packing& packing, int layer) {
+    std::string names;
+    if (std::all_of(packing.items.begin(), packing.items.end(),
+                    [&](const Item& item) { return item.layer == layer; }))
+        return names;
+    for (const Item& item : packing.items)
+        if (item.layer == layer) names += (names.empty() ? "" : ", ") + item.name;
+    return names;
+}
+
 /// Takes more foam away than the items of a layer need, so that the rest can be worked and they be lifted.
-/// `under`: the level below which that is not the business of the piece that they lie in.
-void cut_for_hands(Packing& packing, const Design& design, BlockMap& layer, int level, int under) {
+/// `levels`: of the piece that they lie in. `number`: of the layer.
+void cut_for_hands(Packing& packing, const Design& design, BlockMap& layer, NotchLevels levels, int number) {
     if (design.fit.notches) {
-        const NotchPair pair = cut_notches(layer, packing.space, {level, under}, *design.fit.notches,
-                                           wanted_wall_mm(design.space));
+        const NotchPair pair =
+            cut_notches(layer, packing.space, levels, *design.fit.notches, wanted_wall_mm(design.space));
         if (pair.notches)
             packing.notches.insert(packing.notches.end(), pair.notches->begin(), pair.notches->end());
-        if (!pair.notches) packing.findings.push_back({Severity::warning, pair.why_not});
+        if (!pair.notches)
+            packing.findings.push_back({Severity::warning, pair.why_not, {}, names_in(packing, number)});
     }
     if (design.fit.least_rib_mm > 0)
-        packing.rib_blocks += cut_thin_ribs(layer, packing.space, level, design.fit.least_rib_mm);
+        packing.rib_blocks += cut_thin_ribs(layer, packing.space, levels.parting, design.fit.least_rib_mm);
 }
 
 /// What each layer loses to its items and to hands, and what is left.
@@ -141,7 +153,7 @@ void cut_layers(Packing& packing, const Design& design, const std::vector<HalfCu
     int under = 0;
     for (std::size_t i = 0; i < layers.size(); ++i) {
         BlockMap layer = cut_by_both(layers[i], parting[i]);
-        cut_for_hands(packing, design, layer, parting[i], under);
+        cut_for_hands(packing, design, layer, {parting[i], under}, static_cast<int>(i) + 1);
         under = parting[i];
         for (const CutRun cut : layer)
             if (!cut.none()) under = std::max<int>(under, cut.end);

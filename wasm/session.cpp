@@ -173,7 +173,7 @@ val Session::gaps(const val& progress) {
     Packing packing = *packing_;
     const auto measured = measure_fit(store_.objects(), packing, packed_, progress_from(progress));
     if (!measured) return to_val(measured.error());
-    val result = to_val(*measured->gap);
+    val result = to_val(measured->layer_gaps.front());
     result.set("bearing", to_val(*measured->bearing, packed_));
     result.set("findings", to_val(packing.findings, packing.items));
     return result;

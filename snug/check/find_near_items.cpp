@@ -161,11 +161,11 @@ Vec3d between(const Item& a, const Item& b) {
     return (a.placement.bounds.centre() + b.placement.bounds.centre()) * 0.5;
 }
 
-struct Footprints {
+struct TwoFootprints {
     const Footprint &one, &other;
 };
 
-std::optional<Finding> near_in_layer(const Item& a, const Item& b, Footprints of, const DesignSpace& space,
+std::optional<Finding> near_in_layer(const Item& a, const Item& b, TwoFootprints of, const DesignSpace& space,
                                      double between_mm) {
     const auto distance = nearer_than(between_mm, of.one, of.other, space);
     if (!distance) return {};
@@ -181,7 +181,7 @@ std::optional<Finding> near_in_layer(const Item& a, const Item& b, Footprints of
 }
 
 /// `b` lies in a layer above that of `a`.
-std::optional<Finding> near_above(const Item& a, const Item& b, Footprints of, const DesignSpace& space,
+std::optional<Finding> near_above(const Item& a, const Item& b, TwoFootprints of, const DesignSpace& space,
                                   double between_mm) {
     const auto lacking = lacking_up(between_mm, of.one, of.other, space);
     if (!lacking) return {};
@@ -200,28 +200,42 @@ bool may_touch(const Item& a, const Item& b) {
     return !a.group.empty() && a.group == b.group;
 }
 
+/// Of each item, what it cuts of the foam below it, of the foam above it, and of either.
+class Footprints {
+  public:
+    explicit Footprints(const std::vector<HalfCuts>& cuts) {
+        both_.reserve(cuts.size());  // footprints point at these
+        for (const HalfCuts& each : cuts) {
+            lower.push_back(footprint(each.lower));
+            upper.push_back(each.upper ? footprint(*each.upper) : lower.back());
+            if (each.upper) both_.push_back(cut_by_either(each));
+            either.push_back(each.upper ? footprint(both_.back()) : lower.back());
+        }
+    }
+    std::vector<Footprint> lower, upper, either;
+
+  private:
+    std::vector<BlockMap> both_;
+};
+
 }  // namespace
 
 void find_near_items(const std::vector<Item>& items, const std::vector<HalfCuts>& cuts,
                      const DesignSpace& space, double between_mm, std::vector<Finding>& findings) {
-    std::vector<BlockMap> either;
-    for (const HalfCuts& each : cuts) either.push_back(cut_by_either(each));
-    std::vector<Footprint> footprints;
-    for (const BlockMap& each : either) footprints.push_back(footprint(each));
+    const Footprints footprints(cuts);
     const auto near = [&](std::size_t a, std::size_t b) {
         if (items[a].layer == items[b].layer)
-            return near_in_layer(items[a], items[b], {footprints[a], footprints[b]}, space, between_mm);
+            return near_in_layer(items[a], items[b], {footprints.either[a], footprints.either[b]}, space,
+                                 between_mm);
         if (items[a].layer > items[b].layer) std::swap(a, b);
         // The foam between them ends above what the one cuts of it and below what the other does.
-        const Footprint one = footprint(cuts[a].upper ? *cuts[a].upper : cuts[a].lower),
-                        other = footprint(cuts[b].lower);
-        return near_above(items[a], items[b], {one, other}, space, between_mm);
+        return near_above(items[a], items[b], {footprints.upper[a], footprints.lower[b]}, space, between_mm);
     };
     std::size_t told = 0;
     for (std::size_t a = 0; a < items.size(); ++a)
         for (std::size_t b = a + 1; b < items.size() && told < kMostPairs; ++b) {
             const bool may = may_touch(items[a], items[b]) || between_mm == 0;
-            if (may && share_a_column(footprints[a], footprints[b])) {
+            if (may && share_a_column(footprints.either[a], footprints.either[b])) {
                 const std::size_t before = findings.size();
                 look_for_overlap(items[a], items[b], findings);
                 told += findings.size() - before;

@@ -99,7 +99,7 @@ void add(HalfGap& sum, const HalfGap& more) {
     take_wider(sum, more);
 }
 
-void add(GapReport& sum, const GapReport& more) {
+void add(GapFigures& sum, const GapFigures& more) {
     sum.lines_per_column = std::min(sum.lines_per_column, more.lines_per_column);
     sum.cut_mm3 += more.cut_mm3;
     sum.hull_mm3 += more.hull_mm3;
@@ -110,20 +110,12 @@ void add(GapReport& sum, const GapReport& more) {
     take_wider(sum, more);
     add(sum.lower, more.lower);
     add(sum.upper, more.upper);
-    for (std::size_t i = 0; i < sum.columns.size(); ++i) {
-        ColumnGap& column = sum.columns[i];
-        const ColumnGap& other = more.columns[i];
-        column.lower_step += other.lower_step;
-        column.lower_undercut += other.lower_undercut;
-        column.upper_step += other.upper_step;
-        column.upper_undercut += other.upper_undercut;
-    }
 }
 
 }  // namespace
 
-GapReport united(const std::vector<GapReport>& layers) {
-    GapReport all = layers.front();
+GapFigures united(const std::vector<GapReport>& layers) {
+    GapFigures all = layers.front();
     for (std::size_t i = 1; i < layers.size(); ++i) add(all, layers[i]);
     return all;
 }

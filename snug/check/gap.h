@@ -21,7 +21,7 @@ namespace snug {
 struct HalfGap {
     double step_mm3 = 0;
     std::optional<double> undercut_mm3;  ///< none unless the object is closed
-    double widest_mm = 0;  ///< as in GapReport, of balls on the half's side of the parting level
+    double widest_mm = 0;  ///< as in GapFigures, of balls on the half's side of the parting level
     double widest_error_mm = 0;
     Vec3d widest_at;
 };
@@ -41,7 +41,7 @@ struct ColumnGap {
 /// hull and solid are those of the whole object, step and undercut lie within the cut. So where the object
 /// sticks out of the cut (a negative clearance squeezes it in), step is more than the difference of the
 /// volumes.
-struct GapReport {
+struct GapFigures {
     /// 256: 16 x 16. Fewer where that would be too much work (LineBudget), 1/4 where one line stands for 2 x
     /// 2 columns, and so on; the error tells what that costs.
     double lines_per_column = 0;
@@ -57,11 +57,15 @@ struct GapReport {
     double widest_error_mm = 0;  ///< the true diameter is at most this much larger
     Vec3d widest_at;             ///< that ball's centre, in design coordinates; no place if widest_mm is 0
     HalfGap lower, upper;        ///< their steps and undercuts add up to the whole
-    Grid<ColumnGap> columns;     ///< undercuts are 0 unless the object is closed
+};
+
+/// Of one layer: the same, and where it is.
+struct GapReport : GapFigures {
+    Grid<ColumnGap> columns;  ///< undercuts are 0 unless the object is closed
 };
 
 /// Of layers that stand on each other, one at least: their volumes and errors together, and the widest ball.
-[[nodiscard]] GapReport united(const std::vector<GapReport>& layers);
+[[nodiscard]] GapFigures united(const std::vector<GapReport>& layers);
 
 /// What a report may cost.
 struct GapLimits {

@@ -13,7 +13,7 @@
 
 namespace snug {
 
-/// Volumes in mm3, or lengths in mm along one line; see GapReport.
+/// Volumes in mm3, or lengths in mm along one line; see GapFigures.
 struct GapVolumes {
     double hull = 0;
     double solid = 0;

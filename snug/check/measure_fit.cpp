@@ -66,8 +66,8 @@ Result<MeasuredFit> measure_fit(std::span<const Object> objects, Packing& packin
     auto bearing = bearing_of_all(objects, packing, design, part_of(progress, 0.8, 1));
     if (!bearing) return tl::unexpected(bearing.error());
     sort_by_severity(packing.findings);
-    GapReport whole = united(*gaps);
-    return MeasuredFit{std::move(whole), std::move(*gaps), *bearing};
+    const GapFigures whole = united(*gaps);
+    return MeasuredFit{whole, std::move(*gaps), *bearing};
 }
 
 }  // namespace snug

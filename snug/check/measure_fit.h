@@ -16,8 +16,8 @@ namespace snug {
 
 /// How well a packing's foams hold the object: sampled, and slower than the packing itself.
 struct MeasuredFit {
-    std::optional<GapReport> gap;          ///< how far the cut space exceeds the objects
-    std::vector<GapReport> layer_gaps;     ///< the same of each layer; empty where it is not known
+    std::optional<GapFigures> gap;         ///< how far the cut space exceeds the objects
+    std::vector<GapReport> layer_gaps;     ///< of each layer; empty where it is not known
     std::optional<BearingReport> bearing;  ///< what all items lie on in either half
 };
 

@@ -40,14 +40,14 @@ BlockMap cut_by_either(const HalfCuts& cuts) {
     return blocks;
 }
 
-HalfCuts united(std::span<const HalfCuts> items) {
-    HalfCuts all = items.front();
+HalfCuts united(std::span<const HalfCuts* const> items) {
+    HalfCuts all = *items.front();
     const bool differ =
-        std::any_of(items.begin(), items.end(), [](const HalfCuts& each) { return each.upper.has_value(); });
+        std::any_of(items.begin(), items.end(), [](const HalfCuts* each) { return each->upper.has_value(); });
     if (differ && !all.upper) all.upper = all.lower;
-    for (const HalfCuts& each : items.subspan(1)) {
-        include(all.lower, each.lower);
-        if (differ) include(*all.upper, each.upper ? *each.upper : each.lower);
+    for (const HalfCuts* each : items.subspan(1)) {
+        include(all.lower, each->lower);
+        if (differ) include(*all.upper, each->upper ? *each->upper : each->lower);
     }
     return all;
 }

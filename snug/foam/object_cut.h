@@ -34,7 +34,7 @@ struct HalfCuts {
 [[nodiscard]] HalfCuts half_cuts(const ObjectDepths& depths, const DesignSpace& space);
 
 /// What several objects of one layer cut together. `items`: one at least, of one space.
-[[nodiscard]] HalfCuts united(std::span<const HalfCuts> items);
+[[nodiscard]] HalfCuts united(std::span<const HalfCuts* const> items);
 
 /// What either half cuts: what the parting level is chosen by.
 [[nodiscard]] BlockMap cut_by_either(const HalfCuts& cuts);

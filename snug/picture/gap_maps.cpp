@@ -9,6 +9,7 @@
 
 #include "snug/base/text.h"
 #include "snug/drawing/svg.h"
+#include "snug/drawing/text_lines.h"
 #include "snug/picture/preview_marks.h"
 #include "snug/picture/preview_style.h"
 #include "snug/words/pieces.h"
@@ -113,12 +114,21 @@ class HalfMap {
         draw_ring(canvas);
         std::vector<Message> ring;
         if (half_.widest_mm > 0) ring.push_back(say("gap.ring", {{"mm", number(half_.widest_mm, 1)}}));
-        canvas.text({at_.x, at_.y - 28}, 17, kLegendText, text(title(std::move(ring)), language_));
+        draw_title(canvas, text(title(std::move(ring)), language_));
         canvas.text({at_.x + size.x / 2, lower_ ? at_.y - 8 : at_.y + size.y + 18}, 12,
                     anchored(kBackText, TextAnchor::middle), "BACK");
     }
 
   private:
+    /// In the map's own half of the page, the last line right above the map.
+    void draw_title(Canvas& canvas, const std::string& words) const {
+        constexpr double kSize = 17, kLine = 22;
+        const double width = (lower_ ? kPageWidth / 2 : kPageWidth) - kSide / 2 - at_.x;
+        const std::vector<std::string> lines = lines_of(words, width, kSize);
+        for (std::size_t i = 0; i < lines.size(); ++i)
+            canvas.text({at_.x, at_.y - 28 - kLine * static_cast<double>(lines.size() - 1 - i)}, kSize,
+                        kLegendText, lines[i]);
+    }
     [[nodiscard]] Message title(std::vector<Message> ring) const {
         if (piece_.middle())
             return say("gap.middle", {{"piece", marked_side(piece_, lower_ ? Half::lower : Half::lid)},

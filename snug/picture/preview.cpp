@@ -35,20 +35,6 @@ constexpr double kFinestOutline = 0.35;  // px
 constexpr double kFoamStep = 0.1;        // px, to which corners of the foam are rounded
 constexpr double kOutlineStep = 0.01;    // px
 
-/// One piece from one side, ready to be drawn.
-struct HalfScene {
-    Piece piece;
-    Relief relief;
-    std::vector<Face> faces;
-};
-
-HalfScene half_scene(const Foams& foams, Piece piece, const DesignSpace& space, const OpenedPair& pair,
-                     Half half) {
-    HalfScene scene{piece, relief(foams, piece, space, pair, half), {}};
-    scene.faces = visible_faces(scene.relief);
-    return scene;
-}
-
 /// The part of the drawing that is used, mm.
 struct Extent {
     Vec2d min{1e300, 1e300}, max{-1e300, -1e300};
@@ -56,7 +42,7 @@ struct Extent {
         min = {std::min(min.x, p.x), std::min(min.y, p.y)};
         max = {std::max(max.x, p.x), std::max(max.y, p.y)};
     }
-    void include(const HalfScene& half) {
+    void include(const PieceScene& half) {
         const Relief& relief = half.relief;
         for (const double x : {relief.right_faces.front(), relief.right_faces.back()})
             for (const double y : {relief.front_faces.front(), relief.front_faces.back()})
@@ -81,7 +67,7 @@ Page page_for(const Extent& extent, double& drawing_height) {
 /// A layer between the pieces around it.
 struct Book {
     OpenedPair pair;
-    HalfScene lower, lid;
+    PieceScene lower, lid;
     std::vector<Projected> vertices;
     Page page;
     double height = 0;  ///< px of the drawing
@@ -97,7 +83,7 @@ void draw_table(Canvas& canvas, const Page& page, const Relief& relief) {
                  kTableFill, kTableStroke);
 }
 
-void draw_half(Canvas& canvas, const Page& page, const HalfScene& scene, Half half) {
+void draw_half(Canvas& canvas, const Page& page, const PieceScene& scene, Half half) {
     const std::string name = scene.piece.middle()  ? "middle-" + std::to_string(scene.piece.index)
                              : half == Half::lower ? "lower"
                                                    : "lid";
@@ -139,8 +125,8 @@ void draw_caption(Canvas& canvas, const std::vector<std::string>& lines, double 
 Book opened_book(const Foams& foams, const DesignSpace& space, int layer, const PreviewLayer& what) {
     const OpenedPair pair = opened(space, foams.parting[static_cast<std::size_t>(layer)]);
     Book book{pair,
-              half_scene(foams, foams.at(layer), space, pair, Half::lower),
-              half_scene(foams, foams.at(layer + 1), space, pair, Half::lid),
+              piece_scene(foams, foams.at(layer), space, pair, Half::lower),
+              piece_scene(foams, foams.at(layer + 1), space, pair, Half::lid),
               projected(what.mesh, what.placement, pair),
               {},
               0};
@@ -159,7 +145,7 @@ double room_above(const Book& book, Vec2d back_label, int pieces) {
     const auto meet = [&](Vec2d point) {
         if (point.x < legend.x) highest = std::min(highest, point.y);
     };
-    for (const HalfScene* half : {&book.lower, &book.lid})
+    for (const PieceScene* half : {&book.lower, &book.lid})
         for (const Face& face : half->faces) meet(book.page.at(face.origin));
     for (const Projected& vertex : book.vertices) meet(book.page.at(vertex.at));
     meet(back_label - Vec2d{0, 30});

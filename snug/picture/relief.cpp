@@ -157,4 +157,11 @@ std::vector<Face> visible_faces(const Relief& relief) {
     return FaceCollector(relief).collect();
 }
 
+PieceScene piece_scene(const Foams& foams, Piece piece, const DesignSpace& space, const OpenedPair& pair,
+                       Half half) {
+    PieceScene scene{piece, relief(foams, piece, space, pair, half), {}};
+    scene.faces = visible_faces(scene.relief);
+    return scene;
+}
+
 }  // namespace snug

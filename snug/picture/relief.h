@@ -48,4 +48,14 @@ struct Face {
 /// Runs of equal height are one face.
 [[nodiscard]] std::vector<Face> visible_faces(const Relief& relief);
 
+/// One piece from one side, ready to be drawn.
+struct PieceScene {
+    Piece piece;
+    Relief relief;
+    std::vector<Face> faces;
+};
+/// `half`: whether it lies as the lower or as the upper piece of the pair.
+[[nodiscard]] PieceScene piece_scene(const Foams& foams, Piece piece, const DesignSpace& space,
+                                     const OpenedPair& pair, Half half);
+
 }  // namespace snug

@@ -223,6 +223,34 @@ class LayersTest(unittest.TestCase):
         up = float(found[0]["message"].split("move B ")[1].split()[0])
         self.assertEqual(near(40 + up), [])
 
+    def test_a_layer_that_gets_no_notches_is_named(self):
+        # High, so that its notches would reach through the foam below it.
+        out = self.make("vase.stl:longest=60,name=deep,layer=1", "torus.stl:longest=60,name=A,count=2,layer=2", "--units=mm",
+                        "--blocks=auto", "--wall=30", "--notches=40x500")
+        told = [each["message"] for each in json.loads((out / "report.json").read_text())["findings"]
+                if each["code"] == "no_notches"]
+        self.assertEqual(len(told), 2)
+        self.assertTrue(any(each.startswith("deep:") for each in told), told)
+        self.assertTrue(any(each.startswith("A 1, A 2:") for each in told), told)
+
+    def test_clouds_lie_in_layers(self):
+        numbers = random.Random(SEED)
+        points = [(numbers.uniform(-1, 1), numbers.uniform(-1, 1), numbers.uniform(-1, 1)) for _ in range(9000)]
+        ball = [[30 * c / max(sum(x * x for x in point) ** 0.5, 1e-9) for c in point] for point in points]
+        text = "\n".join("{:.4f} {:.4f} {:.4f}".format(*point) for point in ball)
+        (self.work / "ball.ply").write_text("ply\nformat ascii 1.0\nelement vertex 9000\nproperty float x\nproperty float y\n"
+                                            f"property float z\nend_header\n{text}\n")
+        out = self.make("ball.ply:layer=1", "vase.stl:longest=60,layer=2", "--units=mm", "--blocks=auto", "--for=sponge")
+        pieces = pieces_of(out / "depths.csv", json.loads((out / "report.json").read_text())["design_space"]["blocks"][0])
+        self.assertTrue(all(any(first < end for first, end in piece.values()) for piece in pieces.values()))
+
+    def test_layers_in_japanese(self):
+        out = self.make("vase.stl:longest=60,layer=1", "torus.stl:longest=60,layer=2", "--units=mm", "--blocks=auto",
+                        "--for=sponge", "--language=ja")
+        svg = (out / "preview.svg").read_text()
+        self.assertIn("中間", svg)
+        self.assertNotIn("MIDDLE foam", svg)
+
 
 def holds(face, y, z):
     """Whether a triangle that lies level holds a point that is on none of its edges."""

@@ -17,19 +17,6 @@ constexpr double kShade = 0.1;           // of black, each shade of the object o
 constexpr double kFinestOutline = 0.15;  // mm on the page
 constexpr double kSeam = 0.12;           // mm, closes the seams between neighbours
 
-struct PieceScene {
-    Piece piece;
-    Relief relief;
-    std::vector<Face> faces;
-};
-
-PieceScene piece_scene(const Foams& foams, Piece piece, const DesignSpace& space, const OpenedPair& pair,
-                       Half half) {
-    PieceScene scene{piece, relief(foams, piece, space, pair, half), {}};
-    scene.faces = visible_faces(scene.relief);
-    return scene;
-}
-
 std::vector<Vec3d> corners(const Face& face) {
     return {face.origin, face.origin + face.across, face.origin + face.across + face.along,
             face.origin + face.along};

@@ -70,7 +70,7 @@ Json lines_json(double lines) {
     return lines >= 1 ? Json(static_cast<int>(lines)) : Json(lines);
 }
 
-Json gap_json(const GapReport& gap) {
+Json gap_json(const GapFigures& gap) {
     return {{"cut_mm3", volume(gap.cut_mm3)},
             {"hull_mm3", volume(gap.hull_mm3)},
             {"solid_mm3", volume(gap.solid_mm3)},
