@@ -119,7 +119,7 @@ Message refusal_of(const CLI::ParseError& error) {
 }
 
 /// Help goes to standard output, what is wrong to standard error.
-int ended(const CLI::App& app, const CLI::ParseError& error, Language language) {
+int status_at_end(const CLI::App& app, const CLI::ParseError& error, Language language) {
     if (error.get_exit_code() == 0) return app.exit(error) == 0 ? kDone : kWrongUsage;
     fmt::print(stderr, "{}\n{}\n", text(refusal_of(error), language), text(say("usage.see_help"), language));
     return kWrongUsage;
@@ -193,7 +193,7 @@ int run_program(int argc, const char* const* argv, Language language,
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return ended(app, error, language);
+        return status_at_end(app, error, language);
     }
     return chosen->run();
 }

@@ -152,33 +152,33 @@ std::string described(const std::string& name, const Mesh& mesh, const MeshMeasu
 
 std::string described_json(const std::string& name, const Mesh& mesh, const MeshMeasure& measure,
                            Language language) {
-    using Json = nlohmann::ordered_json;
     const Vec3d size = measure.bounds.size();
     const Unit* best = mesh.read.in_mm ? nullptr : likely_unit(std::max({size.x, size.y, size.z}));
-    Json json{{"file", name},
-              {"vertices", mesh.vertices.size()},
-              {"triangles", mesh.triangles.size()},
-              {"size", {size.x, size.y, size.z}},
-              {"watertight", measure.watertight},
-              {"holes", measure.holes.size()},
-              {"volume", measure.volume ? Json(*measure.volume) : Json(nullptr)},
-              {"likely_unit", best ? Json(std::string(name_of(*best))) : Json(nullptr)},
-              {"stated_unit", mesh.read.in_mm ? Json("mm") : Json(nullptr)},
-              {"left_out_faces", mesh.read.left_out_faces},
-              {"left_out_points", mesh.read.left_out_points}};
-    json["findings"] = Json::array();
+    using Described = nlohmann::ordered_json;
+    Described json{{"file", name},
+                   {"vertices", mesh.vertices.size()},
+                   {"triangles", mesh.triangles.size()},
+                   {"size", {size.x, size.y, size.z}},
+                   {"watertight", measure.watertight},
+                   {"holes", measure.holes.size()},
+                   {"volume", measure.volume ? Described(*measure.volume) : Described(nullptr)},
+                   {"likely_unit", best ? Described(std::string(name_of(*best))) : Described(nullptr)},
+                   {"stated_unit", mesh.read.in_mm ? Described("mm") : Described(nullptr)},
+                   {"left_out_faces", mesh.read.left_out_faces},
+                   {"left_out_points", mesh.read.left_out_points}};
+    json["findings"] = Described::array();
     for (const Finding& finding : findings_of(mesh))
         json["findings"].push_back({{"severity", std::string(severity_name(finding.severity))},
                                     {"code", finding.code()},
                                     {"message", snug::text(finding.message, language)}});
-    json["parts"] = Json::array();
+    json["parts"] = Described::array();
     for (const PartShare& part : part_shares(mesh, measure)) {
         const Vec3d extent = part.bounds.size();
         json["parts"].push_back({{"triangles", part.triangles},
                                  {"size", {extent.x, extent.y, extent.z}},
                                  {"surface_share", part.share}});
     }
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json.dump(2, ' ', false, Described::error_handler_t::replace) + "\n";
 }
 
 int inspect(const InspectArguments& arguments) {

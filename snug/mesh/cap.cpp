@@ -57,7 +57,7 @@ void add_fan(Mesh& mesh, const Loop& loop, Vec3d middle) {
 }
 
 /// Heights along a normal above a loop's centroid.
-struct Range {
+struct Heights {
     double low = 0, high = 0;
     [[nodiscard]] double extent() const { return high - low; }
 };
@@ -68,7 +68,7 @@ struct LoopShape {
     Vec3d middle;
     Vec3d normal;     ///< of length 1; none (zero) where the loop encloses no area
     double size = 0;  ///< square root of the area that the loop encloses
-    Range heights;    ///< of its points
+    Heights heights;  ///< of its points
 };
 
 LoopShape shape_of(const Mesh& mesh, const Loop& loop) {
@@ -90,8 +90,8 @@ LoopShape shape_of(const Mesh& mesh, const Loop& loop) {
 }
 
 /// The loop's heights, drawn out to the ends of the object that lie near.
-Range heights_of_base(const Mesh& mesh, const LoopShape& loop, double diagonal) {
-    Range base = loop.heights;
+Heights heights_of_base(const Mesh& mesh, const LoopShape& loop, double diagonal) {
+    Heights base = loop.heights;
     if (loop.size < kSmallLoop * diagonal) return base;
     const double lowest = loop.heights.low - kNear * loop.size,
                  highest = loop.heights.high + kNear * loop.size;
@@ -116,7 +116,7 @@ Loop add_projection(Mesh& mesh, const LoopShape& loop, double height) {
 }
 
 /// A closed prism over the loop's outline: fans at both heights and a wall between them, outward.
-void add_prism(Mesh& mesh, const LoopShape& loop, Range heights) {
+void add_prism(Mesh& mesh, const LoopShape& loop, Heights heights) {
     Loop low = add_projection(mesh, loop, heights.low);
     const Loop high = add_projection(mesh, loop, heights.high);
     for (std::size_t i = 0; i < low.size(); ++i) {
@@ -149,7 +149,7 @@ Mesh capped(const Mesh& mesh, const std::vector<Loop>& loops) {
         const LoopShape shape = shape_of(mesh, loop);
         add_fan(result, loop, shape.middle);
         if (shape.size <= 0 || shape.heights.extent() > kNearlyFlat * shape.size) continue;
-        const Range base = heights_of_base(mesh, shape, length(object_size));
+        const Heights base = heights_of_base(mesh, shape, length(object_size));
         if (base.extent() > kFlat * shape.size) add_prism(result, shape, base);
     }
     result.cap_vertices = result.vertices.size() - mesh.vertices.size();

@@ -5,21 +5,21 @@ namespace {
 
 // In the words of someone who looks at the front of the camera: right, up, to the front. It is packed lying
 // on its back, the lens upward (+x) and the viewfinder towards the back of the case (-y).
-constexpr Vec3d kRight{0, 0, 1};
+constexpr Vec3d kToTheRight{0, 0, 1};
 constexpr Vec3d kUp{0, -1, 0};
-constexpr Vec3d kFront{1, 0, 0};
+constexpr Vec3d kTowardsFront{1, 0, 0};
 
 constexpr double kLensRight = 9, kLensUp = -6;
 
 Vec3d at(double right, double up, double front) {
-    return kRight * right + kUp * up + kFront * front;
+    return kToTheRight * right + kUp * up + kTowardsFront * front;
 }
 
 Frame facing_front(double right, double up) {
-    return {at(right, up, 0), kRight, kUp, kFront};
+    return {at(right, up, 0), kToTheRight, kUp, kTowardsFront};
 }
 Frame facing_up(double right, double front) {
-    return {at(right, 0, front), kFront, kRight, kUp};
+    return {at(right, 0, front), kTowardsFront, kToTheRight, kUp};
 }
 
 void add_body(Mesh& mesh) {
@@ -29,8 +29,8 @@ void add_body(Mesh& mesh) {
     add_block(mesh, facing_front(-50, 8), {20, 24, 8, -18, -6, 4});          // thumb rest
     add_block(mesh, facing_front(-2, -8), {72, 46, 3, -16, -10, 1});         // screen
     add_turned(mesh, facing_front(49, -13), {{{-16.5, 7.5}, {-16, 8.5}, {-10, 8.5}}},
-               32);                                        // dial on the back
-    add_turned(mesh, {at(0, 0, 0), kRight, kFront, -kUp},  // thread for a tripod
+               32);                                                    // dial on the back
+    add_turned(mesh, {at(0, 0, 0), kToTheRight, kTowardsFront, -kUp},  // thread for a tripod
                {{{30, 10}, {37, 10}, {37.5, 9.5}}}, 32);
 }
 
@@ -100,9 +100,9 @@ void add_knobs(Mesh& mesh) {
     add_turned(mesh, facing_up(-27, -3),  // exposure dial
                {{{20, 8.6}, {26.8, 8.8}, {27.2, 9.4, true}, {31.4, 9.4, true}, {32, 8.6}}}, 80, {20, 0.7});
     for (const double side : {-1.0, 1.0}) {
-        add_turned(mesh, {at(side * 60, 18, 0), kUp, kFront * side, kRight * side},  // strap lugs
+        add_turned(mesh, {at(side * 60, 18, 0), kUp, kTowardsFront * side, kToTheRight * side},  // strap lugs
                    {{{0, 4}, {3.6, 4}, {4.4, 3.2}}}, 24);
-        add_ring(mesh, {at(side * 66, 17, 0), kRight, kUp, kFront}, 4.4, 1.1, 32, 10);
+        add_ring(mesh, {at(side * 66, 17, 0), kToTheRight, kUp, kTowardsFront}, 4.4, 1.1, 32, 10);
     }
 }
 

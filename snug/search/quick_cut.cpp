@@ -10,7 +10,7 @@ namespace snug {
 namespace {
 
 /// Beyond every depth, with room for what is added to them.
-constexpr std::int16_t kNone = 16000;
+constexpr std::int16_t kNoCut = 16000;
 constexpr double kInset = 0.01;  // mm: a face on a face cuts nothing
 /// Blocks that an object may be long in the lattice: more change the counts little and cost much.
 constexpr double kMostBlocksLong = 64;
@@ -64,8 +64,8 @@ void QuickCut::size_grid(Vec3d extent) {
     rows_ = axes_[1].cells + 2 * (axes_[1].window - 1);
     vectors_ = (axes_[2].cells + 2 * (axes_[2].window - 1) + kLanes - 1) / kLanes;
     const std::size_t size = static_cast<std::size_t>(rows_) * static_cast<std::size_t>(vectors_ + 1);
-    low_.assign(size, Lanes{} + kNone);
-    high_.assign(size, Lanes{} - kNone);
+    low_.assign(size, Lanes{} + kNoCut);
+    high_.assign(size, Lanes{} - kNoCut);
     low_slid_.resize(size);
     high_slid_.resize(size);
 }

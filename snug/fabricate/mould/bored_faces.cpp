@@ -9,7 +9,7 @@ namespace snug {
 namespace {
 
 /// In the face's plane, seen from outside.
-PolygonVertex polygon_vertex(const StepSolid& solid, std::uint32_t vertex, FaceSide side) {
+PolygonVertex polygon_vertex(const StepSolid& solid, std::uint32_t vertex, BoredSide side) {
     const Vec3d p = vec_cast<double>(solid.points[vertex]);
     if (side.axis == 0)
         return side.low ? PolygonVertex{{p.z, p.y}, vertex} : PolygonVertex{{p.y, p.z}, vertex};
@@ -19,7 +19,7 @@ PolygonVertex polygon_vertex(const StepSolid& solid, std::uint32_t vertex, FaceS
 
 /// The outlines of all that the edges go round, without those between two pieces of one face.
 std::vector<VertexLoop> loops_of(std::vector<std::pair<std::uint32_t, std::uint32_t>> edges,
-                                 const StepSolid& solid, FaceSide side) {
+                                 const StepSolid& solid, BoredSide side) {
     std::sort(edges.begin(), edges.end());
     std::map<std::uint32_t, std::uint32_t> next;
     for (const auto& edge : edges)
@@ -86,11 +86,11 @@ SlabBore slab_bore(const Bore& bore, bool after, Vec3d from_mm, int plane, const
     return result;
 }
 
-bool BoredFaces::has(FaceSide side) const {
+bool BoredFaces::has(BoredSide side) const {
     return std::any_of(bores_.begin(), bores_.end(), [&](const SlabBore& bore) { return bore.side == side; });
 }
 
-void BoredFaces::add_edges(FaceSide side, const std::vector<std::uint32_t>& chain) {
+void BoredFaces::add_edges(BoredSide side, const std::vector<std::uint32_t>& chain) {
     auto& edges = edges_[side];
     for (std::size_t i = 0; i + 1 < chain.size(); ++i) edges.push_back({chain[i], chain[i + 1]});
 }

@@ -14,15 +14,15 @@
 namespace snug {
 
 /// A side of a solid's box: across an axis, the least one or the greatest. Of axis 0 the base and the top.
-struct FaceSide {
+struct BoredSide {
     int axis = 0;
     bool low = false;
-    friend auto operator<=>(const FaceSide&, const FaceSide&) = default;
+    friend auto operator<=>(const BoredSide&, const BoredSide&) = default;
 };
 
 /// A blind bore into a face that lies on a side of the box, in steps; its opening lies within that face.
 struct SlabBore {
-    FaceSide side;
+    BoredSide side;
     int depth = 0;               ///< into the solid
     std::vector<Vec3i> opening;  ///< four corners, as BoreVertices says
     std::vector<Vec3i> mouth;    ///< kBoreSides corners
@@ -38,10 +38,10 @@ class BoredFaces {
   public:
     explicit BoredFaces(std::span<const SlabBore> bores) : bores_(bores) {}
 
-    [[nodiscard]] bool has(FaceSide side) const;
+    [[nodiscard]] bool has(BoredSide side) const;
     /// A piece of a face's outline, counter-clockwise from outside. What runs both ways lies between pieces
     /// of one face.
-    void add_edges(FaceSide side, const std::vector<std::uint32_t>& chain);
+    void add_edges(BoredSide side, const std::vector<std::uint32_t>& chain);
     /// The faces, and the walls and ends of their bores.
     void add_to(StepSolid& solid) const;
 
@@ -49,7 +49,7 @@ class BoredFaces {
     using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
     std::span<const SlabBore> bores_;
-    std::map<FaceSide, std::vector<Edge>> edges_;
+    std::map<BoredSide, std::vector<Edge>> edges_;
 };
 
 }  // namespace snug

@@ -172,14 +172,14 @@ class SlabMesher {
     }
 
     /// The side of the box that a face lies on; axis 0 for none.
-    [[nodiscard]] FaceSide side_of(PlanPoint from, PlanPoint to) const {
+    [[nodiscard]] BoredSide side_of(PlanPoint from, PlanPoint to) const {
         if (!on_side(from, to)) return {0, false};
-        return from.y == to.y ? FaceSide{1, from.y == box_.least.y} : FaceSide{2, from.z == box_.least.z};
+        return from.y == to.y ? BoredSide{1, from.y == box_.least.y} : BoredSide{2, from.z == box_.least.z};
     }
 
     /// Two fans with the vertices along the bottom and the top, and between them a strip: no triangle has all
     /// its corners on one side.
-    void add_wall(FaceSide side, const std::vector<std::uint32_t>& above,
+    void add_wall(BoredSide side, const std::vector<std::uint32_t>& above,
                   const std::vector<std::uint32_t>& left, const std::vector<std::uint32_t>& right,
                   const std::vector<std::uint32_t>& below) {
         if (side.axis != 0 && bored_.has(side)) {
@@ -207,7 +207,7 @@ class SlabMesher {
     /// The faces that look up at a height, or the base.
     void add_level(std::size_t i) {
         const bool base = i == slabs_.size();
-        const FaceSide side{0, base};
+        const BoredSide side{0, base};
         if ((i == 0 || base) && bored_.has(side)) return add_bored_level(side);
         const PlanRegion face = base     ? bottom_of(slabs_[i - 1], box_)
                                 : i == 0 ? slabs_[0].region
@@ -242,7 +242,7 @@ class SlabMesher {
         if (!std::all_of(around.begin(), around.end(), is_outside)) corners.push_back(corner);
     }
 
-    void add_bored_level(FaceSide side) {
+    void add_bored_level(BoredSide side) {
         const SlabOutline& outline = side.low ? outlines_.back() : outlines_.front();
         const Level& level = side.low ? levels_.back() : levels_.front();
         for (std::size_t c = 0; c < outline.top.size(); ++c) {

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "snug/base/box.h"
+#include "snug/design/design.h"
+#include "snug/space/design_space.h"
+#include "snug/space/item.h"
+
+// A tray: foam without a lid, whose items stand open at the top. Its surface is level, so the items are laid
+// so deep that each is sunk into it by its share.
+
+namespace snug {
+
+/// How deep an item is sunk at least, `open` as in SpaceOptions. mm, never more than its height.
+[[nodiscard]] double sunk_mm(double open, const Box3d& placed);
+
+/// The level where a tray's foam ends: the nearest to where all items of its uppermost layer are sunk as deep
+/// as they must be, 1 to nx.
+[[nodiscard]] int tray_level(double open, const std::vector<Item>& uppermost, const DesignSpace& space);
+
+/// Shifts items of one layer along x so that one surface sinks all of them as deep as they must be.
+void sink_alike(double open, const std::vector<Item*>& layer);
+
+/// How far items must move along x so that below the lowest lies so much foam in whole blocks. `floor_x`:
+/// where the foam begins. mm.
+[[nodiscard]] double rise_to_floor(const std::vector<Item>& items, double floor_x, double floor_mm,
+                                   double block_mm);
+
+}  // namespace snug

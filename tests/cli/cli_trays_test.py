@@ -1,0 +1,106 @@
+"""Trays: foam without a lid, as the command line makes it of every way of working.
+
+Usage: cli_trays_test.py SNUG [unittest arguments]
+"""
+
+import csv
+import json
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+SNUG = Path(sys.argv.pop(1)).resolve()
+
+
+class TraysTest(unittest.TestCase):
+    def setUp(self):
+        self.work = Path(tempfile.mkdtemp())
+        self.addCleanup(shutil.rmtree, self.work)
+        for name in ("torus", "vase", "camera"):
+            subprocess.run([SNUG, "sample", name, "-o", self.work / f"{name}.stl"], check=True, capture_output=True)
+
+    def snug(self, *arguments):
+        return subprocess.run([SNUG, *map(str, arguments)], capture_output=True, text=True, timeout=300, cwd=self.work)
+
+    def make(self, *arguments, out="tray"):
+        done = self.snug("make", *arguments, "-o", self.work / out)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return self.work / out, json.loads((self.work / out / "report.json").read_text()), done.stdout
+
+    def surface(self, report):
+        space = report["design_space"]
+        return (report["foam"]["parting_level"] - space["blocks"][0] / 2) * space["block_mm"][0]
+
+    def test_items_are_sunk_by_their_share(self):
+        out, report, said = self.make("vase.stl:longest=80,upright=z", "torus.stl:longest=60", "camera.stl:longest=70", "--units=mm",
+                                      "--blocks=auto", "--block-size=1x10x10", "--open=0.5")
+        surface = self.surface(report)
+        sunk = []
+        for item in report["items"]:
+            (low, _, _), (high, _, _) = item["box_mm"]
+            sunk.append((surface - low) / (high - low))
+        for share, item in zip(sunk, report["items"]):
+            low, high = item["box_mm"][0][0], item["box_mm"][1][0]
+            self.assertAlmostEqual(share, 0.5, delta=0.5 / (high - low) + 1e-6)
+        rows = list(csv.DictReader((out / "depths.csv").open()))
+        self.assertTrue(all(int(row["upper_blocks"]) == 0 for row in rows))
+        self.assertEqual(max(int(row["lower_blocks"]) for row in rows), report["foam"]["parting_level"])
+        self.assertFalse((out / "upper.stl").exists())
+        self.assertNotIn("lid", said)
+        self.assertEqual([each for each in report["findings"] if each["severity"] == "danger"], [])
+        # 25.4 mm below and beside, as makers of trays do.
+        self.assertGreaterEqual(min(report["wall_mm"][:1] + report["wall_mm"][2:]), 25.4)
+
+    def test_a_depth_in_mm_is_the_same_for_all(self):
+        _, report, _ = self.make("vase.stl:longest=80,upright=z", "torus.stl:longest=60", "--units=mm", "--blocks=auto",
+                                 "--block-size=0.5x10x10", "--open=12")
+        for item in report["items"]:
+            self.assertAlmostEqual(self.surface(report) - item["box_mm"][0][0], 12, delta=0.3)
+
+    def test_items_stand_on_the_floor_of_a_drawer(self):
+        _, report, _ = self.make("vase.stl:longest=60", "torus.stl:longest=60", "--units=mm", "--case=400x300x120", "--block-size=5x5x5",
+                                 "--open=0.6", "--wall=20")
+        self.assertAlmostEqual(report["wall_mm"][0], 20, delta=5)
+        self.assertLess(self.surface(report), 60)
+
+    def test_every_way_makes_it(self):
+        presets = {"bricks": ["--block-size=8x8x8"], "mill": ["--preset=mill", "--flute=200"], "mould": ["--preset=cast"]}
+        for way in ("sponge", "sheets", "print", "mill", "mould", "bricks"):
+            with self.subTest(way):
+                out, report, _ = self.make("torus.stl:longest=60", "--units=mm", "--blocks=auto", "--wall=16", "--open=0.5",
+                                           f"--for={way}", *presets.get(way, []), out=way)
+                names = [str(path.relative_to(out)) for path in out.rglob("*") if path.is_file()]
+                self.assertEqual([name for name in names if "lid" in name], [])
+                self.assertTrue(any(name.startswith(way) for name in names), names)
+                self.assertEqual(report["foam"]["upper_blocks"], 0)
+
+    def test_it_is_made_again_from_its_project_and_closed_again(self):
+        words = ["vase.stl:longest=60", "torus.stl:longest=50", "--units=mm", "--blocks=auto", "--open=0.6", "--for=sponge"]
+        out, _, _ = self.make(*words)
+        shutil.copy(out / "project.snug.json", self.work)
+        again, _, _ = self.make("project.snug.json", out="again")
+        for path in sorted(out.rglob("*")):
+            if path.is_file() and path.name not in ("report.json", ".snug-files") and path.suffix != ".pdf":
+                self.assertEqual(path.read_bytes(), (again / path.relative_to(out)).read_bytes(), path)
+        closed, report, _ = self.make(*(word for word in words if not word.startswith("--open")))
+        self.assertTrue((closed / "upper.stl").exists())
+        self.assertGreater(report["foam"]["upper_blocks"], 0)
+        self.make(*words)
+        self.assertFalse((out / "upper.stl").exists(), "nothing of the lid is left")
+
+    def test_what_makes_no_sense_is_said(self):
+        for wrong in ("0", "-1", "nan", "deep"):
+            done = self.snug("make", "torus.stl", "--units=mm", f"--open={wrong}", "-o", self.work / "none")
+            self.assertEqual(done.returncode, 1, wrong)
+            self.assertIn("--open", done.stderr)
+        done = self.snug("make", "torus.stl", "--units=mm", "--open=0.5", "--optimize", "-o", self.work / "none")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("--open", done.stderr)
+        self.assertFalse((self.work / "none").exists())
+
+
+if __name__ == "__main__":
+    unittest.main()
