@@ -25,7 +25,7 @@ Message notch_text(const Notch& notch) {
                                     {"deep", number(notch.size_mm.x, 1)}});
 }
 
-Message bearing_text(const BearingReport& bearing, const Design& design) {
+Message bearing_text(const BearingReport& bearing, const Foams& foams, const Design& design) {
     const auto mass = mass_kg(design);
     const auto pressure = [&](double area_mm2) {
         const auto kpa = static_pressure_kpa(*mass, area_mm2);
@@ -41,7 +41,7 @@ Message bearing_text(const BearingReport& bearing, const Design& design) {
                               : say("summary.creep_unknown"));
     }
     return say(
-        "summary.bears_on",
+        foams.open() ? "summary.bears_in_tray" : "summary.bears_on",
         {{"below", areas(bearing.lower_mm2)}, {"above", areas(bearing.upper_mm2)}, {"at_rest", at_rest}});
 }
 

@@ -47,11 +47,11 @@ Message gap_text(const GapFigures& gap) {
 Message foam_text(const FitReport& fit) {
     std::vector<Message> pieces;
     const int count = static_cast<int>(fit.pieces.size());
-    for (int i = 0; i < count; ++i)
+    for (int i = 0; i < count - (fit.open ? 1 : 0); ++i)
         pieces.push_back(
             say("summary.piece_of",
                 {{"foam", foam_of({i, count})}, {"blocks", fit.pieces[static_cast<std::size_t>(i)].blocks}}));
-    if (count > 2)
+    if (count > 2 || fit.open)
         return say("summary.foam_of_layers",
                    {{"pieces", pieces}, {"litres", litres(fit.foam_mm3)}, {"f", number(fit.fill_ratio, 4)}});
     return say("summary.foam_of", {{"lower", fit.lower().blocks},
@@ -60,13 +60,14 @@ Message foam_text(const FitReport& fit) {
                                    {"f", number(fit.fill_ratio, 4)}});
 }
 
-Message walls_text(const Walls& wall) {
-    return say("summary.walls_of", {{"floor", number(wall[0], 1)},
-                                    {"roof", number(wall[1], 1)},
-                                    {"back", number(wall[2], 1)},
-                                    {"front", number(wall[3], 1)},
-                                    {"left", number(wall[4], 1)},
-                                    {"right", number(wall[5], 1)}});
+Message walls_text(const FitReport& fit) {
+    const Walls& wall = fit.wall_mm;
+    return say(fit.open ? "summary.walls_of_tray" : "summary.walls_of", {{"floor", number(wall[0], 1)},
+                                                                         {"roof", number(wall[1], 1)},
+                                                                         {"back", number(wall[2], 1)},
+                                                                         {"front", number(wall[3], 1)},
+                                                                         {"left", number(wall[4], 1)},
+                                                                         {"right", number(wall[5], 1)}});
 }
 
 /// The lines, each a label and what is said under it.
@@ -126,7 +127,7 @@ std::string summary(std::span<const Object> objects, const Project& project, con
     if (packing.fitted_case) {
         lines.add("summary.case", case_text(*packing.fitted_case));
         std::string label = lines.worded("summary.fillers");
-        for (const Filler& filler : fillers(*packing.fitted_case, packing.foams->parting.back())) {
+        for (const Filler& filler : fillers(*packing.fitted_case, packing.foams->parting.back(), fit.open)) {
             lines.add(std::string_view(label), filler_text(filler));
             label.clear();
         }
@@ -140,11 +141,11 @@ std::string summary(std::span<const Object> objects, const Project& project, con
     lines.add("summary.parting",
               say("summary.parting_after",
                   {{"level", levels}, {"blocks", std::to_string(packing.space.blocks.x)}}));
-    lines.add("summary.walls", walls_text(fit.wall_mm));
+    lines.add("summary.walls", walls_text(fit));
     for (const Notch& notch : packing.notches) lines.add("summary.notch", notch_text(notch));
     if (made.fit.gap) lines.add("summary.gaps", gap_text(*made.fit.gap));
     if (made.fit.bearing)
-        lines.add_sentence("summary.bears", bearing_text(*made.fit.bearing, project.design));
+        lines.add_sentence("summary.bears", bearing_text(*made.fit.bearing, *packing.foams, project.design));
     for (const Finding& finding : packing.findings)
         lines.add_sentence(label_of(finding.severity), said_of_item(finding));
     lines.add("summary.files",

@@ -2,19 +2,23 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <utility>
 
 #include "snug/base/stopwatch.h"
 #include "snug/check/find_foam_problems.h"
+#include "snug/check/find_item_notes.h"
 #include "snug/check/find_near_items.h"
 #include "snug/check/find_object_problems.h"
+#include "snug/check/stability.h"
 #include "snug/foam/object_cut.h"
 #include "snug/foam/parting.h"
 #include "snug/foam/ribs.h"
 #include "snug/space/place_items.h"
 #include "snug/space/space_for.h"
+#include "snug/space/tray.h"
 
 namespace snug {
 namespace {
@@ -54,16 +58,30 @@ struct ItemCuts {
     std::vector<HalfCuts> cuts;
 };
 
-Result<ItemCuts> cut_each(std::span<const Object> objects, Packing& packing, KeptDepths* kept,
-                          const Progress& progress) {
+/// `uncovered_layer`: the uppermost of a tray, above which there is no foam to give way; 0: none.
+Result<ItemCuts> cut_each(std::span<const Object> objects, Packing& packing, int uncovered_layer,
+                          KeptDepths* kept, const Progress& progress) {
     Stopwatch watch;
     auto depths = item_depths(objects, packing.items, packing.space, kept, progress);
     if (!depths) return tl::unexpected(depths.error());
     ItemCuts all{std::move(*depths), {}};
     packing.timing.depth_map = watch.lap();
     for (const auto& each : all.depths) all.cuts.push_back(half_cuts(*each, packing.space));
+    for (std::size_t i = 0; i < all.cuts.size(); ++i)
+        if (packing.items[i].layer == uncovered_layer) all.cuts[i].upper.reset();
     packing.timing.block_map = watch.lap();
     return all;
+}
+
+/// Of the uppermost layer of a tray.
+void find_all_tipping(std::span<const Object> objects, const ItemCuts& cuts, Packing& packing) {
+    of_each(packing, [&](std::size_t i, std::vector<Finding>& findings) {
+        Item& item = packing.items[i];
+        if (item.layer != packing.foams->layers()) return;
+        item.tip_deg = tip_angle_deg(cuts.cuts[i].lower, packing.space, packing.foams->parting.back(),
+                                     centre_of_mass(objects[item.object], item.placement));
+        find_tipping(item, item.tip_deg, findings);
+    });
 }
 
 void find_problems(std::span<const Object> objects, const ItemCuts& cuts, const Design& design,
@@ -73,10 +91,12 @@ void find_problems(std::span<const Object> objects, const ItemCuts& cuts, const 
         find_object_problems(objects[item.object], item.placement, packing.space, *cuts.depths[i],
                              cuts.cuts[i], findings);
     });
+    if (packing.foams->open()) find_all_tipping(objects, cuts, packing);
     if (packing.items.size() > 1)
         find_near_items(packing.items, cuts.cuts, packing.space, wanted_between_mm(design.space),
                         packing.findings);
     find_foam_problems(packing, design, packing.findings);
+    find_item_notes(packing.items, packing.findings);
     std::vector<bool> told(objects.size(), false);  // once of each object, however often it lies there
     of_each(packing, [&](std::size_t i, std::vector<Finding>& findings) {
         const Item& item = packing.items[i];
@@ -99,10 +119,12 @@ std::vector<HalfCuts> united_in_layers(const std::vector<Item>& items, const std
     return all;
 }
 
-/// As chosen, or the best one in each layer, the uppermost at the line of the case's lid where it has one.
+/// As chosen, or the best one in each layer, the uppermost at the line of the case's lid where it has one, or
+/// where a tray ends.
 Result<std::vector<int>> parting_levels(const Packing& packing, const std::vector<HalfCuts>& layers,
-                                        const PartingOptions& options) {
+                                        const Design& design) {
     const int nx = packing.space.blocks.x;
+    const PartingOptions& options = design.parting;
     if (options.level && options.level->each.back() > nx)
         return fail(ErrorKind::usage,
                     say("parting.too_high", {{"level", std::to_string(options.level->each.back())},
@@ -111,14 +133,26 @@ Result<std::vector<int>> parting_levels(const Packing& packing, const std::vecto
     std::vector<int> levels(layers.size());
     for (std::size_t i = layers.size(); i-- > 0;) {
         const bool uppermost = i + 1 == layers.size();
-        if (uppermost && packing.fitted_case && packing.fitted_case->lid_level)
+        const std::vector<Item> own = of_layer(packing.items, static_cast<int>(i) + 1);
+        if (uppermost && design.space.open)
+            levels[i] = tray_level(*design.space.open, own, packing.space);
+        else if (uppermost && packing.fitted_case && packing.fitted_case->lid_level)
             levels[i] = *packing.fitted_case->lid_level;
         else
-            levels[i] = auto_parting_level(cut_by_either(layers[i]), packing.space,
-                                           bounds_of(of_layer(packing.items, static_cast<int>(i) + 1)));
+            levels[i] = auto_parting_level(cut_by_either(layers[i]), packing.space, bounds_of(own));
         if (!uppermost) levels[i] = std::min(levels[i], levels[i + 1]);
     }
     return levels;
+}
+
+/// What a layer of items loses. In a tray the foam below the uppermost alone gives way, and none of it stands
+/// above its surface.
+BlockMap cut_of_layer(const HalfCuts& cuts, int level, bool uncovered) {
+    BlockMap blocks = cut_by_both(cuts, level);
+    if (!uncovered) return blocks;
+    for (CutRun& run : blocks)
+        if (!run.none()) run.first = std::min(run.first, static_cast<std::int16_t>(level));
+    return blocks;
 }
 
 /// What a finding about a whole layer is of; empty where there is no other.
@@ -152,7 +186,8 @@ void cut_layers(Packing& packing, const Design& design, const std::vector<HalfCu
                 std::vector<int> parting) {
     int under = 0;
     for (std::size_t i = 0; i < layers.size(); ++i) {
-        BlockMap layer = cut_by_both(layers[i], parting[i]);
+        const bool uncovered = design.space.open && i + 1 == layers.size();
+        BlockMap layer = cut_of_layer(layers[i], parting[i], uncovered);
         cut_for_hands(packing, design, layer, {parting[i], under}, static_cast<int>(i) + 1);
         under = parting[i];
         for (const CutRun cut : layer)
@@ -160,6 +195,7 @@ void cut_layers(Packing& packing, const Design& design, const std::vector<HalfCu
         packing.layers.push_back(std::move(layer));
     }
     packing.foams = split(packing.layers, std::move(parting), packing.available);
+    if (design.space.open) packing.foams = without_lid(std::move(*packing.foams));
 }
 
 void add_findings(const std::vector<Finding>& more, std::vector<Finding>& findings) {
@@ -187,12 +223,14 @@ Result<Packing> pack(std::span<const Object> objects, const Design& design, cons
     });
     if (!packing->findings.empty()) return packing;
 
-    const auto items = cut_each(objects, *packing, kept, part_of(progress, 0.4, 1));
+    const int layer_count = layers_of(design);
+    const auto items =
+        cut_each(objects, *packing, design.space.open ? layer_count : 0, kept, part_of(progress, 0.4, 1));
     if (!items) return tl::unexpected(items.error());
 
     Stopwatch watch;
-    const std::vector<HalfCuts> layers = united_in_layers(packing->items, items->cuts, layers_of(design));
-    auto parting = parting_levels(*packing, layers, design.parting);
+    const std::vector<HalfCuts> layers = united_in_layers(packing->items, items->cuts, layer_count);
+    auto parting = parting_levels(*packing, layers, design);
     if (!parting) return tl::unexpected(parting.error());
     cut_layers(*packing, design, layers, std::move(*parting));
     packing->timing.foam_pair = watch.lap();
@@ -211,6 +249,7 @@ Result<Made> make(std::span<Object> objects, Project& project, const Tools& tool
     made.language = tools.language;
     take_over_one_item(project);
     Design& design = project.design;
+    if (tools.search && design.space.open) return fail(ErrorKind::usage, say("search.tray"));
     if (tools.search) {
         if (design.items.size() > 1)
             return fail(ErrorKind::usage,

@@ -21,6 +21,10 @@ struct Box3d {
         return std::max({s.x, s.y, s.z});
     }
 
+    [[nodiscard]] constexpr bool contains(Vec3d p) const {
+        return min.x <= p.x && p.x <= max.x && min.y <= p.y && p.y <= max.y && min.z <= p.z && p.z <= max.z;
+    }
+
     constexpr void include(Vec3d p) {
         min = {std::min(min.x, p.x), std::min(min.y, p.y), std::min(min.z, p.z)};
         max = {std::max(max.x, p.x), std::max(max.y, p.y), std::max(max.z, p.z)};

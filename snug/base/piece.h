@@ -4,8 +4,9 @@
 
 namespace snug {
 
-/// One piece of the foams, counted from below: of L layers there are L + 1. All but the uppermost lie as the
-/// lower half does, so that what lies on them is laid in from above.
+/// One piece of the foams, counted from below: L layers lie between L + 1. All but the uppermost lie as the
+/// lower half does, so that what lies on them is laid in from above. A tray leaves the uppermost out, and
+/// counts it all the same.
 struct Piece {
     int index = 0;
     int count = 2;

@@ -93,8 +93,9 @@ std::optional<double> static_pressure_kpa(double mass_kg, double area_mm2) {
     return mass_kg * kStandardGravity / area_mm2 * 1e3;
 }
 
-void find_bearing_problems(const BearingReport& bearing, Piece below, std::optional<double> mass_kg,
-                           std::optional<double> creep_kpa, std::vector<Finding>& findings) {
+void find_bearing_problems(const BearingReport& bearing, const Foams& foams, int layer,
+                           std::optional<double> mass_kg, std::optional<double> creep_kpa,
+                           std::vector<Finding>& findings) {
     const auto look = [&](const Message& foam, double area_mm2) {
         const auto warn = [&](Message message) {
             findings.push_back({Severity::warning, std::move(message)});
@@ -109,8 +110,8 @@ void find_bearing_problems(const BearingReport& bearing, Piece below, std::optio
     const auto name = [](Piece piece) {
         return piece_text(piece, "foam.lower", "foam.middle", "foam.upper");
     };
-    look(name(below), bearing.lower_mm2.back());
-    look(name({below.index + 1, below.count}), bearing.upper_mm2.back());
+    look(name(foams.at(layer - 1)), bearing.lower_mm2.back());
+    if (foams.has(foams.at(layer))) look(name(foams.at(layer)), bearing.upper_mm2.back());
     sort_by_severity(findings);
 }
 

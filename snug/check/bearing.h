@@ -37,8 +37,9 @@ struct BearingReport {
 
 /// A half that bears the object on nothing within 5 mm, or with more than the foam bears for long once the
 /// object has sunk 5 mm: `no_bearing`, `creep` (warnings). The lower half carries the object when the case
-/// stands upright, the lid when it is turned over. `below`: the piece that the object lies on.
-void find_bearing_problems(const BearingReport& bearing, Piece below, std::optional<double> mass_kg,
-                           std::optional<double> creep_kpa, std::vector<Finding>& findings);
+/// stands upright, the lid when it is turned over, where there is one. `layer`: where it lies, from 1.
+void find_bearing_problems(const BearingReport& bearing, const Foams& foams, int layer,
+                           std::optional<double> mass_kg, std::optional<double> creep_kpa,
+                           std::vector<Finding>& findings);
 
 }  // namespace snug

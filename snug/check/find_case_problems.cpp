@@ -65,7 +65,8 @@ void find_case_problems(const CaseSpace& fitted, const FitReport& fit, int parti
                         std::vector<Finding>& findings) {
     if (fit.outside_blocks > 0)
         findings.push_back({Severity::danger, say("leaves_case", {{"blocks", fit.outside_blocks}})});
-    if (fitted.lid_level && parting_level == *fitted.lid_level && std::fabs(fitted.lid_off_mm) > kLeastOff)
+    if (!fit.open && fitted.lid_level && parting_level == *fitted.lid_level &&
+        std::fabs(fitted.lid_off_mm) > kLeastOff)
         findings.push_back(
             {Severity::note, say(fitted.lid_off_mm > 0 ? "off_lid_line/above" : "off_lid_line/below",
                                  {{"mm", number(std::fabs(fitted.lid_off_mm), 1)}})});

@@ -18,7 +18,7 @@ void in_either_half(const ObjectDepths& depths, const HalfCuts& cuts, const std:
                     const Look& look) {
     const std::size_t before = findings.size();
     look(depths.lower, cuts.lower);
-    if (depths.upper && findings.size() == before) look(*depths.upper, *cuts.upper);
+    if (depths.upper && cuts.upper && findings.size() == before) look(*depths.upper, *cuts.upper);
 }
 
 void note_mesh(const Object& object, const Placement& placement, const ObjectOptions& options,

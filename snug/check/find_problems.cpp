@@ -211,6 +211,7 @@ void find_thin_walls(const FitReport& fit, std::span<const BlockMap> layers, con
     const Message advice = wall_advice(fit.wall_mm, least, space, choice);
     for (int i = 0; i < 6; ++i) {
         const auto side = static_cast<Side>(i);
+        if (fit.open && side == kRoof) continue;
         const double wall = fit.wall_mm[static_cast<std::size_t>(i)];
         const double wanted = wanted_mm[static_cast<std::size_t>(i)];
         if (wall >= std::max(kLeastGoodWall, wanted)) continue;
@@ -251,7 +252,7 @@ void find_pieces(const FitReport& fit, const SpaceChoice& choice, std::vector<Fi
     const int count = static_cast<int>(fit.pieces.size());
     look({0, count}, "no_lower", "lower_pieces");
     for (int i = 1; i + 1 < count; ++i) look({i, count}, "no_middle", "middle_pieces");
-    look({count - 1, count}, "no_upper", "upper_pieces");
+    if (!fit.open) look({count - 1, count}, "no_upper", "upper_pieces");
 }
 
 void find_parts(const MeshMeasure& measure, const Placement& placement, std::vector<Finding>& findings) {

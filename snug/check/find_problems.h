@@ -33,7 +33,7 @@ void find_uncut_parts(const Mesh& mesh, const MeshMeasure& measure, bool capped,
 
 /// No foam between object and case: `no_floor`, `no_roof`, `touches_case` (danger); below 25 mm:
 /// `thin_floor`, `thin_roof`, `thin_wall`; below the walls that the design wants: `wall_below_wanted`
-/// (warnings). Each says what of the choice would give the walls.
+/// (warnings). Each says what of the choice would give the walls. A tray wants none above.
 void find_thin_walls(const FitReport& fit, std::span<const BlockMap> layers, const DesignSpace& space,
                      const Walls& wanted_mm, const SpaceChoice& choice, std::vector<Finding>& findings);
 

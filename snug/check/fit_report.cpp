@@ -110,6 +110,13 @@ class PieceCounter {
     std::vector<std::pair<int, int>> open_;
 };
 
+long long blocks_below(const Grid<Run>& runs, int level) {
+    const Run below{0, static_cast<std::int16_t>(level)};
+    long long blocks = 0;
+    for (const Run run : runs) blocks += run.common(below).blocks();
+    return blocks;
+}
+
 long long blocks_of(const Grid<Run>& runs) {
     long long blocks = 0;
     for (const Run run : runs) blocks += run.blocks();
@@ -130,8 +137,10 @@ FitReport fit_report(const Foams& foams, std::span<const BlockMap> layers, const
     report.pieces.clear();
     for (const Grid<Run>& kept : foams.pieces)
         report.pieces.push_back({blocks_of(kept), PieceCounter(kept).count()});
-    const long long there = blocks_of(available);
-    report.shortened_blocks = space.block_count() - there;
+    report.open = foams.open();
+    if (report.open) report.pieces.emplace_back();
+    report.shortened_blocks = space.block_count() - blocks_of(available);
+    const long long there = blocks_below(available, report.open ? foams.parting.back() : space.blocks.x);
     report.cut_blocks = there - report.foam_blocks();
     for (const BlockMap& blocks : layers)
         for (std::size_t column = 0; column < blocks.size(); ++column)

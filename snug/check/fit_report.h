@@ -19,13 +19,16 @@ struct PieceFigures {
 
 /// What can be read off the foams without looking at the object again.
 struct FitReport {
-    std::vector<PieceFigures> pieces{2};  ///< the lowest first
+    std::vector<PieceFigures> pieces{2};  ///< the lowest first; a tray's lid, which there is not, has none
+    bool open = false;                    ///< a tray
     long long cut_blocks = 0;
     long long shortened_blocks = 0;  ///< that do not exist because the case is rounded or leans
     long long outside_blocks = 0;    ///< of those, what the object would need
     double foam_mm3 = 0;
-    double fill_ratio = 0;  ///< F: foam volume / volume of all blocks that exist (the paper, section 3.4)
-    std::array<double, 6> wall_mm{};  ///< thinnest foam between the cut and each side, whole blocks
+    double fill_ratio = 0;  ///< F: foam volume / volume of all blocks that exist (the paper, section 3.4), of
+                            ///< a tray below its surface
+    std::array<double, 6> wall_mm{};  ///< thinnest foam between the cut and each side, whole blocks; above
+                                      ///< a tray 0
 
     [[nodiscard]] const PieceFigures& lower() const { return pieces.front(); }
     [[nodiscard]] const PieceFigures& upper() const { return pieces.back(); }

@@ -29,8 +29,7 @@ Result<BearingReport> bearing_of_all(std::span<const Object> objects, Packing& p
         if (!own) return tl::unexpected(own.error());
         add(all, *own);
         std::vector<Finding> findings;
-        find_bearing_problems(*own, packing.foams->at(item.layer - 1), item.mass_kg, design.fit.creep_kpa,
-                              findings);
+        find_bearing_problems(*own, *packing.foams, item.layer, item.mass_kg, design.fit.creep_kpa, findings);
         for (Finding& finding : findings) {
             if (packing.items.size() > 1) finding.of = item.name;
             packing.findings.push_back(std::move(finding));
@@ -39,6 +38,13 @@ Result<BearingReport> bearing_of_all(std::span<const Object> objects, Packing& p
     return all;
 }
 
+/// What is cut of the foam below a level.
+BlockMap below(BlockMap blocks, int level) {
+    for (CutRun& run : blocks) run = run.common({0, static_cast<std::int16_t>(level)});
+    return blocks;
+}
+
+/// Above a tray there is no gap.
 Result<std::vector<GapReport>> gaps_of_layers(std::span<const Object> objects, const Packing& packing,
                                               const Progress& progress) {
     std::vector<GapReport> gaps;
@@ -46,9 +52,11 @@ Result<std::vector<GapReport>> gaps_of_layers(std::span<const Object> objects, c
     for (int i = 0; i < layers; ++i) {
         const PlacedMesh together(objects, of_layer(packing.items, i + 1));
         const auto at = static_cast<std::size_t>(i);
-        auto gap = gap_report(together.mesh(), together.placement(), packing.space, packing.layers[at],
-                              packing.foams->parting[at], together.closed(),
-                              part_of(progress, 1.0 * i / layers, (i + 1.0) / layers));
+        const int parting = packing.foams->parting[at];
+        const bool uncovered = packing.foams->open() && i + 1 == layers;
+        auto gap = gap_report(together.mesh(), together.placement(), packing.space,
+                              uncovered ? below(packing.layers[at], parting) : packing.layers[at], parting,
+                              together.closed(), part_of(progress, 1.0 * i / layers, (i + 1.0) / layers));
         if (!gap) return tl::unexpected(gap.error());
         gaps.push_back(std::move(*gap));
     }

@@ -13,6 +13,8 @@ namespace {
 
 using DesignProblem = std::optional<OptionProblem>;
 
+constexpr double kTrayWall = 25.4;  // mm, an inch
+
 DesignProblem problem_of_clearance(const CutOptions& cut, Vec3d block) {
     const double least = least_clearance_mm(block);
     const Clearance whole = cut.whole_clearance_mm();
@@ -77,7 +79,10 @@ double wanted_between_mm(const SpaceOptions& space) {
 }
 
 Walls wanted_wall_mm(const SpaceOptions& space) {
-    return space.wall_mm.value_or(equal_walls(space.blocks ? 0 : 50));
+    Walls walls = space.wall_mm.value_or(equal_walls(space.blocks ? 0 : space.open ? kTrayWall : 50));
+    if (space.open && !space.wall_mm) walls[0] = kTrayWall;
+    if (space.open) walls[1] = 0;
+    return walls;
 }
 
 double least_clearance_mm(Vec3d block_mm) {

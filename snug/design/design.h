@@ -99,6 +99,9 @@ struct SpaceOptions {
     Vec3d block_mm{15, 15, 22};                       ///< 0.1 to 10,000 an axis
     std::optional<Walls> wall_mm;      ///< least foam on each side; none: 50 where the space is fitted
     std::optional<double> between_mm;  ///< least foam between two items; none: see wanted_between_mm()
+    /// A tray, which has no lid: how deep each item is sunk at least, up to 1 as a share of its height, above
+    /// that in mm; none: foams that close.
+    std::optional<double> open;
     friend bool operator==(const SpaceOptions&, const SpaceOptions&) = default;
 };
 
@@ -152,6 +155,18 @@ void visit_options(Visit& visit, SpaceOptions& space) {
                                     .help = {"Least foam between two items that are of no common group",
                                              "同じグループでない二つのものの間に残すフォームの最小の厚さ"},
                                     .usual = {"a block, at least 12.7", "ブロック一つ、12.7 以上"}});
+    visit.option(
+        space.open,
+        {.json = "open",
+         .flag = "--open",
+         .takes = "SHARE|MM",
+         .range = {.least = 0, .most = kGreatestLength, .above = true},
+         .step = 0.05,
+         .often = 1,
+         .label = {"how deep items are sunk", "沈める深さ"},
+         .help = {"A tray without a lid: items are sunk by this share of their height or, above 1, by so "
+                  "many mm",
+                  "ふたのないトレイ：対象物を高さのこの割合だけ沈めます。1 より大きい値は mm です"}});
 }
 
 struct PlacementOptions {
@@ -313,7 +328,8 @@ void visit_options(Visit& visit, Design& design) {
 }
 
 /// The walls that the design asks for: the chosen ones, or 50 mm (the usual least for parcels) where the
-/// space is fitted to the object, or none.
+/// space is fitted to the object, or none. Of a tray 25.4 mm (as makers of trays do) in place of 50, below it
+/// in any case, and none above.
 [[nodiscard]] Walls wanted_wall_mm(const SpaceOptions& space);
 
 /// The foam that stands between two items: as chosen, or one block along y and z, at least 12.7 mm.

@@ -69,7 +69,13 @@ Foams split(const BlockMap& blocks, const DesignSpace& space, int parting_level)
     return split(blocks, parting_level, all_blocks(space.blocks));
 }
 
+Foams without_lid(Foams foams) {
+    foams.pieces.pop_back();
+    return foams;
+}
+
 Grid<Run> kept_runs(const Foams& foams, Half half, int nx) {
+    if (half == Half::lid && foams.open()) return {foams.pieces.front().ny(), foams.pieces.front().nz()};
     return seen_piece(foams, half == Half::lower ? foams.at(0) : foams.at(foams.layers()), half, nx).kept;
 }
 

@@ -12,7 +12,7 @@
 namespace snug {
 
 /// The pieces of foam (section 3.3 of the paper, for any number of layers), lowest first: L layers of items
-/// lie between L + 1 pieces.
+/// lie between L + 1 pieces. A tray has no uppermost one.
 struct Foams {
     /// The blocks that a piece keeps in each column, counted from -x; {0, 0} where it keeps none. So a piece
     /// is a height field from each of its sides.
@@ -24,13 +24,12 @@ struct Foams {
     [[nodiscard]] const Grid<Run>& piece(Piece piece) const {
         return pieces[static_cast<std::size_t>(piece.index)];
     }
-    /// The lowest or the uppermost.
-    [[nodiscard]] const Grid<Run>& piece(Half half) const {
-        return half == Half::lower ? pieces.front() : pieces.back();
-    }
     [[nodiscard]] int layers() const { return static_cast<int>(parting.size()); }
-    [[nodiscard]] Piece at(int index) const { return {index, static_cast<int>(pieces.size())}; }
-    /// All of them, the lowest first.
+    /// Whether it is a tray: nothing lies on the uppermost layer.
+    [[nodiscard]] bool open() const { return pieces.size() == parting.size(); }
+    [[nodiscard]] Piece at(int index) const { return {index, layers() + 1}; }
+    [[nodiscard]] bool has(Piece piece) const { return !open() || !piece.highest(); }
+    /// All that there are, the lowest first.
     [[nodiscard]] std::vector<Piece> all() const;
 };
 
@@ -40,13 +39,16 @@ struct Foams {
 [[nodiscard]] Foams split(std::span<const BlockMap> layers, std::vector<int> parting,
                           const Grid<Run>& available);
 
+/// A tray: the same without what lies on the uppermost layer.
+[[nodiscard]] Foams without_lid(Foams foams);
+
 /// The two foams of one layer.
 [[nodiscard]] Foams split(const BlockMap& blocks, int parting_level, const Grid<Run>& available);
 /// In a plain box, where all blocks exist.
 [[nodiscard]] Foams split(const BlockMap& blocks, const DesignSpace& space, int parting_level);
 
 /// The blocks that a half keeps in each column of nx blocks, counted from the half's own side (the lower
-/// foam's from -x, the lid's from +x): `end` is how high it reaches.
+/// foam's from -x, the lid's from +x): `end` is how high it reaches. Of a lid that there is not: none.
 [[nodiscard]] Grid<Run> kept_runs(const Foams& foams, Half half, int nx);
 
 /// A piece as it is looked at from one of its sides: `from` Half::lower from +x, Half::lid from -x.

@@ -76,15 +76,20 @@ void sort_parts_by_size(MeshMeasure& result) {
 
 /// By the divergence theorem: tetrahedra over the triangles with their tip in the middle, where they cancel
 /// best.
-double enclosed_volume(const Mesh& mesh, Vec3d middle) {
+void measure_solid(const Mesh& mesh, Vec3d middle, MeshMeasure& result) {
     double sum = 0;
+    Vec3d moment;
     for (const Triangle& t : mesh.triangles) {
         const Vec3d a = vec_cast<double>(mesh.vertices[t[0]]) - middle;
         const Vec3d b = vec_cast<double>(mesh.vertices[t[1]]) - middle;
         const Vec3d c = vec_cast<double>(mesh.vertices[t[2]]) - middle;
-        sum += dot(a, cross(b, c));
+        const double six_volumes = dot(a, cross(b, c));
+        sum += six_volumes;
+        moment = moment + (a + b + c) * six_volumes;
     }
-    return std::fabs(sum) / 6;
+    result.volume = std::fabs(sum) / 6;
+    const Vec3d centre = middle + moment * (1 / (4 * sum));
+    if (result.bounds.contains(centre)) result.centre = centre;
 }
 
 }  // namespace
@@ -99,7 +104,7 @@ MeshMeasure measure(const Mesh& mesh) {
     find_parts_of(mesh, weld, result);
     sort_parts_by_size(result);
     result.watertight = edges.watertight;
-    if (edges.watertight) result.volume = enclosed_volume(mesh, result.bounds.centre());
+    if (edges.watertight) measure_solid(mesh, result.bounds.centre(), result);
     result.holes = boundary_loops(edges.boundary);
     return result;
 }

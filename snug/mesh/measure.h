@@ -26,7 +26,9 @@ struct MeshMeasure {
     Box3d bounds;                  ///< relative to mesh.origin
     bool watertight = false;       ///< there are edges, each used equally often each way
     std::optional<double> volume;  ///< enclosed volume in cubed units of the mesh; none if open
-    std::vector<MeshPart> parts;   ///< largest bounding box (diagonal) first
+    std::optional<Vec3d>
+        centre;  ///< of the enclosed volume, in coordinates of the vertices; none if open or flat
+    std::vector<MeshPart> parts;                  ///< largest bounding box (diagonal) first
     std::vector<std::uint32_t> part_of_triangle;  ///< index into parts
     std::vector<std::vector<std::uint32_t>>
         holes;  ///< boundary loops (see boundary_loops), vertices of welded()

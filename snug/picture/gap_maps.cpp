@@ -182,14 +182,15 @@ double draw_gap_maps(Canvas& canvas, const GapReport& gap, const LayerPieces& pi
     const HalfMap lower(gap, pieces.below, space, true, {left, top + kHeading}, scale, language);
     const HalfMap lid(gap, pieces.above, space, false, {left + width + kBetween, top + kHeading}, scale,
                       language);
-    const double deepest = std::max(lower.deepest(), lid.deepest());
+    const double deepest = std::max(lower.deepest(), pieces.covered ? lid.deepest() : 0);
     for (const HalfMap* map : {&lower, &lid}) {
+        if (map == &lid && !pieces.covered) continue;
         canvas.layer(map == &lower ? "gap-lower" : "gap-lid", kMapStep);
         map->draw_cells(canvas, deepest);
     }
     canvas.layer("gap");
     lower.draw_marks(canvas);
-    lid.draw_marks(canvas);
+    if (pieces.covered) lid.draw_marks(canvas);
     const Vec2d legend{kSide, top + kHeading + size.y * scale + 36};
     const Vec2d second{kPageWidth / 2 + kBetween / 2, legend.y};
     const std::string mm = number(deepest, 1);

@@ -11,6 +11,7 @@ namespace snug {
 /// The pieces around a layer.
 struct LayerPieces {
     Piece below = Half::lower, above = Half::lid;
+    bool covered = true;  ///< not the uppermost of a tray, above which there is no piece
 };
 
 /// Two maps of the gap of a layer, side by side under a drawing of kPageWidth: the piece below as it is seen

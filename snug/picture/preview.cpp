@@ -1,6 +1,7 @@
 #include "snug/picture/preview.h"
 
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <string>
 #include <utility>
@@ -67,7 +68,8 @@ Page page_for(const Extent& extent, double& drawing_height) {
 /// A layer between the pieces around it.
 struct Book {
     OpenedPair pair;
-    PieceScene lower, lid;
+    PieceScene lower;
+    std::optional<PieceScene> lid;  ///< none over a tray
     std::vector<Projected> vertices;
     Page page;
     double height = 0;  ///< px of the drawing
@@ -124,15 +126,14 @@ void draw_caption(Canvas& canvas, const std::vector<std::string>& lines, double 
 
 Book opened_book(const Foams& foams, const DesignSpace& space, int layer, const PreviewLayer& what) {
     const OpenedPair pair = opened(space, foams.parting[static_cast<std::size_t>(layer)]);
-    Book book{pair,
-              piece_scene(foams, foams.at(layer), space, pair, Half::lower),
-              piece_scene(foams, foams.at(layer + 1), space, pair, Half::lid),
-              projected(what.mesh, what.placement, pair),
-              {},
-              0};
+    Book book{pair, piece_scene(foams, foams.at(layer), space, pair, Half::lower),
+              {},   projected(what.mesh, what.placement, pair),
+              {},   0};
+    const Piece above = foams.at(layer + 1);
+    if (foams.has(above)) book.lid = piece_scene(foams, above, space, pair, Half::lid);
     Extent extent;
     extent.include(book.lower);
-    extent.include(book.lid);
+    if (book.lid) extent.include(*book.lid);
     for (const Projected& vertex : book.vertices) extent.include(vertex.at);
     book.page = page_for(extent, book.height);
     return book;
@@ -145,8 +146,9 @@ double room_above(const Book& book, Vec2d back_label, int pieces) {
     const auto meet = [&](Vec2d point) {
         if (point.x < legend.x) highest = std::min(highest, point.y);
     };
-    for (const PieceScene* half : {&book.lower, &book.lid})
-        for (const Face& face : half->faces) meet(book.page.at(face.origin));
+    for (const Face& face : book.lower.faces) meet(book.page.at(face.origin));
+    if (book.lid)
+        for (const Face& face : book.lid->faces) meet(book.page.at(face.origin));
     for (const Projected& vertex : book.vertices) meet(book.page.at(vertex.at));
     meet(back_label - Vec2d{0, 30});
     return std::max(legend.y - highest, std::max(0.0, 40 - back_label.y));
@@ -155,10 +157,12 @@ double room_above(const Book& book, Vec2d back_label, int pieces) {
 void draw_book(Canvas& canvas, const Book& book, const DesignSpace& space,
                std::span<const NumberedPlace> numbered, const ObjectOutlines& outlines) {
     const Page& page = book.page;
-    draw_half(canvas, page, book.lid, Half::lid);
-    draw_hinge(canvas, page, space);
+    if (book.lid) {
+        draw_half(canvas, page, *book.lid, Half::lid);
+        draw_hinge(canvas, page, space);
+        draw_sizes(canvas, page, book.lid->relief, Half::lid, space);
+    }
     draw_half(canvas, page, book.lower, Half::lower);
-    draw_sizes(canvas, page, book.lid.relief, Half::lid, space);
     draw_sizes(canvas, page, book.lower.relief, Half::lower, space);
     draw_back_label(canvas, page, space);
     draw_object(canvas, page, outlines);
@@ -216,13 +220,14 @@ Drawing preview_drawing(const Foams& foams, const DesignSpace& space, std::span<
         draw_book(canvas, book, space, layers[i].numbered, outlines);
     }
     canvas.layer("legend");
-    draw_legend(canvas, kLegendAt, space, static_cast<int>(foams.pieces.size()), with_object, language);
+    draw_legend(canvas, kLegendAt, space, foams, with_object, language);
     draw_axes(canvas, axes);
     draw_caption(canvas, lines, drawing_end + 18);
     for (std::size_t i = 0; i < layers.size(); ++i) {
         if (!layers[i].gap) continue;
         const auto layer = static_cast<int>(i);
-        end += draw_gap_maps(canvas, *layers[i].gap, {foams.at(layer), foams.at(layer + 1)}, space, end,
+        end += draw_gap_maps(canvas, *layers[i].gap,
+                             {foams.at(layer), foams.at(layer + 1), books[i].lid.has_value()}, space, end,
                              language);
     }
     return canvas.finish({kPageWidth, end});

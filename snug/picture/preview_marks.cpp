@@ -165,7 +165,7 @@ Vec2d legend_size(int pieces) {
     return {380, 130 + kLegendLine * (pieces - 2)};
 }
 
-void draw_legend(Canvas& canvas, Vec2d at, const DesignSpace& space, int pieces, bool with_object,
+void draw_legend(Canvas& canvas, Vec2d at, const DesignSpace& space, const Foams& foams, bool with_object,
                  Language language) {
     const auto entry = [&](Color swatch, const std::optional<Stroke>& edge, const Message& name,
                            const Message& explanation) {
@@ -174,13 +174,15 @@ void draw_legend(Canvas& canvas, Vec2d at, const DesignSpace& space, int pieces,
         at.y += kLegendLine;
     };
     entry(kLowerBlue, {}, say("mark.lower"), say("preview.lower"));
-    for (int i = 1; i + 1 < pieces; ++i)
-        entry(kMiddleGreen, {}, marked_piece({i, pieces}), say("preview.middle"));
-    entry(kUpperOrange, {}, say("mark.lid"), say("preview.lid"));
+    for (const Piece piece : foams.all())
+        if (piece.middle()) entry(kMiddleGreen, {}, marked_piece(piece), say("preview.middle"));
+    if (!foams.open()) entry(kUpperOrange, {}, say("mark.lid"), say("preview.lid"));
     if (with_object) entry(kWhite, kObjectSwatchStroke, say("preview.object"), say("preview.object_lies"));
-    const Vec3d size = space.size();
-    canvas.text(at + Vec2d{0, 15}, 15, kAxisText,
-                text(say("preview.closed", {{"size", dimensions(size)}}), language));
+    Vec3d size = space.size();
+    if (foams.open()) size.x = foams.parting.back() * space.block_mm.x;
+    canvas.text(
+        at + Vec2d{0, 15}, 15, kAxisText,
+        text(say(foams.open() ? "preview.tray" : "preview.closed", {{"size", dimensions(size)}}), language));
 }
 
 }  // namespace snug

@@ -39,8 +39,9 @@ void draw_axes(Canvas& canvas, Vec2d at);
 /// What the legend may cover from `at`.
 [[nodiscard]] Vec2d legend_size(int pieces);  // px
 
-/// What the colours of so many pieces mean and the closed box's size; `at` is its upper left corner.
-void draw_legend(Canvas& canvas, Vec2d at, const DesignSpace& space, int pieces, bool with_object,
+/// What the colours of the pieces mean and the size of the closed box or of the tray; `at` is its upper left
+/// corner.
+void draw_legend(Canvas& canvas, Vec2d at, const DesignSpace& space, const Foams& foams, bool with_object,
                  Language language);
 
 }  // namespace snug

@@ -129,7 +129,7 @@ Result<CaseSpace> case_space(const CaseOptions& options, Vec3d block_mm) {
     return fitted;
 }
 
-std::vector<Filler> fillers(const CaseSpace& fitted, int parting_level) {
+std::vector<Filler> fillers(const CaseSpace& fitted, int parting_level, bool open) {
     const Vec3d rest = fitted.rest_mm, free = fitted.free.size(), foam = fitted.space.size();
     std::vector<Filler> list;
     if (rest.x > 0)
@@ -140,6 +140,7 @@ std::vector<Filler> fillers(const CaseSpace& fitted, int parting_level) {
         if (rest.y > 0) list.push_back({kFront, lid, {height, rest.y, free.z}});
         if (rest.z > 0) list.push_back({kRight, lid, {height, foam.y, rest.z}});
     }
+    if (open) std::erase_if(list, [](const Filler& filler) { return filler.lid; });
     return list;
 }
 

@@ -38,8 +38,9 @@ struct Filler {
 };
 
 /// All fillers for foams that part at this level. Together with the blocks they fill the case without its
-/// play, and each belongs to one half. Where the case is rounded or leans, they are trimmed to it.
-[[nodiscard]] std::vector<Filler> fillers(const CaseSpace& fitted, int parting_level);
+/// play, and each belongs to one half. Where the case is rounded or leans, they are trimmed to it. `open`: of
+/// a tray, without those of the lid.
+[[nodiscard]] std::vector<Filler> fillers(const CaseSpace& fitted, int parting_level, bool open = false);
 
 /// Whether rounded corners or leaning walls may keep blocks out of the case.
 [[nodiscard]] bool has_shape(const CaseOptions& options);

@@ -2,6 +2,12 @@
 
 namespace snug {
 
+void move(Item& item, Vec3d by) {
+    item.offset_mm = item.offset_mm + by;
+    item.placement.shift = item.placement.shift + by;
+    item.placement.bounds = {item.placement.bounds.min + by, item.placement.bounds.max + by};
+}
+
 Box3d room_of(const Item& item) {
     return grown(item.placement.bounds, item.cut.whole_clearance_mm());
 }

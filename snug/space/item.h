@@ -22,7 +22,11 @@ struct Item {
     CutOptions cut;
     std::optional<double> mass_kg;
     Placement placement;
+    std::optional<double> tip_deg = {};  ///< in a tray, how far it may be tilted, see tip_angle_deg()
 };
+
+/// Shifts it by so many mm.
+void move(Item& item, Vec3d by);
 
 /// What an item takes up with its clearance; and what all of them take up together.
 [[nodiscard]] Box3d room_of(const Item& item);

@@ -6,17 +6,13 @@
 #include <string>
 #include <utility>
 
+#include "snug/space/case_space.h"
 #include "snug/space/fitted_space.h"
 #include "snug/space/place_object.h"
+#include "snug/space/tray.h"
 
 namespace snug {
 namespace {
-
-void move(Item& item, Vec3d by) {
-    item.offset_mm = item.offset_mm + by;
-    item.placement.shift = item.placement.shift + by;
-    item.placement.bounds = {item.placement.bounds.min + by, item.placement.bounds.max + by};
-}
 
 Result<Item> placed(std::span<const Object> objects, const ItemOptions& options, const Design& design,
                     Vec3d walls_shift, const Progress& progress) {
@@ -102,6 +98,7 @@ void place_beside_each_other(std::vector<Item>& items, const Design& design, Vec
         layers.push_back(without_a_place(items, design, layer));
         stand_in_a_row(layers.back(), design.space, middle.z);
     }
+    if (design.space.open) sink_alike(*design.space.open, layers.back());
     if (layers.size() > 1) stack(layers, design.space, middle.x);
 }
 
@@ -109,6 +106,29 @@ void place_beside_each_other(std::vector<Item>& items, const Design& design, Vec
 void centre(std::vector<Item>& items, Vec3d middle) {
     const Vec3d by = middle - room_of(items).centre();
     for (Item& item : items) move(item, by);
+}
+
+/// The design's own blocks or those of its case.
+Result<DesignSpace> given_space(const Design& design) {
+    if (!design.case_options.inside_mm) return DesignSpace{*design.space.blocks, design.space.block_mm};
+    const auto fitted = case_space(design.case_options, design.space.block_mm);
+    if (!fitted) return tl::unexpected(fitted.error());
+    return fitted->space;
+}
+
+/// In a tray of a given height items stand on its floor, those without a place of their own.
+Result<void> stand_in_tray(std::vector<Item>& items, const Design& design) {
+    std::vector<Item> loose;
+    for (std::size_t i = 0; i < items.size(); ++i)
+        if (!design.items[i].offset_mm) loose.push_back(items[i]);
+    if (loose.empty()) return {};
+    const auto space = given_space(design);
+    if (!space) return tl::unexpected(space.error());
+    const double floor = wanted_wall_mm(design.space)[0];
+    const double by = rise_to_floor(loose, space->face(0, 0), floor, space->block_mm.x);
+    for (std::size_t i = 0; i < items.size(); ++i)
+        if (!design.items[i].offset_mm) move(items[i], {by + design.placement.offset_mm.x, 0, 0});
+    return {};
 }
 
 /// Findings must tell items of one name apart: by their numbers, as the report has them.
@@ -133,10 +153,14 @@ Result<std::vector<Item>> place_items(std::span<const Object> objects, const Des
         if (!item) return tl::unexpected(item.error());
         items.push_back(std::move(*item));
     }
-    if (items.size() == 1) return items;
-    number_equal_names(items);
-    place_beside_each_other(items, design, design.placement.offset_mm + walls);
-    if (!design.space.blocks && !in_case) centre(items, walls);
+    const bool fitted = !design.space.blocks && !in_case;
+    if (items.size() > 1) {
+        number_equal_names(items);
+        place_beside_each_other(items, design, design.placement.offset_mm + walls);
+        if (fitted) centre(items, walls);
+    }
+    if (design.space.open && !fitted)
+        if (auto done = stand_in_tray(items, design); !done) return tl::unexpected(done.error());
     return items;
 }
 

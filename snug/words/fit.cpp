@@ -30,6 +30,20 @@ constexpr Wording kWordsOfFit[] = {
      "whether they run into each other",
      "{one} と {other} は同じくぼみに入り、外接する箱が {size} mm 重なっています。互いにぶつからないか、図で"
      "確かめてください。"},
+    {"tips_out",
+     "rolls out over the rim of its pocket when the tray is tilted by {degrees} degrees: sink it deeper "
+     "({option}), or carry the tray level",
+     "トレイを {degrees} "
+     "度傾けると、くぼみの縁を越えて転がり出ます。もっと深く沈めるか（{option}）、トレイを水平"
+     "に運んでください。"},
+    {"heavy_above", "{one} ({kg} kg) lies above {other} ({lighter_kg} kg): heavy items belong below",
+     "{one}（{kg} kg）が {other}（{lighter_kg} kg）の上にあります。重いものは下の段に置いてください。"},
+    {"mixed_up",
+     "{one} and {other} are so alike in size that either may be laid into the other's pocket: mark both, or "
+     "turn "
+     "one",
+     "{one} と {other} は大きさがほぼ同じで、互いのくぼみに入ってしまうおそれがあります。両方に印を付けるか、"
+     "一方の向きを変えてください。"},
     {"items_near",
      "between {one} and {other} stand only {distance} mm of foam, and {between} mm are wanted: shift one of "
      "them by {shift} mm along y or z, give both one group if they may share a pocket, or ask for less "
@@ -60,6 +74,9 @@ constexpr Wording kWordsOfFit[] = {
      "その上の段の番号を一つずつ下げてください。"},
     {"items.no_object", "there is an item of object {number}, but only {objects} of them, counted from 0",
      "対象物 {number} のものがありますが、対象物は {objects} 個しかありません（0 から数えます）。"},
+    {"search.tray",
+     "a search looks for foams that close, and this is a tray (--open): place its items yourself",
+     "探索は閉じるフォームを対象とします。トレイ（--open）では、置き方を自分で決めてください"},
     {"search.one_item", "a search takes one object, and here lie {items}: place them yourself ({example})",
      "探索できる対象物は一つだけですが、ここには {items} 個あります。自分で置いてください"
      "（{example}）。"},

@@ -69,6 +69,44 @@ constexpr Wording kWordsOfPackingSheet[] = {
      "must meet all round without force. Never press the lid with the case's cover.",
      "ふたのくぼみを下に向け、BACK どうし、印のある角どうしを合わせて、手でかぶせます。力を入れなくて"
      "も、縁は全周で合うはずです。ケースのふたで押さえつけないでください。"},
+    {"packing.leave_open",
+     "This is a tray: no foam lies on it, and it protects nothing when it is turned over or dropped. Carry "
+     "it "
+     "level, and keep what covers it off the items.",
+     "これはふたのないトレイです。上にフォームはなく、裏返したり落としたりすると中のものを守れません。水平に"
+     "運び、覆うものが中のものに触れないようにしてください。"},
+    {"packing.unpack_open",
+     "To unpack, lift it out by hand where fingers fit beside it: {places,}. Never by a thin or projecting "
+     "part.",
+     "取り出すときは、脇に指の入る所（{places,}）から手で取り出します。細い部分や突き出た部分を持たないで"
+     "ください。"},
+    {"packing.unpack_open_items",
+     "To unpack, lift each item by hand where the list below says that fingers fit beside it, or where it "
+     "stands out of the foam. Where neither will do, lay two ribbons across its cavity before the item, "
+     "their "
+     "ends outside, and lift by them. Never by a thin or projecting part.",
+     "取り出すときは、一つずつ、下の一覧で指の入る所か、フォームから出ている所を手で持って取り出します。どち"
+     "らもないものは、納める前にくぼみへリボンを 2 本、端を外に出して渡しておき、それを持って取り出します。"
+     "細い部分や突き出た部分を持たないでください。"},
+    {"packing.unpack_open_layers",
+     "To unpack go the other way round, layer by layer: lift each item of the uppermost layer by hand where "
+     "the list below says that fingers fit beside it or where it stands out of the foam, and the foam under "
+     "them only when it is empty. Where fingers fit nowhere, lay two ribbons across the cavity before the "
+     "item, their ends outside, and lift by them. Never by a thin or projecting part. Slit sponge is lifted "
+     "on "
+     "a board that does not bend.",
+     "取り出すときは逆の順に、段ごとに行います。一番上の段のものを一つずつ、下の一覧で指の入る所か、フォーム"
+     "から出ている所を手で持って取り出します。その下のフォームは、空になってから持ち上げます。指の入る所がな"
+     "い"
+     "ものは、納める前にくぼみへリボンを 2 本、端を外に出して渡しておき、それを持って取り出します。細い部分や"
+     "突き出た部分を持たないでください。スリットスポンジは、曲がらない板に載せて持ち上げます。"},
+    {"packing.unpack_open_ribbons",
+     "To unpack, take hold of it where it stands out of the foam. No side leaves the {mm} mm that a finger "
+     "wants (widest: {widest}): where it stands out too little, lay two ribbons across the tray before the "
+     "object, their ends outside, and lift by them.",
+     "取り出すときは、フォームから出ている所を持ちます。指を入れるのに要る {mm} mm のすきまは、どの側にもあ"
+     "りません（最も広い所：{widest}）。出ている所が少ないときは、対象物を納める前に、リボンを 2 本、端を外"
+     "に出してトレイに渡しておき、それを持って取り出します。"},
     {"packing.unpack",
      "To unpack, lift the lid straight up first. Lift out by hand where fingers fit beside the "
      "object: {places,}. Never by a thin or projecting part.",
@@ -96,6 +134,9 @@ constexpr Wording kWordsOfPackingSheet[] = {
     {"packing.what", "What it is", "内容"},
     {"packing.object_of", "{name}, {size} mm, {kg} kg", "{name}、{size} mm、{kg} kg"},
     {"packing.object_unweighed", "{name}, {size} mm, weight not given", "{name}、{size} mm、重さの指定なし"},
+    {"packing.tray", "Tray", "トレイ"},
+    {"packing.walls_of_tray", "floor {floor} · back {back} · front {front} · left {left} · right {right} mm",
+     "底 {floor} · 奥 {back} · 手前 {front} · 左 {left} · 右 {right} mm"},
     {"packing.closed", "Foam, closed", "閉じた大きさ"},
     {"packing.closed_of", "{size} mm (x upward, y from BACK, z across)",
      "{size} mm（x：上へ、y：奥から手前へ、z：左右）"},
@@ -105,6 +146,9 @@ constexpr Wording kWordsOfPackingSheet[] = {
     {"packing.foam_weighs", "{litres} litres, {kg} kg", "{litres} リットル、{kg} kg"},
     {"packing.foam_and_object", "{litres} litres, {kg} kg; with the object {all_kg} kg, without the case",
      "{litres} リットル、{kg} kg。対象物を含めて {all_kg} kg（ケースを除く）"},
+    {"packing.pieces", "To lift", "持ち上げる重さ"},
+    {"packing.pieces_of", "{pieces,}", "{pieces,}"},
+    {"packing.piece_weighs", "{piece} {kg} kg", "{piece} {kg} kg"},
     {"packing.material", "Material", "材料"},
     {"packing.material_of", "{litres} litres, {cost}", "{litres} リットル、{cost}"},
     {"packing.know", "What to know", "注意点"},
@@ -125,6 +169,22 @@ constexpr Wording kWordsOfPackingSheet[] = {
      "conservator; put tissue or film between where in doubt.",
      "収蔵品のそばに置く材料：ガス、可塑剤、粉、色移り、燃えやすさ。保存の専門家に相談し、不安があれ"
      "ば薄葉紙やフィルムを間に挟んでください。"},
+    {"packing.record", "To fill in by hand", "記入欄"},
+    {"packing.record_in", "Packed", "梱包時"},
+    {"packing.record_out", "Unpacked", "開梱時"},
+    {"packing.record_count", "Items counted, of {items}", "点数（全 {items} 点）"},
+    {"packing.record_condition", "Condition, damage", "状態・損傷"},
+    {"packing.record_name", "Name", "氏名"},
+    {"packing.record_date", "Date", "日付"},
+    {"packing.record_gross", "Gross mass with the case, kg", "総重量（ケースを含む）、kg"},
+    {"packing.record_gross_of", "Gross mass with the case, kg (content {kg})",
+     "総重量（ケースを含む）、kg（中身 {kg}）"},
+    {"packing.record_parts", "Parts taken off, and where they are", "外した部品と、その置き場所"},
+    {"packing.record_carrier", "Batteries, liquids (carrier rules not checked)",
+     "電池・液体（運送会社の規則は確かめていません）"},
+    {"packing.record_spare", "Spare foam in the case", "ケースに入れた予備のフォーム"},
+    {"packing.record_up", "Mark the case like this on two sides: the lower foam lies below.",
+     "下のフォームが下になる向きで、ケースの二つの面にこの印を付けてください。"},
     {"packing.unchecked_model",
      "The model itself: whether it is the object's true size and shape, as it is today.",
      "モデル自体：対象物の現在の大きさと形に合っているか。"},

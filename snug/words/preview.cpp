@@ -20,6 +20,7 @@ constexpr Wording kWordsOfPreview[] = {
     {"preview.object", "OBJECT", "対象物"},
     {"preview.object_lies", "as it lies in the lower foam", "下のフォームに収まる位置"},
     {"preview.closed", "closed: {size} mm (x, y, z)", "閉じたとき：{size} mm（x, y, z）"},
+    {"preview.tray", "tray: {size} mm (x, y, z)", "トレイ：{size} mm（x, y, z）"},
     {"gap.lower", "Gap of the LOWER foam{ring}", "下（LOWER）のすきま{ring}"},
     {"gap.middle", "Gap of {piece}{ring}", "{piece}のすきま{ring}"},
     {"gap.lid", "Gap of the LID{ring}", "ふた（LID）のすきま{ring}"},

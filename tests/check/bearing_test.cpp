@@ -48,9 +48,9 @@ TEST(Bearing, OfASphereOnFineFoamIsItsWholeShadowOnceItSankThroughOneBlock) {
     for (std::size_t i = 0; i < 3; ++i)
         EXPECT_NEAR(report->lower_mm2[i], report->upper_mm2[i], 0.01 * shadow);
     std::vector<Finding> findings;
-    find_bearing_problems(*report, Half::lower, 0.5, 17.2, findings);
+    find_bearing_problems(*report, *packing->foams, 1, 0.5, 17.2, findings);
     EXPECT_TRUE(findings.empty());
-    find_bearing_problems(*report, Half::lower, 50, 17.2, findings);
+    find_bearing_problems(*report, *packing->foams, 1, 50, 17.2, findings);
     ASSERT_EQ(findings.size(), 2u) << "50 kg on 50 cm2";
     EXPECT_EQ(findings[0].code(), "creep");
 }

@@ -13,15 +13,15 @@
 namespace snug {
 namespace {
 
-struct Surface {
+struct SampledSurface {
     std::vector<Vec3d> vertices;
     std::vector<Triangle> triangles;
 };
 
 /// Random rings of vertices, joined to a torus: it crosses itself freely. Vertices snap to lines, or to y and
 /// z that lines have, or to column faces, to provoke ties.
-Surface random_closed_surface(test::Random& random, const DesignSpace& space) {
-    Surface s;
+SampledSurface random_closed_surface(test::Random& random, const DesignSpace& space) {
+    SampledSurface s;
     const int rings = random.integer(2, 6), around = random.integer(3, 9);
     const auto snapped = [&](int axis) {
         const double cell = space.block_mm[axis] / (random.chance(0.5) ? 256 : 1);
@@ -77,7 +77,7 @@ TEST(LineLattice, LinesThroughAClosedSurfaceComeOutAgain) {
         SCOPED_TRACE(seed);
         test::Random random(seed);
         const DesignSpace space = random_space(random);
-        const Surface s = random_closed_surface(random, space);
+        const SampledSurface s = random_closed_surface(random, space);
         const auto swept =
             sweep_lines(LineLattice(space), s.vertices, s.triangles, [&](const LineBand& band) {
                 for (int row = band.first_row; row < band.end_row(); ++row) {
@@ -115,7 +115,7 @@ TEST(LineLattice, CoarserLinesDivideTheSpaceAndStandInTheirCells) {
 /// What the sweep finds on each line, in the order in which it shows them.
 using LineCrossings = std::vector<std::tuple<int, int, double, int>>;
 
-LineCrossings swept_crossings(const LineLattice& lattice, const Surface& s, std::size_t most_hits,
+LineCrossings swept_crossings(const LineLattice& lattice, const SampledSurface& s, std::size_t most_hits,
                               std::size_t& largest_band) {
     LineCrossings found;
     int next_row = 0;
@@ -143,7 +143,7 @@ TEST(LineHits, TheSweepFindsWhatTryingEveryLineFindsHoweverItIsDivided) {
         test::Random random(seed);
         const DesignSpace space = random_space(random);
         const LineLattice lattice(space, seed < 110 ? LineLattice::kFinest : random.integer(12, 19));
-        const Surface s = random_closed_surface(random, space);
+        const SampledSurface s = random_closed_surface(random, space);
         std::vector<SnappedVertex> v;
         for (const Vec3d& p : s.vertices) v.push_back(lattice.snap(p));
         LineCrossings expected;

@@ -45,7 +45,7 @@ class TraysTest(unittest.TestCase):
         for share, item in zip(sunk, report["items"]):
             low, high = item["box_mm"][0][0], item["box_mm"][1][0]
             self.assertAlmostEqual(share, 0.5, delta=0.5 / (high - low) + 1e-6)
-        rows = list(csv.DictReader((out / "depths.csv").open()))
+        rows = list(csv.DictReader((out / "depths.csv").read_text().splitlines()))
         self.assertTrue(all(int(row["upper_blocks"]) == 0 for row in rows))
         self.assertEqual(max(int(row["lower_blocks"]) for row in rows), report["foam"]["parting_level"])
         self.assertFalse((out / "upper.stl").exists())
@@ -67,7 +67,7 @@ class TraysTest(unittest.TestCase):
         self.assertLess(self.surface(report), 60)
 
     def test_every_way_makes_it(self):
-        presets = {"bricks": ["--block-size=8x8x8"], "mill": ["--preset=mill", "--flute=200"], "mould": ["--preset=cast"]}
+        presets = {"bricks": ["--preset=lego-brick"], "mill": ["--preset=mill", "--flute=200"], "mould": ["--preset=cast"]}
         for way in ("sponge", "sheets", "print", "mill", "mould", "bricks"):
             with self.subTest(way):
                 out, report, _ = self.make("torus.stl:longest=60", "--units=mm", "--blocks=auto", "--wall=16", "--open=0.5",
@@ -95,7 +95,7 @@ class TraysTest(unittest.TestCase):
         for wrong in ("0", "-1", "nan", "deep"):
             done = self.snug("make", "torus.stl", "--units=mm", f"--open={wrong}", "-o", self.work / "none")
             self.assertEqual(done.returncode, 1, wrong)
-            self.assertIn("--open", done.stderr)
+            self.assertTrue("--open" in done.stderr or "how deep items are sunk" in done.stderr, done.stderr)
         done = self.snug("make", "torus.stl", "--units=mm", "--open=0.5", "--optimize", "-o", self.work / "none")
         self.assertEqual(done.returncode, 1)
         self.assertIn("--open", done.stderr)

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <utility>
@@ -78,6 +79,8 @@ Kit random_kit(Random& random) {
         design.items.push_back(item);
     }
     put_in_layers(random, row, design);
+    if (random.chance(0.3))
+        design.space.open = random.chance(0.7) ? random.between(0.1, 1) : random.between(2, 60);
     if (!row && random.chance(0.4)) {
         design.case_options.inside_mm = Vec3d{300, 700, 725};
         design.case_options.lid_mm = random.between(40, 150);
@@ -138,13 +141,48 @@ bool said_to_be_near(const Packing& packing, const std::string& one, const std::
 /// Kept, cut and missing blocks are all that there are, and solids hold what is kept.
 void expect_nothing_lost(const Packing& packing) {
     const FitReport& fit = packing.fit;
-    EXPECT_EQ(fit.foam_blocks() + fit.cut_blocks + fit.shortened_blocks, packing.space.block_count());
+    long long above = 0;  // a tray, where nothing is cut and nothing kept
+    if (packing.foams->open())
+        for (const Run there : packing.available)
+            above += there.blocks() -
+                     there.common({0, static_cast<std::int16_t>(packing.foams->parting.back())}).blocks();
+    EXPECT_EQ(fit.foam_blocks() + fit.cut_blocks + fit.shortened_blocks + above, packing.space.block_count());
     for (const Piece piece : packing.foams->all())
         test::expect_solid_of(*packing.foams, piece, packing.space);
 }
 
+/// Whose foam ends at its surface, at the lowest block that an item cuts, or where no block exists; lower
+/// only where hands reach in or ribs stood. `cut`: by the uppermost layer.
+void expect_tray(const Packing& packing, const Design& design, const Blocks& cut) {
+    const int level = packing.foams->parting.back();
+    double surface = -1e9;
+    for (const Item& item : packing.items) {
+        if (item.layer != packing.foams->layers()) continue;
+        const Box3d& box = item.placement.bounds;
+        const double open = *design.space.open, height = box.max.x - box.min.x;
+        surface = std::max(surface, box.min.x + (open <= 1 ? open * height : std::min(open, height)));
+    }
+    const double block = packing.space.block_mm.x, at = level * block - packing.space.blocks.x * block / 2;
+    if (level > 1 && level < packing.space.blocks.x) {
+        EXPECT_LE(std::fabs(at - surface), block / 2 + 1e-9);
+    }
+    const Grid<Run>& kept = packing.foams->pieces.back();
+    const bool exact = packing.notches.empty() && packing.rib_blocks == 0;
+    for (int j = 0; j < kept.ny(); ++j)
+        for (int k = 0; k < kept.nz(); ++k) {
+            int end = 0;
+            while (end < level && !cut.cut(end, j, k)) ++end;
+            end = std::min<int>(end, packing.available(j, k).end);
+            if (kept(j, k).none()) continue;
+            ASSERT_LE(kept(j, k).end, end);
+            if (exact) {
+                ASSERT_EQ(kept(j, k).end, end);
+            }
+        }
+}
+
 TEST(Kits, EveryItemHasItsRoomComesOutAndStandsFarEnoughFromOthers) {
-    int packed = 0, near = 0, far = 0, rows = 0, in_cases = 0, in_layers = 0;
+    int packed = 0, near = 0, far = 0, rows = 0, in_cases = 0, in_layers = 0, trays = 0;
     const int kits = test::cases(166, 30);
     for (int seed = 0; seed < kits; ++seed) {
         SCOPED_TRACE(seed);
@@ -169,7 +207,9 @@ TEST(Kits, EveryItemHasItsRoomComesOutAndStandsFarEnoughFromOthers) {
                 return test::brute_force_cut(triangles, packing->space, own, design->cut.cut_on_touch);
             };
             Blocks own = cut(item.cut.clearance_mm.lower);
-            const Blocks upper = cut(item.cut.clearance_mm.upper);
+            // Above the uppermost layer of a tray there is no foam to give way.
+            const bool uncovered = packing->foams->open() && item.layer == static_cast<int>(layers);
+            const Blocks upper = uncovered ? own : cut(item.cut.clearance_mm.upper);
             include(below[static_cast<std::size_t>(item.layer) - 1], own, n);
             include(above[static_cast<std::size_t>(item.layer) - 1], upper, n);
             ends.push_back({columns_of(own, n), columns_of(upper, n)});
@@ -180,6 +220,8 @@ TEST(Kits, EveryItemHasItsRoomComesOutAndStandsFarEnoughFromOthers) {
         ASSERT_EQ(broken.in_room, 0);
         ASSERT_EQ(broken.in_the_way, 0);
         expect_nothing_lost(*packing);
+        trays += packing->foams->open();
+        if (packing->foams->open()) expect_tray(*packing, *design, below.back());
 
         const double wanted = wanted_between_mm(design->space);
         for (std::size_t a = 0; a < columns.size(); ++a)
@@ -209,6 +251,7 @@ TEST(Kits, EveryItemHasItsRoomComesOutAndStandsFarEnoughFromOthers) {
     EXPECT_GT(rows, kits / 6);
     EXPECT_GT(in_cases, 0);
     EXPECT_GT(in_layers, kits / 4);
+    EXPECT_GT(trays, kits / 10);
 }
 
 TEST(Kits, ARowCutsWhatTheSameItemsCutWherePutByHand) {

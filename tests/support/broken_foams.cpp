@@ -29,6 +29,7 @@ Broken broken_by(const Packing& packing, const Blocks& below, const Blocks& abov
 Broken broken_by(const Packing& packing, const std::vector<Blocks>& below, const std::vector<Blocks>& above) {
     const Vec3i n = packing.space.blocks;
     const auto layers = static_cast<int>(below.size());
+    const auto pieces = static_cast<int>(packing.foams->pieces.size());
     Broken broken;
     for (int j = 0; j < n.y; ++j)
         for (int k = 0; k < n.z; ++k) {
@@ -37,7 +38,7 @@ Broken broken_by(const Packing& packing, const std::vector<Blocks>& below, const
             int highest_piece = 0;
             std::vector<bool> met(below.size(), false);
             for (int i = 0; i < n.x; ++i) {
-                for (int p = 0; p <= layers; ++p) {
+                for (int p = 0; p < pieces; ++p) {
                     if (!packing.foams->pieces[static_cast<std::size_t>(p)](j, k).contains(i)) continue;
                     broken.in_the_way += p < highest_piece;
                     highest_piece = std::max(highest_piece, p);
@@ -52,7 +53,7 @@ Broken broken_by(const Packing& packing, const std::vector<Blocks>& below, const
             }
             std::fill(met.begin(), met.end(), false);
             for (int i = n.x; i-- > 0;) {  // and on the way down
-                for (int p = 0; p <= layers; ++p)
+                for (int p = 0; p < pieces; ++p)
                     if (packing.foams->pieces[static_cast<std::size_t>(p)](j, k).contains(i))
                         for (int layer = 0; layer < p; ++layer)
                             broken.in_the_way += met[static_cast<std::size_t>(layer)];

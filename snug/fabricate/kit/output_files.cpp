@@ -25,8 +25,9 @@ FileBytes foam_file(const Solid& solid, const std::string& format, Piece piece) 
 
 Message caption(const Packing& packing, const std::string& object_name) {
     const FitReport& fit = packing.fit;
-    double thinnest = fit.wall_mm[0];
-    for (const double wall : fit.wall_mm) thinnest = std::min(thinnest, wall);
+    double thinnest = fit.wall_mm[kFloor];
+    for (std::size_t side = 0; side < fit.wall_mm.size(); ++side)
+        if (!fit.open || side != kRoof) thinnest = std::min(thinnest, fit.wall_mm[side]);
     return say("preview.caption", {{"name", object_name},
                                    {"blocks", dimensions(vec_cast<double>(packing.space.blocks), 0)},
                                    {"block", dimensions(packing.space.block_mm)},
@@ -38,7 +39,8 @@ Message caption(const Packing& packing, const std::string& object_name) {
 
 std::string depths_csv(const Foams& foams, const Grid<Run>& available, int nx) {
     const bool shortened = !fills_box(available, nx);
-    const Grid<Run>&below = foams.piece(Half::lower), &above = foams.piece(Half::lid);
+    const Grid<Run>& below = foams.piece(foams.at(0));
+    const Grid<Run> above = kept_runs(foams, Half::lid, nx);
     std::string text = "j,k,lower_blocks,upper_blocks";
     if (shortened) text += ",lower_first,upper_first";
     for (int i = 1; i < foams.layers(); ++i)
@@ -47,14 +49,14 @@ std::string depths_csv(const Foams& foams, const Grid<Run>& available, int nx) {
     const auto add = [&](int value) { text += "," + std::to_string(value); };
     for (int j = 0; j < below.ny(); ++j)
         for (int k = 0; k < below.nz(); ++k) {
-            const Run lower = below(j, k), upper = above(j, k);
+            const Run lower = below(j, k), upper = above(j, k);  // counted from +x
             text += std::to_string(j);
             add(k);
             add(lower.blocks());
             add(upper.blocks());
             if (shortened) {
                 add(lower.first);
-                add(upper.none() ? nx : upper.first);
+                add(upper.none() ? nx : nx - upper.end);
             }
             for (int i = 1; i < foams.layers(); ++i) {
                 const Run middle = foams.piece(foams.at(i))(j, k);

@@ -83,6 +83,7 @@ void draw_packing_picture(PageBuilder& builder, Vec2d corner, Vec2d size, Pictur
     const Mesh& mesh = layer.mesh;
     const OpenedPair pair = opened(space, foams.parting[static_cast<std::size_t>(layer.layer) - 1]);
     const PieceScene lower = piece_scene(foams, foams.at(layer.layer - 1), space, pair, Half::lower);
+    parts.lid = parts.lid && foams.has(foams.at(layer.layer));
     const PieceScene lid =
         parts.lid ? piece_scene(foams, foams.at(layer.layer), space, pair, Half::lid) : PieceScene{};
     std::vector<Projected> vertices;

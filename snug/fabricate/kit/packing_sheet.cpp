@@ -11,6 +11,7 @@
 #include "snug/drawing/page_builder.h"
 #include "snug/fabricate/kit/block_names.h"
 #include "snug/fabricate/kit/finger_room.h"
+#include "snug/fabricate/kit/packing_record.h"
 #include "snug/words/pieces.h"
 #include "snug/words/sides.h"
 #include "snug/words/words.h"
@@ -52,6 +53,7 @@ void draw_pictures(PageFlow& flow, const PackedObject& packed) {
     for (const PackedLayer& layer : packed.layers) {
         const Vec2d corner = flow.room(height + 9);
         for (std::size_t i = 0; i < kPictures.size(); ++i) {
+            if (kPictures[i].lid && !foams.has(foams.at(layer.layer))) continue;
             const Vec2d at = corner + Vec2d{static_cast<double>(i) * (width + kPictureGap), 0};
             draw_packing_picture(flow.page(), at + Vec2d{2, 6}, {width - 4, height - 7}, kPictures[i], foams,
                                  packed.design.space, layer);
@@ -99,11 +101,13 @@ Grips grips(const PackedItem& item, const FoamDesign& design) {
 }
 
 Message lifting_text(const PackedObject& packed) {
-    if (packed.layers.size() > 1) return say("packing.unpack_layers");
-    if (packed.items.size() > 1) return say("packing.unpack_items");
+    const bool open = packed.design.foams.open();
+    if (packed.layers.size() > 1) return say(open ? "packing.unpack_open_layers" : "packing.unpack_layers");
+    if (packed.items.size() > 1) return say(open ? "packing.unpack_open_items" : "packing.unpack_items");
     const Grips found = grips(packed.items.front(), packed.design);
-    if (!found.places.empty()) return say("packing.unpack", {{"places", found.places}});
-    return say("packing.unpack_ribbons",
+    if (!found.places.empty())
+        return say(open ? "packing.unpack_open" : "packing.unpack", {{"places", found.places}});
+    return say(open ? "packing.unpack_open_ribbons" : "packing.unpack_ribbons",
                {{"mm", number(kFingerWidth, 0)}, {"widest", found.widest.value_or(say("figure.none"))}});
 }
 
@@ -137,19 +141,25 @@ void tell_order(PageFlow& flow, const PackedObject& packed) {
     flow.heading(say("packing.how"));
     std::vector<Message> steps{say("packing.stand")};
     for (Message& step : laying_steps(packed)) steps.push_back(std::move(step));
-    steps.push_back(say("packing.close"));
+    steps.push_back(say(packed.design.foams.open() ? "packing.leave_open" : "packing.close"));
     steps.push_back(lifting_text(packed));
     flow.steps(steps, kMarkIndent);
 }
 
+/// Up to its surface.
+Vec3d tray_size(const FoamDesign& design) {
+    const Vec3d size = design.space.size();
+    return {design.foams.parting.back() * design.space.block_mm.x, size.y, size.z};
+}
+
 Message walls_text(const FitReport& fit) {
     const auto& wall = fit.wall_mm;
-    return say("packing.walls_of", {{"floor", number(wall[kFloor], 1)},
-                                    {"lid", number(wall[kRoof], 1)},
-                                    {"back", number(wall[kBack], 1)},
-                                    {"front", number(wall[kFront], 1)},
-                                    {"left", number(wall[kLeft], 1)},
-                                    {"right", number(wall[kRight], 1)}});
+    return say(fit.open ? "packing.walls_of_tray" : "packing.walls_of", {{"floor", number(wall[kFloor], 1)},
+                                                                         {"lid", number(wall[kRoof], 1)},
+                                                                         {"back", number(wall[kBack], 1)},
+                                                                         {"front", number(wall[kFront], 1)},
+                                                                         {"left", number(wall[kLeft], 1)},
+                                                                         {"right", number(wall[kRight], 1)}});
 }
 
 Message item_text(const PackedItem& item) {
@@ -179,14 +189,36 @@ std::optional<double> mass_of(const std::vector<PackedItem>& items) {
     return sum;
 }
 
+/// Of items and foam, where both are known.
+std::optional<double> content_kg(const PackedObject& packed) {
+    const std::optional<double> items = mass_of(packed.items);
+    if (!items || !packed.material.foam_kg) return {};
+    return *items + *packed.material.foam_kg;
+}
+
 Message foam_text(const PackedObject& packed) {
     const std::string litres = number(packed.fit.foam_mm3 * 1e-6, 2);
     const std::optional<double>& foam_kg = packed.material.foam_kg;
-    const std::optional<double> mass_kg = mass_of(packed.items);
     if (!foam_kg) return say("figure.litres", {{"litres", litres}});
-    if (!mass_kg) return say("packing.foam_weighs", {{"litres", litres}, {"kg", number(*foam_kg, 3)}});
-    return say("packing.foam_and_object",
-               {{"litres", litres}, {"kg", number(*foam_kg, 3)}, {"all_kg", number(*foam_kg + *mass_kg, 3)}});
+    const std::string kg = number(*foam_kg, 3);
+    const auto all_kg = content_kg(packed);
+    if (!all_kg) return say("packing.foam_weighs", {{"litres", litres}, {"kg", kg}});
+    return say("packing.foam_and_object", {{"litres", litres}, {"kg", kg}, {"all_kg", number(*all_kg, 3)}});
+}
+
+/// What a hand lifts: each piece of foam, where several lie on each other.
+std::vector<Message> piece_masses(const PackedObject& packed) {
+    std::vector<Message> masses;
+    const Foams& foams = packed.design.foams;
+    if (!packed.material.foam_kg || foams.layers() == 1) return masses;
+    const double blocks = static_cast<double>(std::max(1LL, packed.fit.foam_blocks()));
+    for (const Piece piece : foams.all()) {
+        const auto own = static_cast<double>(packed.fit.pieces[static_cast<std::size_t>(piece.index)].blocks);
+        masses.push_back(say(
+            "packing.piece_weighs",
+            {{"piece", marked_piece(piece)}, {"kg", number(*packed.material.foam_kg * own / blocks, 3)}}));
+    }
+    return masses;
 }
 
 void tell_facts(PageFlow& flow, const PackedObject& packed) {
@@ -200,9 +232,15 @@ void tell_facts(PageFlow& flow, const PackedObject& packed) {
         fact(packed.items.size() == 1 ? say("summary.object")
                                       : say("packing.item", {{"number", std::to_string(i + 1)}}),
              listed_item(packed.items[i], packed));
-    fact(say("packing.closed"), say("packing.closed_of", {{"size", dimensions(packed.design.space.size())}}));
+    if (packed.design.foams.open())
+        fact(say("packing.tray"), say("packing.closed_of", {{"size", dimensions(tray_size(packed.design))}}));
+    else
+        fact(say("packing.closed"),
+             say("packing.closed_of", {{"size", dimensions(packed.design.space.size())}}));
     fact(say("summary.walls"), walls_text(packed.fit));
     fact(say("summary.foam"), foam_text(packed));
+    if (const auto masses = piece_masses(packed); !masses.empty())
+        fact(say("packing.pieces"), say("packing.pieces_of", {{"pieces", masses}}));
     const std::string& currency = packed.options.currency;
     if (material.cost)
         fact(say("packing.material"),
@@ -245,6 +283,7 @@ DrawingDocument packing_sheet(const PackedObject& packed) {
     tell_facts(flow, packed);
     tell_findings(flow, packed.findings);
     tell_unchecked(flow);
+    draw_packing_record(flow, {packed.items.size(), content_kg(packed)});
     DrawingDocument document{"packing-sheet", title, flow.finish(), false};
     for (Drawing& page : document.pages) page.title = title;
     return document;

@@ -142,6 +142,7 @@ Json items_json(const Packing& packing, const Project& project) {
              {"box_mm", Json::array({array(box.min), array(box.max)})},
              {"clearance_mm", clearance_json(item.cut.clearance_mm)},
              {"mass_kg", item.mass_kg ? Json(rounded(*item.mass_kg)) : Json(nullptr)}});
+        if (item.tip_deg) list.back()["tips_at_deg"] = std::floor(*item.tip_deg);
         if (!item.group.empty()) list.back()["group"] = item.group;
     }
     return list;
@@ -194,7 +195,7 @@ Json case_json(const CaseSpace& fitted, int parting_level, const FitReport& fit)
     const CaseOptions& options = fitted.options;
     const double foam_begin = options.play_mm + (fitted.rest_under ? fitted.rest_mm.x : 0);
     Json list = Json::array();
-    for (const Filler& filler : fillers(fitted, parting_level))
+    for (const Filler& filler : fillers(fitted, parting_level, fit.open))
         list.push_back({{"side", side_name(filler.side)},
                         {"half", filler.lid ? "lid" : "lower"},
                         {"size_mm", length_first(filler.size_mm)}});

@@ -1,0 +1,86 @@
+#include "snug/check/stability.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "snug/base/text.h"
+#include "snug/base/vec2.h"
+
+namespace snug {
+namespace {
+
+constexpr double kLeastTip = 20;  // degrees: a tray that is carried on one hand leans so much
+constexpr double kDegrees = 180 / 3.14159265358979323846;
+
+double turn(Vec2d a, Vec2d b, Vec2d c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+/// Counterclockwise (Andrew's monotone chain).
+std::vector<Vec2d> convex_hull(std::vector<Vec2d> points) {
+    const auto less = [](Vec2d a, Vec2d b) { return a.x < b.x || (a.x == b.x && a.y < b.y); };
+    std::sort(points.begin(), points.end(), less);
+    std::vector<Vec2d> hull;
+    for (int side = 0; side < 2; ++side) {
+        const std::size_t begin = hull.size();
+        for (const Vec2d point : points) {
+            while (hull.size() >= begin + 2 && turn(hull[hull.size() - 2], hull.back(), point) <= 0)
+                hull.pop_back();
+            hull.push_back(point);
+        }
+        hull.pop_back();
+        std::reverse(points.begin(), points.end());
+    }
+    return hull;
+}
+
+/// Of each row's outermost columns that are cut below the surface: (y, z).
+std::vector<Vec2d> rim_points(const BlockMap& cut, const DesignSpace& space, int level) {
+    std::vector<Vec2d> points;
+    for (int j = 0; j < cut.ny(); ++j) {
+        int first = cut.nz(), end = 0;
+        for (int k = 0; k < cut.nz(); ++k)
+            if (cut(j, k).first < level && !cut(j, k).none()) {
+                first = std::min(first, k);
+                end = k + 1;
+            }
+        for (const int row : {j, j + 1})
+            if (first < end) {
+                points.push_back({space.face(1, row), space.face(2, first)});
+                points.push_back({space.face(1, row), space.face(2, end)});
+            }
+    }
+    return points;
+}
+
+}  // namespace
+
+Vec3d centre_of_mass(const Object& object, const Placement& placement) {
+    if (!object.measure.centre) return placement.bounds.centre();
+    return placement.rotation(*object.measure.centre) + placement.shift;
+}
+
+std::optional<double> tip_angle_deg(const BlockMap& cut, const DesignSpace& space, int level, Vec3d centre) {
+    const double above = centre.x - space.face(0, level);
+    if (above <= 0) return {};
+    const std::vector<Vec2d> points = rim_points(cut, space, level);
+    if (points.empty()) return 0;
+    const std::vector<Vec2d> hull = convex_hull(points);
+    const Vec2d at{centre.y, centre.z};
+    double inside = 1e300;  // from the weight to the nearest edge
+    for (std::size_t i = 0; i < hull.size(); ++i) {
+        const Vec2d a = hull[i], b = hull[(i + 1) % hull.size()];
+        inside = std::min(inside, turn(a, b, at) / length(b - a));
+    }
+    return std::max(0.0, std::atan2(inside, above) * kDegrees);
+}
+
+void find_tipping(const Item& item, std::optional<double> tip_deg, std::vector<Finding>& findings) {
+    if (!tip_deg || *tip_deg >= kLeastTip) return;
+    findings.push_back({Severity::warning,
+                        say("tips_out", {{"degrees", number(std::floor(*tip_deg), 0)}, {"option", "--open"}}),
+                        item.placement.bounds.centre()});
+}
+
+}  // namespace snug
