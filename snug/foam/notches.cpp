@@ -14,7 +14,7 @@ namespace snug {
 namespace {
 
 constexpr double kRounding = 1e-9;
-constexpr int kNone = -1;
+constexpr int kNoEnd = -1;
 
 /// The columns seen with the notches opposite each other along one axis: `out` counts along it, `along` on
 /// the other. One end is the side at -y or -z, the other the one opposite.
@@ -22,13 +22,13 @@ class Sides {
   public:
     Sides(const BlockMap& blocks, const DesignSpace& space, int axis, int level)
         : blocks_(blocks), space_(space), axis_(axis) {
-        for (auto& ends : ends_) ends.assign(static_cast<std::size_t>(along_count()), kNone);
+        for (auto& ends : ends_) ends.assign(static_cast<std::size_t>(along_count()), kNoEnd);
         for (int along = 0; along < along_count(); ++along)
             for (int out = 0; out < out_count(); ++out) {
                 const CutRun run = at(out, along);
                 if (run.none() || run.first >= level) continue;
                 int& first = ends_[0][static_cast<std::size_t>(along)];
-                if (first == kNone) first = out;
+                if (first == kNoEnd) first = out;
                 ends_[1][static_cast<std::size_t>(along)] = out;
             }
     }
@@ -81,15 +81,15 @@ struct Span {
     int outermost = 0;
 };
 std::optional<Span> span(const Sides& sides, int side, int first, const NotchSize& size, int* lacking) {
-    int furthest = kNone, nearest = kNone, beside = 0;
+    int furthest = kNoEnd, nearest = kNoEnd, beside = 0;
     for (int along = first; along < first + size.width; ++along) {
         const int end = sides.end(side, along);
-        if (end == kNone) continue;
+        if (end == kNoEnd) continue;
         ++beside;
         const auto outer = [&](int a, int b) { return side == 0 ? std::min(a, b) : std::max(a, b); };
         const auto inner = [&](int a, int b) { return side == 0 ? std::max(a, b) : std::min(a, b); };
-        furthest = furthest == kNone ? end : outer(furthest, end);
-        nearest = nearest == kNone ? end : inner(nearest, end);
+        furthest = furthest == kNoEnd ? end : outer(furthest, end);
+        nearest = nearest == kNoEnd ? end : inner(nearest, end);
     }
     if (2 * beside < size.width) return {};
     const int outermost = side == 0 ? furthest - size.room : furthest + size.room;
@@ -144,7 +144,7 @@ Notch carve(BlockMap& blocks, const DesignSpace& space, const Sides& sides, int 
     const Span where = *span(sides, side, first, size, nullptr);
     for (int along = first; along < first + size.width; ++along) {
         const int end = sides.end(side, along);
-        const int inner = end == kNone ? where.innermost : side == 0 ? end - 1 : end + 1;
+        const int inner = end == kNoEnd ? where.innermost : side == 0 ? end - 1 : end + 1;
         for (int out = std::min(inner, where.outermost); out <= std::max(inner, where.outermost); ++out) {
             CutRun& run = blocks[sides.column(out, along)];
             const int upper = run.none() ? level : std::max<int>(run.end, level);

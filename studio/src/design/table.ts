@@ -34,6 +34,8 @@ export interface Design {
     wall_mm: number | number[] | null;
     /** Least foam between two items that are of no common group (mm). */
     between_mm: number | null;
+    /** A tray without a lid: items are sunk by this share of their height or, above 1, by so many mm. */
+    open: number | null;
   };
   placement: {
     /** Degrees about the fixed axes x, then y, then z (degrees). */
@@ -240,6 +242,7 @@ export type OptionPath =
   | 'space.block_mm'
   | 'space.wall_mm'
   | 'space.between_mm'
+  | 'space.open'
   | 'placement.rotation_deg'
   | 'placement.offset_mm'
   | 'items.0.object'
