@@ -40,9 +40,10 @@ Message bearing_text(const BearingReport& bearing, const Foams& foams, const Des
                               ? say("summary.creep", {{"kpa", number(*design.fit.creep_kpa, 1)}})
                               : say("summary.creep_unknown"));
     }
-    return say(
-        foams.open() ? "summary.bears_in_tray" : "summary.bears_on",
-        {{"below", areas(bearing.lower_mm2)}, {"above", areas(bearing.upper_mm2)}, {"at_rest", at_rest}});
+    const std::string below = areas(bearing.lower_mm2);
+    if (foams.open()) return say("summary.bears_in_tray", {{"below", below}, {"at_rest", at_rest}});
+    return say("summary.bears_on",
+               {{"below", below}, {"above", areas(bearing.upper_mm2)}, {"at_rest", at_rest}});
 }
 
 }  // namespace snug::cli

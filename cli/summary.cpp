@@ -61,13 +61,19 @@ Message foam_text(const FitReport& fit) {
 }
 
 Message walls_text(const FitReport& fit) {
-    const Walls& wall = fit.wall_mm;
-    return say(fit.open ? "summary.walls_of_tray" : "summary.walls_of", {{"floor", number(wall[0], 1)},
-                                                                         {"roof", number(wall[1], 1)},
-                                                                         {"back", number(wall[2], 1)},
-                                                                         {"front", number(wall[3], 1)},
-                                                                         {"left", number(wall[4], 1)},
-                                                                         {"right", number(wall[5], 1)}});
+    const auto mm = [&](Side side) { return number(fit.wall_mm[side], 1); };
+    if (fit.open)
+        return say("summary.walls_of_tray", {{"floor", mm(kFloor)},
+                                             {"back", mm(kBack)},
+                                             {"front", mm(kFront)},
+                                             {"left", mm(kLeft)},
+                                             {"right", mm(kRight)}});
+    return say("summary.walls_of", {{"floor", mm(kFloor)},
+                                    {"roof", mm(kRoof)},
+                                    {"back", mm(kBack)},
+                                    {"front", mm(kFront)},
+                                    {"left", mm(kLeft)},
+                                    {"right", mm(kRight)}});
 }
 
 /// The lines, each a label and what is said under it.
@@ -142,7 +148,14 @@ std::string summary(std::span<const Object> objects, const Project& project, con
               say("summary.parting_after",
                   {{"level", levels}, {"blocks", std::to_string(packing.space.blocks.x)}}));
     lines.add("summary.walls", walls_text(fit));
-    for (const Notch& notch : packing.notches) lines.add("summary.notch", notch_text(notch));
+    for (const Notch& notch : packing.notches) {
+        const Message what = notch_text(notch);
+        lines.add(
+            "summary.notch",
+            packing.items.size() == 1
+                ? what
+                : say("summary.named", {{"name", one_line(packing.items[notch.item].name)}, {"what", what}}));
+    }
     if (made.fit.gap) lines.add("summary.gaps", gap_text(*made.fit.gap));
     if (made.fit.bearing)
         lines.add_sentence("summary.bears", bearing_text(*made.fit.bearing, *packing.foams, project.design));

@@ -155,40 +155,38 @@ BlockMap cut_of_layer(const HalfCuts& cuts, int level, bool uncovered) {
     return blocks;
 }
 
-/// What a finding about a whole layer is of; empty where there is no other.
-std::string names_in(const Packing& packing, int layer) {
-    std::string names;
-    if (std::all_of(packing.items.begin(), packing.items.end(),
-                    [&](const Item& item) { return item.layer == layer; }))
-        return names;
-    for (const Item& item : packing.items)
-        if (item.layer == layer) names += (names.empty() ? "" : ", ") + item.name;
-    return names;
-}
-
-/// Takes more foam away than the items of a layer need, so that the rest can be worked and they be lifted.
-/// `levels`: of the piece that they lie in. `number`: of the layer.
-void cut_for_hands(Packing& packing, const Design& design, BlockMap& layer, NotchLevels levels, int number) {
-    if (design.fit.notches) {
-        const NotchPair pair =
-            cut_notches(layer, packing.space, levels, *design.fit.notches, wanted_wall_mm(design.space));
-        if (pair.notches)
-            packing.notches.insert(packing.notches.end(), pair.notches->begin(), pair.notches->end());
+/// Takes more foam away than the items of a layer need, so that they can be lifted.
+void cut_notches_of_layer(Packing& packing, const Design& design, const std::vector<HalfCuts>& cuts,
+                          int number, NotchLevels levels, BlockMap& layer) {
+    const bool uncovered = design.space.open && number == layers_of(design);
+    for (std::size_t i = 0; i < packing.items.size(); ++i) {
+        const Item& item = packing.items[i];
+        if (item.layer != number) continue;
+        NotchPair pair = cut_notches(layer, cut_of_layer(cuts[i], levels.parting, uncovered), packing.space,
+                                     levels, *design.fit.notches, wanted_wall_mm(design.space));
         if (!pair.notches)
-            packing.findings.push_back({Severity::warning, pair.why_not, {}, names_in(packing, number)});
+            packing.findings.push_back(
+                {Severity::warning, pair.why_not, {}, packing.items.size() > 1 ? item.name : std::string()});
+        else
+            for (Notch& notch : *pair.notches) {
+                notch.item = i;
+                packing.notches.push_back(notch);
+            }
     }
-    if (design.fit.least_rib_mm > 0)
-        packing.rib_blocks += cut_thin_ribs(layer, packing.space, levels.parting, design.fit.least_rib_mm);
 }
 
 /// What each layer loses to its items and to hands, and what is left.
-void cut_layers(Packing& packing, const Design& design, const std::vector<HalfCuts>& layers,
-                std::vector<int> parting) {
+void cut_layers(Packing& packing, const Design& design, const ItemCuts& items,
+                const std::vector<HalfCuts>& layers, std::vector<int> parting) {
     int under = 0;
     for (std::size_t i = 0; i < layers.size(); ++i) {
         const bool uncovered = design.space.open && i + 1 == layers.size();
         BlockMap layer = cut_of_layer(layers[i], parting[i], uncovered);
-        cut_for_hands(packing, design, layer, {parting[i], under}, static_cast<int>(i) + 1);
+        if (design.fit.notches)
+            cut_notches_of_layer(packing, design, items.cuts, static_cast<int>(i) + 1, {parting[i], under},
+                                 layer);
+        if (design.fit.least_rib_mm > 0)
+            packing.rib_blocks += cut_thin_ribs(layer, packing.space, parting[i], design.fit.least_rib_mm);
         under = parting[i];
         for (const CutRun cut : layer)
             if (!cut.none()) under = std::max<int>(under, cut.end);
@@ -196,6 +194,9 @@ void cut_layers(Packing& packing, const Design& design, const std::vector<HalfCu
     }
     packing.foams = split(packing.layers, std::move(parting), packing.available);
     if (design.space.open) packing.foams = without_lid(std::move(*packing.foams));
+    if (design.fit.lift)
+        packing.lift = cut_lift_slots(*packing.foams, packing.layers, packing.space, *design.fit.lift,
+                                      wanted_between_mm(design.space));
 }
 
 void add_findings(const std::vector<Finding>& more, std::vector<Finding>& findings) {
@@ -232,7 +233,7 @@ Result<Packing> pack(std::span<const Object> objects, const Design& design, cons
     const std::vector<HalfCuts> layers = united_in_layers(packing->items, items->cuts, layer_count);
     auto parting = parting_levels(*packing, layers, design);
     if (!parting) return tl::unexpected(parting.error());
-    cut_layers(*packing, design, layers, std::move(*parting));
+    cut_layers(*packing, design, *items, layers, std::move(*parting));
     packing->timing.foam_pair = watch.lap();
 
     packing->fit = fit_report(*packing->foams, packing->layers, packing->space, packing->available);

@@ -1,5 +1,7 @@
 #include "snug/check/find_foam_problems.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <utility>
@@ -8,6 +10,7 @@
 #include "snug/check/find_case_problems.h"
 #include "snug/check/find_problems.h"
 #include "snug/space/fitted_space.h"
+#include "snug/words/pieces.h"
 
 namespace snug {
 namespace {
@@ -52,6 +55,27 @@ SpaceChoice choice_of(const Packing& packing, const Design& design) {
     return choice;
 }
 
+double squared_distance(const Box3d& box, Vec3d p) {
+    double sum = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double off = std::max({box.min[axis] - p[axis], 0.0, p[axis] - box.max[axis]});
+        sum += off * off;
+    }
+    return sum;
+}
+
+/// Findings from `begin` on that have a place are of the item that is nearest to it, where there are several.
+void name_nearest(const std::vector<Item>& items, std::size_t begin, std::vector<Finding>& findings) {
+    for (std::size_t i = begin; i < findings.size() && items.size() > 1; ++i) {
+        if (!findings[i].where) continue;
+        const auto nearest = std::min_element(items.begin(), items.end(), [&](const Item& a, const Item& b) {
+            return squared_distance(a.placement.bounds, *findings[i].where) <
+                   squared_distance(b.placement.bounds, *findings[i].where);
+        });
+        findings[i].of = nearest->name;
+    }
+}
+
 }  // namespace
 
 void find_outside(const Item& item, const Packing& packing, const Design& design,
@@ -73,9 +97,13 @@ void find_outside(const Item& item, const Packing& packing, const Design& design
 
 void find_foam_problems(const Packing& packing, const Design& design, std::vector<Finding>& findings) {
     const SpaceChoice choice = choice_of(packing, design);
+    const std::size_t before = findings.size();
     find_thin_walls(packing.fit, packing.layers, packing.space, wanted_wall_mm(design.space), choice,
                     findings);
+    name_nearest(packing.items, before, findings);
     find_pieces(packing.fit, choice, findings);
+    for (const Piece piece : packing.lift.without)
+        findings.push_back({Severity::warning, say("no_lift", {{"foam", foam_of(piece)}})});
     if (packing.fitted_case)
         find_case_problems(*packing.fitted_case, packing.fit, packing.foams->parting.back(), findings);
 }

@@ -17,9 +17,9 @@ void add(BearingReport& all, const BearingReport& one) {
 }
 
 /// Each item by itself, so that one that hangs in the air is not lost among others.
-Result<BearingReport> bearing_of_all(std::span<const Object> objects, Packing& packing, const Design& design,
-                                     const Progress& progress) {
-    BearingReport all;
+Result<std::vector<BearingReport>> bearings_of(std::span<const Object> objects, Packing& packing,
+                                               const Design& design, const Progress& progress) {
+    std::vector<BearingReport> all;
     const double share = 1 / static_cast<double>(packing.items.size());
     for (std::size_t i = 0; i < packing.items.size(); ++i) {
         const Item& item = packing.items[i];
@@ -27,7 +27,7 @@ Result<BearingReport> bearing_of_all(std::span<const Object> objects, Packing& p
         const auto own = bearing_report(objects[item.object].mesh, item.placement, packing.space,
                                         *packing.foams, item.layer, part_of(progress, done, done + share));
         if (!own) return tl::unexpected(own.error());
-        add(all, *own);
+        all.push_back(*own);
         std::vector<Finding> findings;
         find_bearing_problems(*own, *packing.foams, item.layer, item.mass_kg, design.fit.creep_kpa, findings);
         for (Finding& finding : findings) {
@@ -71,11 +71,13 @@ Result<MeasuredFit> measure_fit(std::span<const Object> objects, Packing& packin
         if (!objects[item.object].whole()) return MeasuredFit{};
     auto gaps = gaps_of_layers(objects, packing, part_of(progress, 0, 0.8));
     if (!gaps) return tl::unexpected(gaps.error());
-    auto bearing = bearing_of_all(objects, packing, design, part_of(progress, 0.8, 1));
-    if (!bearing) return tl::unexpected(bearing.error());
+    auto bearings = bearings_of(objects, packing, design, part_of(progress, 0.8, 1));
+    if (!bearings) return tl::unexpected(bearings.error());
+    BearingReport bearing;
+    for (const BearingReport& own : *bearings) add(bearing, own);
     sort_by_severity(packing.findings);
     const GapFigures whole = united(*gaps);
-    return MeasuredFit{whole, std::move(*gaps), *bearing};
+    return MeasuredFit{whole, std::move(*gaps), bearing, std::move(*bearings)};
 }
 
 }  // namespace snug

@@ -16,9 +16,10 @@ namespace snug {
 
 /// How well a packing's foams hold the object: sampled, and slower than the packing itself.
 struct MeasuredFit {
-    std::optional<GapFigures> gap;         ///< how far the cut space exceeds the objects
-    std::vector<GapReport> layer_gaps;     ///< of each layer; empty where it is not known
-    std::optional<BearingReport> bearing;  ///< what all items lie on in either half
+    std::optional<GapFigures> gap;             ///< how far the cut space exceeds the objects
+    std::vector<GapReport> layer_gaps;         ///< of each layer; empty where it is not known
+    std::optional<BearingReport> bearing;      ///< what all items lie on in either half
+    std::vector<BearingReport> item_bearings;  ///< of each item; empty where it is not known
 };
 
 /// Of a packing with foams, to whose findings is added what comes out; nothing is known where an object

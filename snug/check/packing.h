@@ -10,6 +10,7 @@
 #include "snug/check/fit_report.h"
 #include "snug/foam/block_map.h"
 #include "snug/foam/foams.h"
+#include "snug/foam/lift_slots.h"
 #include "snug/foam/notches.h"
 #include "snug/space/case_space.h"
 #include "snug/space/design_space.h"
@@ -30,6 +31,7 @@ struct Packing {
     Grid<Run> available;                   ///< blocks that exist in `space`
     std::vector<BlockMap> layers;          ///< what each layer of items cuts, the lowest first
     std::vector<Notch> notches;     ///< beside the items, where the design wants them and there is room
+    LiftSlots lift;                 ///< in the pieces that are lifted, where the design wants them
     long long rib_blocks = 0;       ///< cut because they stood too thin between cavities
     std::optional<Foams> foams;     ///< none where an item leaves the space (finding `outside`)
     FitReport fit;                  ///< of `foams`

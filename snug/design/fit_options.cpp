@@ -41,7 +41,34 @@ std::optional<std::string> say_places(const NotchOptions& notches) {
     return exact({*notches.first_mm, *notches.second_mm}, ',');
 }
 
+Result<void> take_lift(std::string_view text, FitOptions& fit) {
+    if (text == "none") {
+        fit.lift.reset();
+        return {};
+    }
+    const std::vector<double> sizes = typed_numbers(text, 'x');
+    if (sizes.size() != 2)
+        return not_what_it_takes("--lift", say("takes.lift", {{"example", "90x25"}, {"other", "none"}}),
+                                 text);
+    fit.lift = LiftOptions{sizes[0], sizes[1]};
+    return {};
+}
+
+std::optional<std::string> say_lift(const FitOptions& fit) {
+    if (!fit.lift) return "none";
+    return exact({fit.lift->width_mm, fit.lift->depth_mm}, 'x');
+}
+
 }  // namespace
+
+SharedFlag<FitOptions> lift_flag() {
+    return {.flag = "--lift",
+            .takes = "90x25|none",
+            .help = {"Two recesses at the edges of each piece above the lowest to lift it by: width x depth",
+                     "一番下を除く各フォームの縁に設ける、持ち上げるための二つのくぼみ：幅 x 奥行き"},
+            .take = take_lift,
+            .say = say_lift};
+}
 
 SharedFlag<FitOptions> notch_size_flag() {
     return {.flag = "--notches",

@@ -27,10 +27,19 @@ struct NotchOptions {
     friend bool operator==(const NotchOptions&, const NotchOptions&) = default;
 };
 
+/// Recesses at two opposite edges of every piece above the lowest, for the hands that lift it out of the
+/// case. mm, cut in whole blocks.
+struct LiftOptions {
+    double width_mm = 90;  ///< along the piece's edge
+    double depth_mm = 25;  ///< from the edge inwards
+    friend bool operator==(const LiftOptions&, const LiftOptions&) = default;
+};
+
 /// What makes the cut foam one to work and live with.
 struct FitOptions {
     double least_rib_mm = 0;              ///< foam between cavities that is thinner is cut away; 0: none is
     std::optional<NotchOptions> notches;  ///< none: no recesses
+    std::optional<LiftOptions> lift;      ///< none: no recesses
     std::optional<double> creep_kpa;      ///< pressure that the foam bears for long, above 0; none: not known
     friend bool operator==(const FitOptions&, const FitOptions&) = default;
 };
@@ -38,6 +47,8 @@ struct FitOptions {
 /// --notches and --notch-at.
 [[nodiscard]] SharedFlag<FitOptions> notch_size_flag();
 [[nodiscard]] SharedFlag<NotchOptions> notch_place_flag();
+/// --lift.
+[[nodiscard]] SharedFlag<FitOptions> lift_flag();
 
 template <class Visit>
 void visit_options(Visit& visit, NotchOptions& notches) {
@@ -102,6 +113,27 @@ void visit_options(Visit& visit, NotchOptions& notches) {
 }
 
 template <class Visit>
+void visit_options(Visit& visit, LiftOptions& lift) {
+    constexpr Range kSize{.least = 0, .most = 10000, .above = true};
+    visit.option(lift.width_mm, {.json = "width_mm",
+                                 .flag = "--lift",
+                                 .unit = "mm",
+                                 .range = kSize,
+                                 .step = 1,
+                                 .label = {"the lift slots' width", "持ち上げ口の幅"},
+                                 .help = {"How wide a recess is along the edge of a piece of foam",
+                                          "フォームの縁に沿ったくぼみの幅"}});
+    visit.option(lift.depth_mm,
+                 {.json = "depth_mm",
+                  .flag = "--lift",
+                  .unit = "mm",
+                  .range = kSize,
+                  .step = 1,
+                  .label = {"the lift slots' depth", "持ち上げ口の奥行き"},
+                  .help = {"How far it reaches from the edge inwards", "縁から内側への奥行き"}});
+}
+
+template <class Visit>
 void visit_options(Visit& visit, FitOptions& fit) {
     visit.option(fit.least_rib_mm, {.json = "least_rib_mm",
                                     .flag = "--least-rib",
@@ -115,6 +147,8 @@ void visit_options(Visit& visit, FitOptions& fit) {
                                     .usual = {"0: none", "0：なし"}});
     visit.flag(fit, notch_size_flag());
     visit.group(fit.notches, {.json = "notches", .title = {"Notches", "指かけ"}, .flag = "--notches"});
+    visit.flag(fit, lift_flag());
+    visit.group(fit.lift, {.json = "lift", .title = {"Lift slots", "持ち上げ口"}, .flag = "--lift"});
     visit.option(fit.creep_kpa,
                  {.json = "creep_kpa",
                   .flag = "--creep",

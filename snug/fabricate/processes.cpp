@@ -13,6 +13,7 @@
 #include "snug/design/presets.h"
 #include "snug/drawing/svg.h"
 #include "snug/fabricate/bricks/bricks.h"
+#include "snug/fabricate/kit/item_labels.h"
 #include "snug/fabricate/kit/packing_sheet.h"
 #include "snug/fabricate/mill/mill.h"
 #include "snug/fabricate/mould/mould.h"
@@ -44,13 +45,24 @@ std::string title_of(Project project) {
     return short_title(names_of_items(project));
 }
 
+/// What people call an item.
+std::string short_name(const Project& project, std::size_t item) {
+    return short_title(without_ending(item_name(project, project.design.items[item])));
+}
+
+/// Of a tray, whose surface everybody sees.
+ItemLabels labels_of(const Packing& packing, const Project& project) {
+    std::vector<std::string> names;
+    for (std::size_t i = 0; i < packing.items.size(); ++i) names.push_back(short_name(project, i));
+    return item_labels(packing.items, names, packing.layers, *packing.foams, packing.space);
+}
+
 std::vector<PackedItem> packed_items(std::span<const Object> objects, const Packing& packing,
                                      const Project& project) {
     std::vector<PackedItem> items;
     for (std::size_t i = 0; i < packing.items.size(); ++i) {
         const Item& item = packing.items[i];
-        items.push_back({short_title(without_ending(item_name(project, project.design.items[i]))),
-                         objects[item.object].measure.bounds.size(),
+        items.push_back({short_name(project, i), objects[item.object].measure.bounds.size(),
                          mass_kg(project.design.items[i], project.design), objects[item.object].mesh,
                          item.placement, item.layer});
     }
@@ -150,10 +162,14 @@ void tell_material(const Design& design, WorkshopPack& pack) {
 Result<WorkshopPack> workshop_pack(std::span<const Object> objects, const Packing& packing,
                                    const Project& project, const WorkshopTools& tools) {
     if (!packing.foams) return fail(ErrorKind::does_not_fit, say("workshop.no_foams"));
-    const FoamDesign foams{packing.space,     packing.layers,    *packing.foams,
-                           packing.available, title_of(project), tools.language};
+    const ItemLabels labels = packing.foams->open() ? labels_of(packing, project) : ItemLabels{};
+    const FoamDesign foams{packing.space,     packing.layers, *packing.foams, packing.available,
+                           title_of(project), tools.language, labels.labels};
     auto pack = pack_of({foams, objects, packing, project.design, tools});
     if (!pack) return pack;
+    const Workshop work = project.design.workshop.work;
+    if (work == Workshop::sheets || work == Workshop::sponge)
+        pack->findings.insert(pack->findings.end(), labels.findings.begin(), labels.findings.end());
     fill_material(packing, project.design, *pack);
     tell_material(project.design, *pack);
 

@@ -115,8 +115,30 @@ int line_at(const Sides& sides, double at_mm, const NotchSize& size) {
     return static_cast<int>(std::clamp<double>(std::floor(first + 0.5), size.first_line, last));
 }
 
-std::optional<Found> find_pair(const Sides& sides, const std::array<NotchSize, 2>& sizes,
-                               const NotchOptions& options, int* lacking) {
+/// Whether what others cut leaves a notch down to `bottom` there: it takes no foam from under them.
+bool free_of_others(const Sides& sides, const BlockMap& layer, int side, const Span& where, int first,
+                    const NotchSize& size, int bottom) {
+    const auto [low, high] = std::minmax(where.innermost, where.outermost);
+    for (int along = first; along < first + size.width; ++along)
+        for (int out = low; out <= high; ++out) {
+            const int end = sides.end(side, along);
+            if (end != kNoEnd && (side == 0 ? out >= end : out <= end)) continue;
+            const CutRun cut = layer[sides.column(out, along)], own = sides.at(out, along);
+            const bool others = own.none() || cut.first < own.first;
+            if (!cut.none() && others && cut.first > bottom) return false;
+        }
+    return true;
+}
+
+/// The foam that notches are cut from, and down to where.
+struct NotchFoam {
+    const BlockMap& layer;
+    int bottom;
+};
+
+std::optional<Found> find_pair(const Sides& sides, const NotchFoam& foam,
+                               const std::array<NotchSize, 2>& sizes, const NotchOptions& options,
+                               int* lacking) {
     const int width = sizes[0].width;
     if (width > sizes[0].lines_end - sizes[0].first_line) return {};
     const double middle = sides.middle();
@@ -131,6 +153,9 @@ std::optional<Found> find_pair(const Sides& sides, const std::array<NotchSize, 2
         const int lack = std::max(lacks[0], lacks[1]);
         if (lack > 0 && (*lacking == 0 || lack < *lacking)) *lacking = lack;
         if (!low || !high) continue;
+        if (!free_of_others(sides, foam.layer, 0, *low, found.first[0], sizes[0], foam.bottom) ||
+            !free_of_others(sides, foam.layer, 1, *high, found.first[1], sizes[1], foam.bottom))
+            continue;
         const double centre = (sides.along_face(first) + sides.along_face(first + width)) / 2;
         found.off = std::fabs(centre - middle);
         found.across = (high->innermost - low->innermost - 1) * sides.out_mm();
@@ -197,7 +222,7 @@ std::optional<int> chosen_axis(const NotchOptions& options) {
 
 }  // namespace
 
-NotchPair cut_notches(BlockMap& blocks, const DesignSpace& space, NotchLevels levels,
+NotchPair cut_notches(BlockMap& layer, const BlockMap& own, const DesignSpace& space, NotchLevels levels,
                       const NotchOptions& options, const Walls& wanted_mm) {
     const int parting_level = levels.parting;
     const int floor = levels.under > 0 ? 1 : std::max(1, whole_blocks(wanted_mm[kFloor], space.block_mm.x));
@@ -212,10 +237,10 @@ NotchPair cut_notches(BlockMap& blocks, const DesignSpace& space, NotchLevels le
     std::array<NotchSize, 2> best_sizes{};
     for (const int axis : {1, 2}) {
         if (chosen_axis(options).value_or(axis) != axis) continue;
-        const Sides sides(blocks, space, axis, parting_level);
+        const Sides sides(own, space, axis, parting_level);
         const std::array<NotchSize, 2> sizes = sizes_of(sides, space, axis, options, wanted_mm);
         int lacks = 0;
-        const auto found = find_pair(sides, sizes, options, &lacks);
+        const auto found = find_pair(sides, {layer, bottom}, sizes, options, &lacks);
         if (!found && lacks > 0) lacking = std::max(lacking, lacks);
         if (!found || (best && best->across <= found->across)) continue;
         best = found;
@@ -223,13 +248,11 @@ NotchPair cut_notches(BlockMap& blocks, const DesignSpace& space, NotchLevels le
         best_sizes = sizes;
     }
     if (!best) return {{}, no_room_for(options, lacking)};
-    const Sides sides(blocks, space, best_axis, parting_level);
-    BlockMap carved = blocks;
+    const Sides sides(own, space, best_axis, parting_level);
     std::array<Notch, 2> notches;
     for (std::size_t side = 0; side < 2; ++side)
-        notches[side] = carve(carved, space, sides, best_axis, static_cast<int>(side), best->first[side],
+        notches[side] = carve(layer, space, sides, best_axis, static_cast<int>(side), best->first[side],
                               best_sizes[side], bottom, parting_level);
-    blocks = std::move(carved);
     return {notches, {}};
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 
 #include "snug/base/message.h"
@@ -13,12 +14,13 @@
 
 namespace snug {
 
-/// A recess of the lower foam beside the object, in whole blocks.
+/// A recess of the foam below an item beside it, in whole blocks.
 struct Notch {
-    Side side = kBack;  ///< of the object on which it lies: back, front, left or right
-    double at_mm = 0;   ///< its middle along the object's side, in design coordinates
-    Vec3d size_mm;      ///< depth (x) below the parting level and extent along y and z
-    Vec3d where;        ///< its middle at the parting level, in design coordinates
+    std::size_t item = 0;  ///< beside which it lies
+    Side side = kBack;     ///< of the object on which it lies: back, front, left or right
+    double at_mm = 0;      ///< its middle along the object's side, in design coordinates
+    Vec3d size_mm;         ///< depth (x) below the parting level and extent along y and z
+    Vec3d where;           ///< its middle at the parting level, in design coordinates
 };
 
 /// Two notches opposite each other, or why there are none (`no_notches`).
@@ -34,12 +36,14 @@ struct NotchLevels {
     int under = 0;
 };
 
-/// Cuts the notches out of the foam below a layer, from the object outwards: where they are left to choose,
-/// across the object's narrower way and as near to the middle of what is cut as both find room beside it, so
-/// that the object hangs level between two hands. They leave the walls that are wanted, and at least one
-/// block, and never take foam from under what lies inside the object's outline at the parting level; so both
-/// halves stay height fields.
-[[nodiscard]] NotchPair cut_notches(BlockMap& blocks, const DesignSpace& space, NotchLevels levels,
-                                    const NotchOptions& options, const Walls& wanted_mm);
+/// Cuts the notches of one object out of the foam below its layer, from the object outwards: where they are
+/// left to choose, across the object's narrower way and as near to the middle of what is cut as both find
+/// room beside it, so that the object hangs level between two hands. They leave the walls that are wanted,
+/// and at least one block, and never take foam from under what lies inside the object's outline at the
+/// parting level, nor from under another; so both halves stay height fields. Two objects may share one.
+/// `layer`: what is cut of all objects of the layer, which the notches join; `own`: what of that the object
+/// cuts itself.
+[[nodiscard]] NotchPair cut_notches(BlockMap& layer, const BlockMap& own, const DesignSpace& space,
+                                    NotchLevels levels, const NotchOptions& options, const Walls& wanted_mm);
 
 }  // namespace snug

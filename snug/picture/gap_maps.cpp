@@ -17,8 +17,9 @@
 namespace snug {
 namespace {
 
-constexpr double kSide = 60;                // px left of the first map and right of the second
-constexpr double kBetween = 60;             // px
+constexpr double kSide = 60;     // px left of the first map and right of the second
+constexpr double kBetween = 60;  // px
+constexpr double kMapWidth = (kPageWidth - 2 * kSide - kBetween) / 2;
 constexpr double kGreatestMapHeight = 300;  // px of a map
 constexpr double kHeading = 74;             // px above the maps
 constexpr double kLegend = 74;              // px below them
@@ -120,10 +121,10 @@ class HalfMap {
     }
 
   private:
-    /// In the map's own half of the page, the last line right above the map.
+    /// Up to where the next map's begins or the page ends, the last line right above the map.
     void draw_title(Canvas& canvas, const std::string& words) const {
         constexpr double kSize = 17, kLine = 22;
-        const double width = (lower_ ? kPageWidth / 2 : kPageWidth) - kSide / 2 - at_.x;
+        const double width = lower_ ? kMapWidth + kBetween - kSide / 3 : kPageWidth - kSide / 3 - at_.x;
         const std::vector<std::string> lines = lines_of(words, width, kSize);
         for (std::size_t i = 0; i < lines.size(); ++i)
             canvas.text({at_.x, at_.y - 28 - kLine * static_cast<double>(lines.size() - 1 - i)}, kSize,
@@ -175,12 +176,11 @@ void draw_ramp(Canvas& canvas, Vec2d at, Color color, const std::string& words) 
 
 double draw_gap_maps(Canvas& canvas, const GapReport& gap, const LayerPieces& pieces,
                      const DesignSpace& space, double top, Language language) {
-    const double width = (kPageWidth - 2 * kSide - kBetween) / 2;
     const Vec3d size = space.size();
-    const double scale = std::min(width / size.z, kGreatestMapHeight / size.y);
-    const double left = kSide + (width - size.z * scale) / 2;
+    const double scale = std::min(kMapWidth / size.z, kGreatestMapHeight / size.y);
+    const double left = kSide + (kMapWidth - size.z * scale) / 2;
     const HalfMap lower(gap, pieces.below, space, true, {left, top + kHeading}, scale, language);
-    const HalfMap lid(gap, pieces.above, space, false, {left + width + kBetween, top + kHeading}, scale,
+    const HalfMap lid(gap, pieces.above, space, false, {left + kMapWidth + kBetween, top + kHeading}, scale,
                       language);
     const double deepest = std::max(lower.deepest(), pieces.covered ? lid.deepest() : 0);
     for (const HalfMap* map : {&lower, &lid}) {

@@ -160,9 +160,9 @@ void draw_book(Canvas& canvas, const Book& book, const DesignSpace& space,
     if (book.lid) {
         draw_half(canvas, page, *book.lid, Half::lid);
         draw_hinge(canvas, page, space);
-        draw_sizes(canvas, page, book.lid->relief, Half::lid, space);
     }
     draw_half(canvas, page, book.lower, Half::lower);
+    if (book.lid) draw_sizes(canvas, page, book.lid->relief, Half::lid, space);
     draw_sizes(canvas, page, book.lower.relief, Half::lower, space);
     draw_back_label(canvas, page, space);
     draw_object(canvas, page, outlines);

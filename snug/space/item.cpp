@@ -1,11 +1,23 @@
 #include "snug/space/item.h"
 
 namespace snug {
+namespace {
+
+void shift(Placement& placement, Vec3d by) {
+    placement.shift = placement.shift + by;
+    placement.bounds = {placement.bounds.min + by, placement.bounds.max + by};
+}
+
+}  // namespace
 
 void move(Item& item, Vec3d by) {
     item.offset_mm = item.offset_mm + by;
-    item.placement.shift = item.placement.shift + by;
-    item.placement.bounds = {item.placement.bounds.min + by, item.placement.bounds.max + by};
+    shift(item.placement, by);
+}
+
+void raise(Item& item, double mm) {
+    item.rise_mm += mm;
+    shift(item.placement, {mm, 0, 0});
 }
 
 Box3d room_of(const Item& item) {

@@ -22,11 +22,14 @@ struct Item {
     CutOptions cut;
     std::optional<double> mass_kg;
     Placement placement;
+    double rise_mm = 0;  ///< in a tray, how far it was shifted along x beside its offset, see tray.h
     std::optional<double> tip_deg = {};  ///< in a tray, how far it may be tilted, see tip_angle_deg()
 };
 
 /// Shifts it by so many mm.
 void move(Item& item, Vec3d by);
+/// The same along x in a tray: not an offset of its own.
+void raise(Item& item, double mm);
 
 /// What an item takes up with its clearance; and what all of them take up together.
 [[nodiscard]] Box3d room_of(const Item& item);

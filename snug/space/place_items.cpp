@@ -98,13 +98,13 @@ void place_beside_each_other(std::vector<Item>& items, const Design& design, Vec
         layers.push_back(without_a_place(items, design, layer));
         stand_in_a_row(layers.back(), design.space, middle.z);
     }
-    if (design.space.open) sink_alike(*design.space.open, layers.back());
-    if (layers.size() > 1) stack(layers, design.space, middle.x);
+    if (layers.size() > 1 && !design.space.open) stack(layers, design.space, middle.x);
 }
 
 /// Shifts all so that what they take up together is centred, as a single object is.
-void centre(std::vector<Item>& items, Vec3d middle) {
-    const Vec3d by = middle - room_of(items).centre();
+void centre(std::vector<Item>& items, Vec3d middle, bool along_x) {
+    Vec3d by = middle - room_of(items).centre();
+    if (!along_x) by.x = 0;
     for (Item& item : items) move(item, by);
 }
 
@@ -116,18 +116,16 @@ Result<DesignSpace> given_space(const Design& design) {
     return fitted->space;
 }
 
-/// In a tray of a given height items stand on its floor, those without a place of their own.
-Result<void> stand_in_tray(std::vector<Item>& items, const Design& design) {
-    std::vector<Item> loose;
-    for (std::size_t i = 0; i < items.size(); ++i)
-        if (!design.items[i].offset_mm) loose.push_back(items[i]);
-    if (loose.empty()) return {};
-    const auto space = given_space(design);
-    if (!space) return tl::unexpected(space.error());
-    const double floor = wanted_wall_mm(design.space)[0];
-    const double by = rise_to_floor(loose, space->face(0, 0), floor, space->block_mm.x);
-    for (std::size_t i = 0; i < items.size(); ++i)
-        if (!design.items[i].offset_mm) move(items[i], {by + design.placement.offset_mm.x, 0, 0});
+/// Along x: in the middle of a space that is fitted to the items, or on the floor of one that is given.
+Result<void> lay_in_tray(std::vector<Item>& items, const Design& design, double middle, bool fitted) {
+    settle_in_tray(items, *design.space.open, apart_along(0, design.space));
+    double rise = middle - room_of(items).centre().x;
+    if (!fitted) {
+        const auto space = given_space(design);
+        if (!space) return tl::unexpected(space.error());
+        rise = rise_to_floor(items, space->face(0, 0), wanted_wall_mm(design.space)[0], space->block_mm.x);
+    }
+    for (Item& item : items) raise(item, rise);
     return {};
 }
 
@@ -157,10 +155,11 @@ Result<std::vector<Item>> place_items(std::span<const Object> objects, const Des
     if (items.size() > 1) {
         number_equal_names(items);
         place_beside_each_other(items, design, design.placement.offset_mm + walls);
-        if (fitted) centre(items, walls);
+        if (fitted) centre(items, walls, !design.space.open);
     }
-    if (design.space.open && !fitted)
-        if (auto done = stand_in_tray(items, design); !done) return tl::unexpected(done.error());
+    if (design.space.open)
+        if (auto done = lay_in_tray(items, design, walls.x, fitted); !done)
+            return tl::unexpected(done.error());
     return items;
 }
 

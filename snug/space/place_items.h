@@ -16,8 +16,8 @@ namespace snug {
 /// other that the foam that is wanted stands between them however they meet the blocks, and centred; each
 /// layer in a row of its own, and the layers likewise upon each other. In a
 /// space that is fitted to several items all of them are shifted so that their common room is centred; one
-/// item keeps its rule. In a tray one surface sinks all items of the uppermost layer (tray.h); where its
-/// height is given, items without a place of their own stand above its floor. Walls that differ shift all,
+/// item keeps its rule. In a tray one surface sinks all items of the uppermost layer (tray.h),
+/// and where its height is given they stand on its floor. Walls that differ shift all,
 /// see shift_between_walls(). Fails as place() does, and with kind `usage` for an item of an object that
 /// there is not.
 [[nodiscard]] Result<std::vector<Item>> place_items(std::span<const Object> objects, const Design& design,

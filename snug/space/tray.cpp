@@ -6,9 +6,22 @@
 namespace snug {
 namespace {
 
-/// Where the surface must be for this item.
+/// Where the surface must be for this item, had it no offset along x.
 double surface_of(double open, const Item& item) {
-    return item.placement.bounds.min.x + sunk_mm(open, item.placement.bounds);
+    return item.placement.bounds.min.x - item.offset_mm.x + sunk_mm(open, item.placement.bounds);
+}
+
+/// What it takes up, had it no offset along x.
+Box3d settled_room(const Item& item) {
+    const Vec3d off{item.offset_mm.x, 0, 0};
+    const Box3d room = room_of(item);
+    return {room.min - off, room.max - off};
+}
+
+int layers_of(const std::vector<Item>& items) {
+    int layers = 1;
+    for (const Item& item : items) layers = std::max(layers, item.layer);
+    return layers;
 }
 
 }  // namespace
@@ -25,16 +38,25 @@ int tray_level(double open, const std::vector<Item>& uppermost, const DesignSpac
     return std::clamp(static_cast<int>(level), 1, space.blocks.x);
 }
 
-void sink_alike(double open, const std::vector<Item*>& layer) {
-    if (layer.empty()) return;
-    double surface = surface_of(open, *layer.front());
-    for (const Item* item : layer) surface = std::max(surface, surface_of(open, *item));
-    for (Item* item : layer) move(*item, {surface - surface_of(open, *item), 0, 0});
+void settle_in_tray(std::vector<Item>& items, double open, double apart_mm) {
+    double top = 0;  // of the next layer
+    for (int layer = layers_of(items); layer > 0; --layer) {
+        double lowest = top;
+        for (Item& item : items) {
+            if (item.layer != layer) continue;
+            const bool uppermost = layer == layers_of(items);
+            raise(item, uppermost ? -surface_of(open, item) : top - settled_room(item).max.x);
+            lowest = std::min(lowest, settled_room(item).min.x);
+        }
+        top = lowest - apart_mm;
+    }
 }
 
 double rise_to_floor(const std::vector<Item>& items, double floor_x, double floor_mm, double block_mm) {
     const double floor = std::ceil(floor_mm / block_mm - 1e-9) * block_mm;
-    return floor_x + floor - room_of(items).min.x;
+    double lowest = settled_room(items.front()).min.x;
+    for (const Item& item : items) lowest = std::min(lowest, settled_room(item).min.x);
+    return floor_x + floor - lowest;
 }
 
 }  // namespace snug

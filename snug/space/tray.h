@@ -19,11 +19,13 @@ namespace snug {
 /// as they must be, 1 to nx.
 [[nodiscard]] int tray_level(double open, const std::vector<Item>& uppermost, const DesignSpace& space);
 
-/// Shifts items of one layer along x so that one surface sinks all of them as deep as they must be.
-void sink_alike(double open, const std::vector<Item*>& layer);
+/// Lays the items along x: those of the uppermost layer so that one surface, at x = 0, sinks all of them as
+/// deep as they must be, and each layer below `apart_mm` under the one above it. The x of an item's offset is
+/// counted from there.
+void settle_in_tray(std::vector<Item>& items, double open, double apart_mm);
 
-/// How far items must move along x so that below the lowest lies so much foam in whole blocks. `floor_x`:
-/// where the foam begins. mm.
+/// How far settled items must rise so that below the lowest, as if none had an offset along x, lies so much
+/// foam in whole blocks. `floor_x`: where the foam begins. mm.
 [[nodiscard]] double rise_to_floor(const std::vector<Item>& items, double floor_x, double floor_mm,
                                    double block_mm);
 

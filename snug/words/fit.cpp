@@ -30,6 +30,12 @@ constexpr Wording kWordsOfFit[] = {
      "whether they run into each other",
      "{one} と {other} は同じくぼみに入り、外接する箱が {size} mm 重なっています。互いにぶつからないか、図で"
      "確かめてください。"},
+    {"no_label",
+     "no flat foam beside {name} is large enough for its name: its number stands in the packing sheet",
+     "{name} の脇に、名前を書けるだけの平らなフォームがありません。番号は梱包指示書にあります。"},
+    {"label_letters",
+     "the letters that a cutter engraves lack some of {name}: its number {number} stands in their place",
+     "{name} には刻めない文字があります。代わりに番号 {number} を刻みます。"},
     {"tips_out",
      "rolls out over the rim of its pocket when the tray is tilted by {degrees} degrees: sink it deeper "
      "({option}), or carry the tray level",
@@ -101,6 +107,13 @@ constexpr Wording kWordsOfFit[] = {
      "下のフォームがありません。分割の高さを変えるか、{instead}。"},
     {"no_upper", "the upper foam is empty: choose another parting level or {instead}",
      "ふたがありません。分割の高さを変えるか、{instead}。"},
+    {"no_lift",
+     "no room at the edges of the {foam} for slots to lift it by: choose smaller ones or thicker walls, or "
+     "lay two "
+     "ribbons under it, their ends outside",
+     "{foam}の縁に持ち上げ口を設ける場所がありません。小さくするか壁を厚くしてください。または、下にリボンを "
+     "2 本、"
+     "端を外に出して渡してください。"},
     {"no_middle",
      "middle foam {number} is empty: move the layers around it farther apart, or choose {instead}",
      "中間のフォーム {number} がありません。上下の段を離すか、{instead}。"},

@@ -61,6 +61,8 @@ constexpr Wording kWordsOfOptions[] = {
      "{words/}（{example} のように重みを付けることもできます）"},
     {"takes.one_of", "{words/}", " {words/} のどれか"},
     {"takes.or", "{what}, or {none}", "{what}、または {none} "},
+    {"takes.lift", "width x depth in mm such as {example}, or {other}",
+     "幅 x 奥行き（mm）。例：{example}。または {other}"},
     {"takes.notches", "width x depth in mm, and the room outwards if you like, such as {example} or {other}",
      "幅 x 深さ（mm）、必要なら外への奥行きを加えた、{example} や {other} のような形"},
     {"takes.places", "one or two numbers of mm such as {example} or {other}",

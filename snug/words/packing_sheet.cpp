@@ -46,11 +46,13 @@ constexpr Wording kWordsOfPackingSheet[] = {
     {"packing.unpack_layers",
      "To unpack go the other way round, layer by layer: lift the lid straight up, then each item of the "
      "uppermost layer by hand where the list below says that fingers fit beside it, and the foam under them "
-     "only when it is empty. Where fingers fit nowhere, lay two ribbons across the cavity before the item, "
+     "only when it is empty, by its lift slots or by two ribbons that were laid under it. Where fingers fit "
+     "nowhere, lay two ribbons across the cavity before the item, "
      "their ends outside, and lift by them. Never by a thin or projecting part. Slit sponge is lifted on a "
      "board that does not bend.",
      "取り出すときは逆の順に、段ごとに行います。まずふたをまっすぐ上に持ち上げ、一番上の段のものを一つずつ、"
-     "下の一覧で指の入る所から手で取り出します。その下のフォームは、空になってから持ち上げます。指の入る所が"
+     "下の一覧で指の入る所から手で取り出します。その下のフォームは、空になってから、持ち上げ口か、下に渡して"
+     "おいた 2 本のリボンで持ち上げます。指の入る所が"
      "ないものは、納める前にくぼみへリボンを 2 本、端を外に出して渡しておき、それを持って取り出します。細い部"
      "分や突き出た部分を持たないでください。スリットスポンジは、曲がらない板に載せて持ち上げます。"},
     {"packing.how", "How to lay it in", "納め方"},
@@ -91,12 +93,14 @@ constexpr Wording kWordsOfPackingSheet[] = {
     {"packing.unpack_open_layers",
      "To unpack go the other way round, layer by layer: lift each item of the uppermost layer by hand where "
      "the list below says that fingers fit beside it or where it stands out of the foam, and the foam under "
-     "them only when it is empty. Where fingers fit nowhere, lay two ribbons across the cavity before the "
+     "them only when it is empty, by its lift slots or by two ribbons that were laid under it. Where fingers "
+     "fit nowhere, lay two ribbons across the cavity before the "
      "item, their ends outside, and lift by them. Never by a thin or projecting part. Slit sponge is lifted "
      "on "
      "a board that does not bend.",
      "取り出すときは逆の順に、段ごとに行います。一番上の段のものを一つずつ、下の一覧で指の入る所か、フォーム"
-     "から出ている所を手で持って取り出します。その下のフォームは、空になってから持ち上げます。指の入る所がな"
+     "から出ている所を手で持って取り出します。その下のフォームは、空になってから、持ち上げ口か、下に渡してお"
+     "いた 2 本のリボンで持ち上げます。指の入る所がな"
      "い"
      "ものは、納める前にくぼみへリボンを 2 本、端を外に出して渡しておき、それを持って取り出します。細い部分や"
      "突き出た部分を持たないでください。スリットスポンジは、曲がらない板に載せて持ち上げます。"},

@@ -66,6 +66,32 @@ class TraysTest(unittest.TestCase):
         self.assertAlmostEqual(report["wall_mm"][0], 20, delta=5)
         self.assertLess(self.surface(report), 60)
 
+    def test_each_item_has_notches_of_its_own(self):
+        _, report, _ = self.make("camera.stl", "vase.stl:longest=90,count=2,upright=z", "--units=mm", "--blocks=auto", "--open=0.6",
+                                 "--block-size=5x5x5", "--notches=40x20x25")
+        self.assertEqual([each["item"] for each in report["notches"]], [1, 1, 2, 2, 3, 3])
+        for item in report["items"]:
+            low, high = item["box_mm"]
+            for notch in report["notches"]:
+                if notch["item"] != item["number"]:
+                    continue
+                along, axis = (2, 1) if notch["side"] in ("back", "front") else (1, 2)
+                self.assertTrue(low[along] - 25 < notch["at_mm"] < high[along] + 25, (item, notch))
+                self.assertGreaterEqual(notch["size_mm"][axis], 25)
+
+    def test_a_place_of_its_own_leaves_an_item_as_deep_as_the_others(self):
+        words = ["vase.stl:longest=60,move=0x-60x0", "torus.stl:longest=60,move=0x60x0", "--units=mm", "--case=400x300x120",
+                 "--block-size=1x5x5", "--open=0.5", "--wall=20"]
+        _, report, _ = self.make(*words)
+        for item in report["items"]:
+            low, high = item["box_mm"][0][0], item["box_mm"][1][0]
+            self.assertAlmostEqual((self.surface(report) - low) / (high - low), 0.5, delta=0.51 / (high - low))
+        words[0] = "vase.stl:longest=60,move=7x-60x0"
+        _, raised, _ = self.make(*words)
+        self.assertEqual(raised["foam"]["parting_level"], report["foam"]["parting_level"])
+        self.assertAlmostEqual(raised["items"][0]["box_mm"][0][0] - report["items"][0]["box_mm"][0][0], 7)
+        self.assertEqual(raised["items"][1]["box_mm"], report["items"][1]["box_mm"])
+
     def test_every_way_makes_it(self):
         presets = {"bricks": ["--preset=lego-brick"], "mill": ["--preset=mill", "--flute=200"], "mould": ["--preset=cast"]}
         for way in ("sponge", "sheets", "print", "mill", "mould", "bricks"):

@@ -56,6 +56,7 @@ Kit random_kit(Random& random) {
     if (random.chance(0.3)) design.space.between_mm = random.between(0, 60);
     if (random.chance(0.3)) design.fit.least_rib_mm = random.between(1, 40);
     if (random.chance(0.3)) design.fit.notches = NotchOptions{40, 25, 10, {}, {}, {}};
+    if (random.chance(0.3)) design.fit.lift = LiftOptions{random.between(10, 60), random.between(5, 25)};
     if (random.chance(0.2)) design.space.wall_mm = Walls{20, 30, 5, 60, 0, 44};
     const int objects = random.integer(1, 4);
     for (int i = 0; i < objects; ++i) {
@@ -160,7 +161,8 @@ void expect_tray(const Packing& packing, const Design& design, const Blocks& cut
         if (item.layer != packing.foams->layers()) continue;
         const Box3d& box = item.placement.bounds;
         const double open = *design.space.open, height = box.max.x - box.min.x;
-        surface = std::max(surface, box.min.x + (open <= 1 ? open * height : std::min(open, height)));
+        surface = std::max(
+            surface, box.min.x - item.offset_mm.x + (open <= 1 ? open * height : std::min(open, height)));
     }
     const double block = packing.space.block_mm.x, at = level * block - packing.space.blocks.x * block / 2;
     if (level > 1 && level < packing.space.blocks.x) {
@@ -181,8 +183,21 @@ void expect_tray(const Packing& packing, const Design& design, const Blocks& cut
         }
 }
 
+/// However many notches there are, each item of an only layer keeps the foam below it. `cut`: by the layer.
+void expect_support(const Packing& packing, const Blocks& cut) {
+    const int level = packing.foams->parting.front();
+    const Grid<Run>& kept = packing.foams->pieces.front();
+    for (int j = 0; j < kept.ny(); ++j)
+        for (int k = 0; k < kept.nz(); ++k) {
+            int first = 0;
+            while (first < level && !cut.cut(first, j, k)) ++first;
+            if (first == level || first <= packing.available(j, k).first) continue;
+            ASSERT_EQ(kept(j, k).end, std::min<int>(first, packing.available(j, k).end)) << j << " " << k;
+        }
+}
+
 TEST(Kits, EveryItemHasItsRoomComesOutAndStandsFarEnoughFromOthers) {
-    int packed = 0, near = 0, far = 0, rows = 0, in_cases = 0, in_layers = 0, trays = 0;
+    int packed = 0, near = 0, far = 0, rows = 0, in_cases = 0, in_layers = 0, trays = 0, notched = 0;
     const int kits = test::cases(166, 30);
     for (int seed = 0; seed < kits; ++seed) {
         SCOPED_TRACE(seed);
@@ -221,6 +236,10 @@ TEST(Kits, EveryItemHasItsRoomComesOutAndStandsFarEnoughFromOthers) {
         ASSERT_EQ(broken.in_the_way, 0);
         expect_nothing_lost(*packing);
         trays += packing->foams->open();
+        if (!packing->notches.empty() && layers == 1 && packing->rib_blocks == 0) {
+            expect_support(*packing, below.front());
+            ++notched;
+        }
         if (packing->foams->open()) expect_tray(*packing, *design, below.back());
 
         const double wanted = wanted_between_mm(design->space);
@@ -252,6 +271,62 @@ TEST(Kits, EveryItemHasItsRoomComesOutAndStandsFarEnoughFromOthers) {
     EXPECT_GT(in_cases, 0);
     EXPECT_GT(in_layers, kits / 4);
     EXPECT_GT(trays, kits / 10);
+    EXPECT_GT(notched, 0);
+}
+
+/// By the brute force: the columns of a slot, by what it says of itself.
+bool in_slot(const LiftSlot& slot, const DesignSpace& space, int j, int k) {
+    const bool along_z = slot.side == kBack || slot.side == kFront;
+    const double y = (space.face(1, j) + space.face(1, j + 1)) / 2,
+                 z = (space.face(2, k) + space.face(2, k + 1)) / 2;
+    return std::fabs((along_z ? z : y) - slot.at_mm) < (along_z ? slot.size_mm.z : slot.size_mm.y) / 2;
+}
+
+TEST(Kits, LiftSlotsTakeWholeColumnsOfThePiecesThatAreLiftedAndKeepFarFromTheItems) {
+    int slotted = 0, without = 0;
+    for (int seed = 0; seed < test::cases(120, 20); ++seed) {
+        SCOPED_TRACE(seed);
+        Random random(static_cast<std::uint64_t>(seed) + 91000);
+        Kit kit = random_kit(random);
+        kit.design.fit.lift = LiftOptions{random.between(10, 60), random.between(5, 25)};
+        const Packing with = pack(kit.objects, checked(kit.design).value()).value_or(Packing{});
+        kit.design.fit.lift.reset();
+        const Packing plain = pack(kit.objects, checked(kit.design).value()).value_or(Packing{});
+        if (!with.foams) continue;
+        const DesignSpace& space = with.space;
+        const double between = std::max(wanted_between_mm(kit.design.space), 1e-9);
+        without += static_cast<int>(with.lift.without.size());
+        slotted += static_cast<int>(with.lift.slots.size());
+        EXPECT_EQ(with.lift.slots.size() + 2 * with.lift.without.size(), 2 * (with.foams->pieces.size() - 1));
+        for (const Piece piece : with.foams->all()) {
+            const Grid<snug::Run>& cut = with.foams->piece(piece);
+            const Grid<snug::Run>& whole = plain.foams->piece(piece);
+            double taken = 0, said = 0;
+            for (const LiftSlot& slot : with.lift.slots)
+                if (slot.piece == piece) said += slot.size_mm.y * slot.size_mm.z;
+            for (int j = 0; j < cut.ny(); ++j)
+                for (int k = 0; k < cut.nz(); ++k) {
+                    if (cut(j, k) == whole(j, k)) continue;
+                    ASSERT_TRUE(cut(j, k).none());
+                    taken += space.block_mm.y * space.block_mm.z;
+                    ASSERT_TRUE(std::any_of(with.lift.slots.begin(), with.lift.slots.end(),
+                                            [&](const LiftSlot& slot) {
+                                                return slot.piece == piece && in_slot(slot, space, j, k);
+                                            }));
+                    for (const BlockMap& layer : with.layers)
+                        for (int j2 = 0; j2 < cut.ny(); ++j2)
+                            for (int k2 = 0; k2 < cut.nz(); ++k2) {
+                                if (layer(j2, k2).none()) continue;
+                                const double dy = (std::abs(j - j2) - 1) * space.block_mm.y,
+                                             dz = (std::abs(k - k2) - 1) * space.block_mm.z;
+                                ASSERT_GE(std::max(dy, dz), between - 1e-6);
+                            }
+                }
+            EXPECT_NEAR(taken, said, 1e-6);
+        }
+    }
+    EXPECT_GT(slotted, 10);
+    EXPECT_GT(without, 0);
 }
 
 TEST(Kits, ARowCutsWhatTheSameItemsCutWherePutByHand) {

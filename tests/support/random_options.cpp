@@ -112,6 +112,7 @@ struct Drawing {
 Design random_options(Random& random) {
     Design design;
     if (random.chance(0.5)) design.fit.notches.emplace();
+    if (random.chance(0.5)) design.fit.lift.emplace();
     const std::size_t count = options_of(design).options.size();
     for (std::size_t i = 0; i < count; ++i) {
         if (!random.chance(0.4)) continue;

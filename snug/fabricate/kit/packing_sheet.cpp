@@ -153,13 +153,19 @@ Vec3d tray_size(const FoamDesign& design) {
 }
 
 Message walls_text(const FitReport& fit) {
-    const auto& wall = fit.wall_mm;
-    return say(fit.open ? "packing.walls_of_tray" : "packing.walls_of", {{"floor", number(wall[kFloor], 1)},
-                                                                         {"lid", number(wall[kRoof], 1)},
-                                                                         {"back", number(wall[kBack], 1)},
-                                                                         {"front", number(wall[kFront], 1)},
-                                                                         {"left", number(wall[kLeft], 1)},
-                                                                         {"right", number(wall[kRight], 1)}});
+    const auto mm = [&](Side side) { return number(fit.wall_mm[side], 1); };
+    if (fit.open)
+        return say("packing.walls_of_tray", {{"floor", mm(kFloor)},
+                                             {"back", mm(kBack)},
+                                             {"front", mm(kFront)},
+                                             {"left", mm(kLeft)},
+                                             {"right", mm(kRight)}});
+    return say("packing.walls_of", {{"floor", mm(kFloor)},
+                                    {"lid", mm(kRoof)},
+                                    {"back", mm(kBack)},
+                                    {"front", mm(kFront)},
+                                    {"left", mm(kLeft)},
+                                    {"right", mm(kRight)}});
 }
 
 Message item_text(const PackedItem& item) {

@@ -1,11 +1,13 @@
 #include "snug/fabricate/kit/report_json.h"
 
 #include <cmath>
+#include <optional>
 #include <type_traits>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
+#include "snug/fabricate/kit/piece_names.h"
 #include "snug/space/fitted_space.h"
 #include "snug/words/words.h"
 
@@ -125,57 +127,77 @@ Json clearance_json(const Clearance& clearance) {
     return list;
 }
 
-/// Each item as it finally lies.
-Json items_json(const Packing& packing, const Project& project) {
-    Json list = Json::array();
-    const Vec3d walls = shift_between_walls(project.design.space, packing.fitted_case.has_value());
-    for (std::size_t i = 0; i < packing.items.size(); ++i) {
-        const Item& item = packing.items[i];
-        const Box3d& box = item.placement.bounds;
-        list.push_back(
-            {{"name", item_name(project, project.design.items[i])},
-             {"file", project.objects[item.object].file.name},
-             {"number", i + 1},
-             {"layer", item.layer},
-             {"placement",
-              {{"rotation_deg", array(item.rotation_deg)}, {"offset_mm", array(item.offset_mm + walls)}}},
-             {"box_mm", Json::array({array(box.min), array(box.max)})},
-             {"clearance_mm", clearance_json(item.cut.clearance_mm)},
-             {"mass_kg", item.mass_kg ? Json(rounded(*item.mass_kg)) : Json(nullptr)}});
-        if (item.tip_deg) list.back()["tips_at_deg"] = std::floor(*item.tip_deg);
-        if (!item.group.empty()) list.back()["group"] = item.group;
-    }
-    return list;
-}
-
-Json bearing_json(const BearingReport& bearing, const Design& design) {
+/// Areas on either side and, with a mass, what it presses with on the lower.
+Json bearing_areas(const BearingReport& bearing, std::optional<double> kg) {
     const auto areas = [](const auto& mm2) {
         Json list = Json::array();
         for (const double area : mm2) list.push_back(rounded(area, 1e3));
         return list;
     };
     Json pressure = nullptr;
-    if (const auto kg = mass_kg(design)) {
+    if (kg) {
         pressure = Json::array();
         for (const double area : bearing.lower_mm2) {
             const auto kpa = static_pressure_kpa(*kg, area);
             pressure.push_back(kpa ? Json(rounded(*kpa)) : Json(nullptr));
         }
     }
-    return {{"sinking_mm", kSinking},
-            {"lower_mm2", areas(bearing.lower_mm2)},
+    return {{"lower_mm2", areas(bearing.lower_mm2)},
             {"upper_mm2", areas(bearing.upper_mm2)},
-            {"static_kpa", pressure},
-            {"creep_kpa", design.fit.creep_kpa ? Json(*design.fit.creep_kpa) : Json(nullptr)},
-            {"drops", "not checked"}};
+            {"static_kpa", pressure}};
 }
 
-Json notches_json(const std::vector<Notch>& notches) {
+Json bearing_json(const BearingReport& bearing, const Design& design) {
+    Json json{{"sinking_mm", kSinking}};
+    json.update(bearing_areas(bearing, mass_kg(design)));
+    json["creep_kpa"] = design.fit.creep_kpa ? Json(*design.fit.creep_kpa) : Json(nullptr);
+    json["drops"] = "not checked";
+    return json;
+}
+
+/// Each item as it finally lies.
+Json items_json(const Packing& packing, const Project& project, const MeasuredFit& fit) {
     Json list = Json::array();
-    for (const Notch& notch : notches)
+    const Vec3d walls = shift_between_walls(project.design.space, packing.fitted_case.has_value());
+    for (std::size_t i = 0; i < packing.items.size(); ++i) {
+        const Item& item = packing.items[i];
+        const Box3d& box = item.placement.bounds;
+        list.push_back({{"name", item_name(project, project.design.items[i])},
+                        {"file", project.objects[item.object].file.name},
+                        {"number", i + 1},
+                        {"layer", item.layer},
+                        {"placement",
+                         {{"rotation_deg", array(item.rotation_deg)},
+                          {"offset_mm", array(item.offset_mm + walls + Vec3d{item.rise_mm, 0, 0})}}},
+                        {"box_mm", Json::array({array(box.min), array(box.max)})},
+                        {"clearance_mm", clearance_json(item.cut.clearance_mm)},
+                        {"mass_kg", item.mass_kg ? Json(rounded(*item.mass_kg)) : Json(nullptr)}});
+        if (item.tip_deg) list.back()["tips_at_deg"] = std::floor(*item.tip_deg);
+        if (packing.items.size() > 1 && !fit.item_bearings.empty())
+            list.back()["bearing"] = bearing_areas(fit.item_bearings[i], item.mass_kg);
+        if (!item.group.empty()) list.back()["group"] = item.group;
+    }
+    return list;
+}
+
+Json notches_json(const Packing& packing) {
+    Json list = Json::array();
+    for (const Notch& notch : packing.notches) {
         list.push_back({{"side", side_name(notch.side)},
                         {"at_mm", rounded(notch.at_mm)},
                         {"size_mm", array(notch.size_mm)}});
+        if (packing.items.size() > 1) list.back()["item"] = notch.item + 1;
+    }
+    return list;
+}
+
+Json lift_json(const Packing& packing) {
+    Json list = Json::array();
+    for (const LiftSlot& slot : packing.lift.slots)
+        list.push_back({{"piece", foam_stem(slot.piece)},
+                        {"side", side_name(slot.side)},
+                        {"at_mm", rounded(slot.at_mm)},
+                        {"size_mm", array(slot.size_mm)}});
     return list;
 }
 
@@ -252,7 +274,7 @@ std::string report_json(std::span<const Object> objects, const Project& project,
     json["placement"] = one ? Json{{"rotation_deg", array(packing.items.front().rotation_deg)},
                                    {"offset_mm", array(packing.items.front().offset_mm)}}
                             : Json(nullptr);
-    json["items"] = items_json(packing, project);
+    json["items"] = items_json(packing, project, made.fit);
     json["design_space"] = {{"blocks", array(packing.space.blocks)},
                             {"block_mm", array(packing.space.block_mm)}};
     json["foam"] = packing.foams ? foam_json(packing) : Json(nullptr);
@@ -263,7 +285,8 @@ std::string report_json(std::span<const Object> objects, const Project& project,
         json["wall_mm"] = Json::array();
         for (const double wall : packing.fit.wall_mm) json["wall_mm"].push_back(rounded(wall));
     }
-    if (!packing.notches.empty()) json["notches"] = notches_json(packing.notches);
+    if (!packing.lift.slots.empty()) json["lift"] = lift_json(packing);
+    if (!packing.notches.empty()) json["notches"] = notches_json(packing);
     if (packing.fitted_case) {
         const int level = packing.foams ? packing.foams->parting.back() : 0;
         json["case"] = case_json(*packing.fitted_case, level, packing.fit);

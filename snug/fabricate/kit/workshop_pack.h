@@ -8,6 +8,7 @@
 
 #include "snug/base/finding.h"
 #include "snug/drawing/drawing.h"
+#include "snug/fabricate/kit/item_labels.h"
 #include "snug/foam/block_map.h"
 #include "snug/foam/foams.h"
 #include "snug/formats/mesh_files.h"
@@ -24,9 +25,10 @@ struct FoamDesign {
     const DesignSpace& space;
     std::span<const BlockMap> layers;  ///< what each layer of items cuts, the lowest first
     const Foams& foams;
-    const Grid<Run>& available;             ///< blocks that exist
-    std::string object_name;                ///< as people know it; UTF-8
-    Language language = Language::english;  ///< of pages and pictures
+    const Grid<Run>& available;              ///< blocks that exist
+    std::string object_name;                 ///< as people know it; UTF-8
+    Language language = Language::english;   ///< of pages and pictures
+    std::span<const ItemLabel> labels = {};  ///< to be written beside items
 
     /// A piece as it is worked from the side that is looked at first.
     [[nodiscard]] SeenPiece seen(Piece piece) const { return seen_piece(foams, piece, space.blocks.x); }

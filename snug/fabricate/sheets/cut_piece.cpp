@@ -18,10 +18,24 @@ bool in_piece(const SheetPiece& piece, Vec2d at, Vec2d cell) {
            piece.mask.contains(static_cast<int>(at.x / cell.x), static_cast<int>(at.y / cell.y));
 }
 
+/// The labels that are engraved on a piece: those on the uppermost sheet at their place.
+std::vector<ItemLabel> labels_on(const SheetStack& stack, const SheetPiece& piece,
+                                 std::span<const ItemLabel> labels) {
+    std::vector<ItemLabel> own;
+    for (const ItemLabel& label : labels) {
+        const int row = static_cast<int>(label.middle.y / stack.cell_mm.y),
+                  column = static_cast<int>(label.middle.x / stack.cell_mm.x);
+        if (stack.piece.index == label.layer - 1 && stack.kept(row, column) - 1 == piece.sheet &&
+            piece.mask.contains(column - piece.column, row - piece.row))
+            own.push_back(label);
+    }
+    return own;
+}
+
 }  // namespace
 
 CutPiece cut_piece(const SheetStack& stack, const SheetPiece& piece, const DowelHoles& dowels,
-                   const SheetOptions& options) {
+                   const SheetOptions& options, std::span<const ItemLabel> labels) {
     CutPiece made;
     for (std::size_t i = 0; i < piece.loops.size(); ++i) {
         auto line = offset_outline(piece.loops[i], stack.cell_mm, options.kerf_mm / 2);
@@ -37,7 +51,8 @@ CutPiece cut_piece(const SheetStack& stack, const SheetPiece& piece, const Dowel
             if (in_piece(piece, centre - corner, stack.cell_mm)) holes.push_back(centre - corner);
     for (const Vec2d hole : holes)
         made.circles.push_back({hole, 0.5 * (options.dowel_mm - options.kerf_mm), {}, {}});
-    Engraving words = engraving(stack, piece, holes, 0.5 * options.dowel_mm);
+    const std::vector<ItemLabel> own = labels_on(stack, piece, labels);
+    Engraving words = engraving(stack, piece, holes, 0.5 * options.dowel_mm, own);
     made.engraved = std::move(words.lines);
     made.numbered = words.numbered;
     made.marked = outline_above(stack, piece);

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "snug/design/sheet_options.h"
 #include "snug/drawing/drawing.h"
+#include "snug/fabricate/kit/item_labels.h"
 #include "snug/fabricate/sheets/dowel_holes.h"
 #include "snug/fabricate/sheets/sheet_stack.h"
 
@@ -18,10 +20,10 @@ struct CutPiece {
     bool numbered = false;  ///< false: no room for its number
 };
 
-/// The piece with its cuts grown by half the kerf, its dowel holes, number and the outline of the sheet
-/// above.
+/// The piece with its cuts grown by half the kerf, its dowel holes, number, the outline of the sheet above,
+/// and those of the items' labels that stand on it.
 [[nodiscard]] CutPiece cut_piece(const SheetStack& stack, const SheetPiece& piece, const DowelHoles& dowels,
-                                 const SheetOptions& options);
+                                 const SheetOptions& options, std::span<const ItemLabel> labels = {});
 
 /// What all cuts of a piece come to, mm.
 [[nodiscard]] double cut_length(const CutPiece& piece);

@@ -133,11 +133,20 @@ std::vector<std::vector<Vec2d>> back_arrow(Half half, Vec2d at, double height) {
 }
 
 Engraving engraving(const SheetStack& stack, const SheetPiece& piece, const std::vector<Vec2d>& holes,
-                    double hole_radius) {
+                    double hole_radius, const std::vector<ItemLabel>& labels) {
     FreeCells free(stack, piece);
     const Vec2d reach{hole_radius + kAround, hole_radius + kAround};
     for (const Vec2d hole : holes) free.take(hole - reach, hole + reach);
     Engraving made;
+    for (const ItemLabel& label : labels) {
+        Lines lines = stroke_text(label.strokes, {}, label.height_mm);
+        const Extent box = extent(lines);
+        const Vec2d corner{piece.column * stack.cell_mm.x, piece.row * stack.cell_mm.y};
+        move(lines, label.middle - corner - (box.low + box.high) * 0.5);
+        const Extent there = extent(lines);
+        free.take(there.low - Vec2d{kAround, kAround}, there.high + Vec2d{kAround, kAround});
+        append(made.lines, std::move(lines));
+    }
     if (has_odd_corner(stack, piece)) {
         made.lines.push_back(odd_corner(stack, piece));
         const double row = stack.piece.half() == Half::lower ? 0.5 : piece.mask.height - 0.5;

@@ -62,13 +62,13 @@ struct AllPieces {
     std::vector<std::string> unnumbered;
 };
 
-AllPieces all_pieces(const Stacks& stacks, const SheetOptions& options) {
+AllPieces all_pieces(const Stacks& stacks, const SheetOptions& options, std::span<const ItemLabel> labels) {
     AllPieces all;
     for (std::size_t half = 0; half < stacks.halves.size(); ++half) {
         for (const SheetPiece& piece : stacks.halves[half].pieces) {
             all.stacks.push_back(&stacks.halves[half]);
             all.pieces.push_back(&piece);
-            all.cuts.push_back(cut_piece(stacks.halves[half], piece, stacks.dowels[half], options));
+            all.cuts.push_back(cut_piece(stacks.halves[half], piece, stacks.dowels[half], options, labels));
             if (!all.cuts.back().numbered) all.unnumbered.push_back(piece.name);
         }
     }
@@ -163,7 +163,7 @@ void add_stock_files(WorkshopPack& pack, const AllPieces& all, const Nesting& ne
 Result<WorkshopPack> sheets_pack(const FoamDesign& design, const SheetOptions& options, Vec2d page_mm) {
     const auto stacks = stacks_of(design, options);
     if (!stacks) return tl::unexpected(stacks.error());
-    const AllPieces all = all_pieces(*stacks, options);
+    const AllPieces all = all_pieces(*stacks, options, design.labels);
     std::vector<PieceToNest> to_nest;
     for (const SheetPiece* piece : all.pieces) to_nest.push_back({piece->name, &piece->mask, piece->cells});
     const auto nesting = nest(to_nest, stacks->halves.front().cell_mm, options);

@@ -156,6 +156,15 @@ Message task_of(const LayerRun& run, const std::string& object_name) {
     return say("sponge.map_task", {{"pluck", pluck}, {"cut_off", cut_off}, {"name", object_name}});
 }
 
+/// On the surface, beside the items that lie in the piece.
+void write_labels(MapPage& map, Piece piece, const FoamDesign& design) {
+    map.page.layer("labels", kInk);
+    for (const ItemLabel& label : design.labels)
+        if (label.layer == piece.index + 1)
+            map.page.text(map.grid.corner + label.middle + Vec2d{0, 0.35 * label.height_mm}, label.words,
+                          {label.height_mm, kInk, true, TextAnchor::middle});
+}
+
 }  // namespace
 
 Drawing pluck_map(const PluckPlan& plan, const LayerRun& run, const FoamDesign& design) {
@@ -181,6 +190,7 @@ Drawing pluck_map(const PluckPlan& plan, const LayerRun& run, const FoamDesign& 
     map.page.layer("notes", kInk);
     draw_names(map.page, map.grid);
     name_cells(map.page, map.grid, plucked, piece_ink(plan.piece));
+    if (run.first == 1 && plan.half == Half::lower) write_labels(map, plan.piece, design);
     return map.page.finish();
 }
 

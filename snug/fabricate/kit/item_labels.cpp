@@ -1,0 +1,129 @@
+#include "snug/fabricate/kit/item_labels.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "snug/drawing/stroke_text.h"
+
+namespace snug {
+namespace {
+
+constexpr std::array<double, 5> kLabelHeights{8, 6, 4.5, 3.5, 3};  // mm, the first that fits
+constexpr double kBeside = 4;                                      // mm between item and label
+constexpr double kAroundLabel = 1.5;                               // mm of flat foam around it
+constexpr int kPlacesTried = 24;                                   // to either side along an item
+
+bool can_be_engraved(std::string_view words) {
+    return std::all_of(words.begin(), words.end(), [](char c) {
+        const auto code = static_cast<unsigned char>(c);
+        return code < 0x80 &&
+               (std::isalnum(code) || std::string_view("-+./ ").find(c) != std::string_view::npos);
+    });
+}
+
+struct Rectangle {
+    Vec2d low, high;
+};
+
+Vec2d size_of(const std::string& strokes, double height) {
+    Vec2d low{1e9, 1e9}, high{-1e9, -1e9};
+    for (const auto& line : stroke_text(strokes, {}, height))
+        for (const Vec2d p : line) {
+            low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+            high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+        }
+    return high - low + Vec2d{2 * kAroundLabel, 2 * kAroundLabel};
+}
+
+/// Where labels may stand on the surface of one piece.
+class FlatFoam {
+  public:
+    FlatFoam(const BlockMap& layer, const Grid<Run>& below, int parting, const DesignSpace& space)
+        : layer_(layer), below_(below), parting_(parting), space_(space) {}
+
+    [[nodiscard]] bool holds(const Rectangle& label) const {
+        const Vec3d size = space_.size(), block = space_.block_mm;
+        if (label.low.x < 0 || label.low.y < 0 || label.high.x > size.z || label.high.y > size.y)
+            return false;
+        const int last_j = static_cast<int>(std::ceil(label.high.y / block.y)),
+                  last_k = static_cast<int>(std::ceil(label.high.x / block.z));
+        for (int j = static_cast<int>(label.low.y / block.y); j < last_j; ++j)
+            for (int k = static_cast<int>(label.low.x / block.z); k < last_k; ++k)
+                if (!layer_(j, k).none() || below_(j, k).end != parting_) return false;
+        return std::none_of(taken_.begin(), taken_.end(), [&](const Rectangle& other) {
+            return label.low.x < other.high.x && other.low.x < label.high.x && label.low.y < other.high.y &&
+                   other.low.y < label.high.y;
+        });
+    }
+    void take(const Rectangle& label) { taken_.push_back(label); }
+
+  private:
+    const BlockMap& layer_;
+    const Grid<Run>& below_;
+    int parting_;
+    const DesignSpace& space_;
+    std::vector<Rectangle> taken_;
+};
+
+/// Before it, behind it, to its right, to its left; at each side nearest to its middle.
+std::optional<Rectangle> place_beside(const Rectangle& item, Vec2d size, const FlatFoam& foam) {
+    const Vec2d middle = (item.low + item.high) * 0.5;
+    const double front = item.high.y + kBeside + size.y / 2, back = item.low.y - kBeside - size.y / 2,
+                 right = item.high.x + kBeside + size.x / 2, left = item.low.x - kBeside - size.x / 2;
+    for (int off = 0; off <= kPlacesTried; ++off)
+        for (const int way : {off, -off}) {
+            const double x = middle.x + way * (item.high.x - item.low.x) / (2.0 * kPlacesTried),
+                         y = middle.y + way * (item.high.y - item.low.y) / (2.0 * kPlacesTried);
+            for (const Vec2d at : {Vec2d{x, front}, Vec2d{x, back}, Vec2d{right, y}, Vec2d{left, y}}) {
+                const Rectangle label{at - size * 0.5, at + size * 0.5};
+                if (foam.holds(label)) return label;
+            }
+        }
+    return {};
+}
+
+Rectangle seen_from_above(const Box3d& box, const DesignSpace& space) {
+    const Vec2d corner{space.face(2, 0), space.face(1, 0)};
+    return {Vec2d{box.min.z, box.min.y} - corner, Vec2d{box.max.z, box.max.y} - corner};
+}
+
+}  // namespace
+
+ItemLabels item_labels(std::span<const Item> items, const std::vector<std::string>& names,
+                       std::span<const BlockMap> layers, const Foams& foams, const DesignSpace& space) {
+    ItemLabels made;
+    std::vector<FlatFoam> surfaces;
+    for (std::size_t i = 0; i < layers.size(); ++i)
+        surfaces.emplace_back(layers[i], foams.pieces[i], foams.parting[i], space);
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        const std::string number = std::to_string(i + 1);
+        ItemLabel label{items[i].layer, number + " " + names[i], number, {}, 0};
+        const auto note = [&](const char* code) {
+            made.findings.push_back({Severity::note, say(code, {{"name", names[i]}, {"number", number}})});
+        };
+        if (can_be_engraved(names[i]))
+            label.strokes = label.words;
+        else
+            note("label_letters");
+        FlatFoam& foam = surfaces[static_cast<std::size_t>(label.layer) - 1];
+        const Rectangle item = seen_from_above(items[i].placement.bounds, space);
+        for (const double height : kLabelHeights) {
+            const auto place = place_beside(item, size_of(label.strokes, height), foam);
+            if (!place) continue;
+            label.middle = (place->low + place->high) * 0.5;
+            label.height_mm = height;
+            foam.take(*place);
+            made.labels.push_back(label);
+            break;
+        }
+        if (label.height_mm == 0) note("no_label");
+    }
+    return made;
+}
+
+}  // namespace snug
