@@ -11,6 +11,7 @@ export type WorkshopOptions = Design['workshop'];
 export type BrickOptions = WorkshopOptions['bricks'];
 export type Work = NonNullable<WorkshopOptions['for']>;
 export type Notches = NonNullable<Design['fit']['notches']>;
+export type Lift = NonNullable<Design['fit']['lift']>;
 export type Unit = NonNullable<Design['object']['units']>;
 
 /** A case that is known, and how the object lies in it. */

@@ -1,4 +1,4 @@
-import type {Design, KnownCase, Notches, Preset, Triple, Unit, Work} from './design';
+import type {Design, KnownCase, Lift, Notches, Preset, Triple, Unit, Work} from './design';
 
 // Every change that a person can make, as a function from a design to the next one. Ranges are the library's
 // business: it refuses what cannot be, with its own sentence.
@@ -120,6 +120,10 @@ export function withClearanceOf(design: Design, side: number, mm: number): Desig
 
 export function withNotches(design: Design, notches: Notches | null): Design {
   return {...design, fit: {...design.fit, notches}};
+}
+
+export function withLift(design: Design, lift: Lift | null): Design {
+  return {...design, fit: {...design.fit, lift}};
 }
 
 export function withParting(design: Design, level: number | 'auto'): Design {

@@ -86,6 +86,12 @@ export interface Design {
       /** The middle of the opposite one (mm). */
       second_mm: number | null;
     } | null;
+    lift: {
+      /** How wide a recess is along the edge of a piece of foam (mm). */
+      width_mm: number;
+      /** How far it reaches from the edge inwards (mm). */
+      depth_mm: number;
+    } | null;
     /** Pressure that the foam bears for long (kPa). */
     creep_kpa: number | null;
   };
@@ -229,6 +235,7 @@ export interface Design {
 export type OptionPath =
   | 'items'
   | 'fit.notches'
+  | 'fit.lift'
   | 'object.units'
   | 'object.scale'
   | 'object.longest_mm'
@@ -263,6 +270,8 @@ export type OptionPath =
   | 'fit.notches.axis'
   | 'fit.notches.first_mm'
   | 'fit.notches.second_mm'
+  | 'fit.lift.width_mm'
+  | 'fit.lift.depth_mm'
   | 'fit.creep_kpa'
   | 'parting.level'
   | 'output.formats'

@@ -47,6 +47,14 @@ export const fields = {
         'くぼみの間に残るフォームがこれより薄いときは切り取ります。0 なら切りません。',
       ],
     },
+    'fit.lift.width_mm': {
+      name: ['Width', '幅'],
+      tip: ['Along the edge of the piece', 'フォームの縁に沿った長さ'],
+    },
+    'fit.lift.depth_mm': {
+      name: ['Depth', '奥行き'],
+      tip: ['From the edge inwards', '縁から内側へ'],
+    },
     'fit.notches.width_mm': {
       name: ['Width', '幅'],
       tip: ['Along the side of the object', '対象物の側面に沿った長さ'],

@@ -84,6 +84,11 @@ export const foam = words({
       upper: ['Clearance of the lid', 'ふたのすきま'],
     },
     halfTip: (axis: string) => [`Play around the object along ${axis}`, `${axis}方向のすきま`],
+    lift: ['Slots to lift the foam by', '持ち上げ口'],
+    liftTip: [
+      'Two recesses at the edges of every piece above the lowest, for the hands that lift it out of the case',
+      '一番下を除く各フォームの縁に設ける、ケースから持ち上げるための2つのくぼみ',
+    ],
     notches: ['Finger notches', '指かけ'],
     notchesTip: [
       'Two recesses in the lower foam, opposite each other, for the fingers that lift the object',

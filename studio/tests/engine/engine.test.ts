@@ -217,7 +217,7 @@ describe('a drawn copy', () => {
 describe('a project', () => {
   test('comes back as it was saved', async () => {
     await load(box([120, 80, 60]), 'box.stl');
-    design.space = {preset: 'slit-10', blocks: 'auto', block_mm: [20, 10, 10], wall_mm: 40, between_mm: null};
+    design.space = {preset: 'slit-10', blocks: 'auto', block_mm: [20, 10, 10], wall_mm: 40, between_mm: null, open: null};
     design.placement.rotation_deg = [1.25, -2.5, 3];
     design.parting.level = 7;
     design.object.units = 'mm';
@@ -318,7 +318,7 @@ test('gaps tell how far they are', async () => {
 test('every preset can be packed with', async () => {
   await sample('figurine');
   for (const preset of await core.presets()) {
-    design.space = {preset: preset.name, blocks: 'auto', block_mm: preset.block_mm, wall_mm: null, between_mm: null};
+    design.space = {preset: preset.name, blocks: 'auto', block_mm: preset.block_mm, wall_mm: null, between_mm: null, open: null};
     design.cut.clearance_mm = preset.clearance_mm;
     expect((await pack()).fit!.fill_ratio).toBeGreaterThan(0);
   }
