@@ -50,6 +50,11 @@ std::string short_name(const Project& project, std::size_t item) {
     return short_title(without_ending(item_name(project, project.design.items[item])));
 }
 
+/// Whether a finding about labels matters to a way of working: maps are printed, sheets engraved.
+bool concerns(const Finding& finding, Workshop work) {
+    return work == Workshop::sheets || (work == Workshop::sponge && finding.code() == "no_label");
+}
+
 /// Of a tray, whose surface everybody sees.
 ItemLabels labels_of(const Packing& packing, const Project& project) {
     std::vector<std::string> names;
@@ -167,9 +172,8 @@ Result<WorkshopPack> workshop_pack(std::span<const Object> objects, const Packin
                            title_of(project), tools.language, labels.labels};
     auto pack = pack_of({foams, objects, packing, project.design, tools});
     if (!pack) return pack;
-    const Workshop work = project.design.workshop.work;
-    if (work == Workshop::sheets || work == Workshop::sponge)
-        pack->findings.insert(pack->findings.end(), labels.findings.begin(), labels.findings.end());
+    for (const Finding& finding : labels.findings)
+        if (concerns(finding, project.design.workshop.work)) pack->findings.push_back(finding);
     fill_material(packing, project.design, *pack);
     tell_material(project.design, *pack);
 

@@ -125,7 +125,8 @@ class HalfMap {
     void draw_title(Canvas& canvas, const std::string& words) const {
         constexpr double kSize = 17, kLine = 22;
         const double width = lower_ ? kMapWidth + kBetween - kSide / 3 : kPageWidth - kSide / 3 - at_.x;
-        const std::vector<std::string> lines = lines_of(words, width, kSize);
+        // A screen's letters may be wider than those that lines_of() knows.
+        const std::vector<std::string> lines = lines_of(words, 0.88 * width, kSize);
         for (std::size_t i = 0; i < lines.size(); ++i)
             canvas.text({at_.x, at_.y - 28 - kLine * static_cast<double>(lines.size() - 1 - i)}, kSize,
                         kLegendText, lines[i]);
