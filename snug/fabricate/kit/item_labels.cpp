@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "snug/drawing/stroke_text.h"
+#include "snug/drawing/text_lines.h"
 
 namespace snug {
 namespace {
@@ -30,14 +31,17 @@ struct Rectangle {
     Vec2d low, high;
 };
 
-Vec2d size_of(const std::string& strokes, double height) {
+/// However it is written.
+Vec2d size_of(const ItemLabel& label, double height) {
     Vec2d low{1e9, 1e9}, high{-1e9, -1e9};
-    for (const auto& line : stroke_text(strokes, {}, height))
+    for (const auto& line : stroke_text(label.strokes, {}, height))
         for (const Vec2d p : line) {
             low = {std::min(low.x, p.x), std::min(low.y, p.y)};
             high = {std::max(high.x, p.x), std::max(high.y, p.y)};
         }
-    return high - low + Vec2d{2 * kAroundLabel, 2 * kAroundLabel};
+    const Vec2d drawn = high - low;
+    const Vec2d size{std::max(drawn.x, text_width(label.words, height, true)), std::max(drawn.y, height)};
+    return size + Vec2d{2 * kAroundLabel, 2 * kAroundLabel};
 }
 
 /// Where labels may stand on the surface of one piece.
@@ -113,7 +117,7 @@ ItemLabels item_labels(std::span<const Item> items, const std::vector<std::strin
         FlatFoam& foam = surfaces[static_cast<std::size_t>(label.layer) - 1];
         const Rectangle item = seen_from_above(items[i].placement.bounds, space);
         for (const double height : kLabelHeights) {
-            const auto place = place_beside(item, size_of(label.strokes, height), foam);
+            const auto place = place_beside(item, size_of(label, height), foam);
             if (!place) continue;
             label.middle = (place->low + place->high) * 0.5;
             label.height_mm = height;
