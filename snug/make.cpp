@@ -155,17 +155,6 @@ BlockMap cut_of_layer(const HalfCuts& cuts, int level, bool uncovered) {
     return blocks;
 }
 
-/// What a finding about a whole layer is of; empty where there is no other.
-std::string names_in(const Packing& packing, int layer) {
-    std::string names;
-    if (std::all_of(packing.items.begin(), packing.items.end(),
-                    [&](const Item& item) { return item.layer == layer; }))
-        return names;
-    for (const Item& item : packing.items)
-        if (item.layer == layer) names += (names.empty() ? "" : ", ") + item.name;
-    return names;
-}
-
 /// Takes more foam away than the items of a layer need, so that the rest can be worked and they be lifted.
 /// `levels`: of the piece that they lie in. `number`: of the layer.
 void cut_for_hands(Packing& packing, const Design& design, BlockMap& layer, NotchLevels levels, int number) {
@@ -175,7 +164,8 @@ void cut_for_hands(Packing& packing, const Design& design, BlockMap& layer, Notc
         if (pair.notches)
             packing.notches.insert(packing.notches.end(), pair.notches->begin(), pair.notches->end());
         if (!pair.notches)
-            packing.findings.push_back({Severity::warning, pair.why_not, {}, names_in(packing, number)});
+            packing.findings.push_back(
+                {Severity::warning, pair.why_not, {}, names_of_layer(packing.items, number)});
     }
     if (design.fit.least_rib_mm > 0)
         packing.rib_blocks += cut_thin_ribs(layer, packing.space, levels.parting, design.fit.least_rib_mm);

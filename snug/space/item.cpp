@@ -32,6 +32,14 @@ std::vector<Item> of_layer(const std::vector<Item>& items, int layer) {
     return own;
 }
 
+std::string names_of_layer(const std::vector<Item>& items, int layer) {
+    const std::vector<Item> own = of_layer(items, layer);
+    std::string names;
+    if (own.size() == items.size()) return names;
+    for (const Item& item : own) names += (names.empty() ? "" : ", ") + item.name;
+    return names;
+}
+
 Box3d bounds_of(const std::vector<Item>& items) {
     Box3d bounds;
     for (const Item& item : items) bounds.include(item.placement.bounds);

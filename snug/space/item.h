@@ -42,5 +42,7 @@ struct NumberedPlace {
 [[nodiscard]] Box3d bounds_of(const std::vector<Item>& items);
 /// Those of one layer, counted from 1.
 [[nodiscard]] std::vector<Item> of_layer(const std::vector<Item>& items, int layer);
+/// What a finding about a whole layer is of; empty where there is no other layer.
+[[nodiscard]] std::string names_of_layer(const std::vector<Item>& items, int layer);
 
 }  // namespace snug
