@@ -122,7 +122,7 @@ export function withNotches(design: Design, notches: Notches | null): Design {
   return {...design, fit: {...design.fit, notches}};
 }
 
-export function withParting(design: Design, level: number | 'auto'): Design {
+export function withParting(design: Design, level: Design['parting']['level']): Design {
   return {...design, parting: {level}};
 }
 
