@@ -21,6 +21,8 @@ import {GLASS, objectShading} from './shading';
 
 /** Around an item. */
 const FRAME_MM = 1;
+/** Of a stack's height, so that it ends below and above the controls. */
+const STACK_CLEAR = 0.66;
 
 export interface Colours {
   background: string;
@@ -93,7 +95,8 @@ export class FoamScene {
     const [x, y, z] = this.#size();
     const {low, high} = this.#apart ?? {low: -x / 2, high: x / 2};
     const centre = new Vector3((low + high) / 2, 0, 0).applyMatrix4(TO_WORLD);
-    return {centre, radius: Math.max(Math.hypot(high - low, y, z) / 2, 1)};
+    const clear = (this.#packing?.partingLevels.length ?? 1) > 1 ? STACK_CLEAR * (high - low) : 0;
+    return {centre, radius: Math.max(Math.hypot(high - low, y, z) / 2, clear, 1)};
   }
 
   /** The middle of the item that is selected, world coordinates. */

@@ -67,6 +67,11 @@ export const views = words({
       },
       upper: ['Lid', 'ふた'],
     },
+    /** Where there is little room for them. */
+    shortTabs: {
+      above: (number: number) => [`Middle ${number} ↑`, `中間 ${number} ↑`],
+      below: (number: number) => [`Middle ${number} ↓`, `中間 ${number} ↓`],
+    },
     slice: ['Slice', '断面'],
     sliceTip: [
       'One layer of blocks, counted from below. Page Up and Page Down move five.',
