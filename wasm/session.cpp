@@ -99,8 +99,6 @@ void Session::forget_results() {
 Result<Project> Session::lay_out(const std::string& design, const val& objects) {
     auto project = project_from(design, objects);
     if (!project) return project;
-    if (const int layers = layers_of(project->design); layers > 1)
-        return fail(ErrorKind::usage, say("session.one_layer", {{"layers", layers}}));
     std::vector<int> numbers;
     for (std::size_t i = 0; i < project->objects.size(); ++i)
         numbers.push_back(objects[i]["number"].as<int>());
@@ -110,11 +108,12 @@ Result<Project> Session::lay_out(const std::string& design, const val& objects) 
     return project;
 }
 
-/// What is done for one item alone.
+/// What searches for one item alone, between foams that close.
 Result<Project> Session::lay_out_one(const std::string& design, const val& objects) {
     auto project = lay_out(design, objects);
     if (project && project->design.items.size() > 1)
         return fail(ErrorKind::usage, say("session.one_item", {{"items", project->design.items.size()}}));
+    if (project && project->design.space.open) return fail(ErrorKind::usage, say("session.tray"));
     return project;
 }
 
@@ -173,7 +172,7 @@ val Session::gaps(const val& progress) {
     Packing packing = *packing_;
     const auto measured = measure_fit(store_.objects(), packing, packed_, progress_from(progress));
     if (!measured) return to_val(measured.error());
-    val result = to_val(measured->layer_gaps.front());
+    val result = to_val(*measured->gap, measured->layer_gaps);
     result.set("bearing", to_val(*measured->bearing, packed_));
     result.set("findings", to_val(packing.findings, packing.items));
     return result;

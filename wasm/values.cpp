@@ -40,12 +40,19 @@ val triple(double x, double y, double z) {
     return array;
 }
 
-val fit_val(const FitReport& fit) {
-    val walls = val::array();
+/// `foams`: what the figures are of.
+val fit_val(const FitReport& fit, const Foams& foams) {
+    val walls = val::array(), pieces = val::array();
     for (const double wall : fit.wall_mm) walls.call<void>("push", wall);
+    for (const Piece piece : foams.all()) {
+        const PieceFigures& figures = fit.pieces[static_cast<std::size_t>(piece.index)];
+        val own = val::object();
+        own.set("blocks", static_cast<double>(figures.blocks));
+        own.set("parts", figures.parts);
+        pieces.call<void>("push", own);
+    }
     val result = val::object();
-    result.set("lower_blocks", static_cast<double>(fit.lower().blocks));
-    result.set("upper_blocks", static_cast<double>(fit.upper().blocks));
+    result.set("pieces", pieces);
     result.set("cut_blocks", static_cast<double>(fit.cut_blocks));
     result.set("volume_mm3", fit.foam_mm3);
     result.set("fill_ratio", fit.fill_ratio);
@@ -71,34 +78,28 @@ void fill_from(const val& array, T* data, std::size_t size) {
     view.call<void>("set", array);
 }
 
-/// How high a half reaches in each column, in blocks from its own side.
-val heights(const Grid<Run>& kept) {
-    std::vector<std::uint16_t> heights;
-    heights.reserve(kept.size());
-    for (const Run run : kept) heights.push_back(static_cast<std::uint16_t>(run.end));
-    return typed_array(heights.data(), heights.size());
+/// {first, end}: of each column, from -x.
+val runs_val(const Grid<Run>& runs) {
+    std::vector<std::int16_t> first, end;
+    first.reserve(runs.size());
+    end.reserve(runs.size());
+    for (const Run run : runs) {
+        first.push_back(run.first);
+        end.push_back(run.end);
+    }
+    val result = val::object();
+    result.set("first", typed_array(first.data(), first.size()));
+    result.set("end", typed_array(end.data(), end.size()));
+    return result;
 }
 
-void set_columns(val& result, const Packing& packing) {
-    const BlockMap none;
-    const BlockMap& blocks = packing.foams ? packing.layers.front() : none;
-    std::vector<std::int16_t> first(blocks.size()), end(blocks.size());
-    std::vector<std::int16_t> exists_first(blocks.size()), exists_end(blocks.size());
-    for (std::size_t column = 0; column < blocks.size(); ++column) {
-        first[column] = blocks[column].first;
-        end[column] = blocks[column].end;
-        const Run exists = packing.available[column];
-        exists_first[column] = exists.first;
-        exists_end[column] = exists.end;
-    }
-    for (const Half half : {Half::lower, Half::lid})
-        result.set(
-            half == Half::lower ? "lower" : "upper",
-            heights(packing.foams ? kept_runs(*packing.foams, half, packing.space.blocks.x) : Grid<Run>()));
-    result.set("cutFirst", typed_array(first.data(), first.size()));
-    result.set("cutEnd", typed_array(end.data(), end.size()));
-    result.set("existsFirst", typed_array(exists_first.data(), exists_first.size()));
-    result.set("existsEnd", typed_array(exists_end.data(), exists_end.size()));
+void set_foams(val& result, const Foams& foams) {
+    val pieces = val::array(), levels = val::array();
+    for (const Grid<Run>& kept : foams.pieces) pieces.call<void>("push", runs_val(kept));
+    for (const int level : foams.parting) levels.call<void>("push", level);
+    result.set("pieces", pieces);
+    result.set("open", foams.layers() > 0 && foams.open());
+    result.set("partingLevels", levels);
 }
 
 }  // namespace
@@ -242,6 +243,7 @@ val item_val(const Item& item) {
     val result = val::object();
     result.set("name", item.name);
     result.set("object", item.object);
+    result.set("layer", item.layer);
     result.set("rotation_deg", to_val(item.rotation_deg));
     result.set("offset_mm", to_val(item.offset_mm));
     result.set("placement", matrix(item.placement));
@@ -268,13 +270,14 @@ val to_val(const std::vector<Finding>& findings, const std::vector<Item>& items)
 val to_val(const Packing& packing, double library_ms) {
     val items = val::array();
     for (const Item& item : packing.items) items.call<void>("push", item_val(item));
+    const Foams none;
     val result = val::object();
     result.set("blocks", to_val(packing.space.blocks));
     result.set("block_mm", to_val(packing.space.block_mm));
-    set_columns(result, packing);
-    result.set("partingLevel", packing.foams ? packing.foams->parting.front() : 0);
+    result.set("exists", runs_val(packing.available));
+    set_foams(result, packing.foams ? *packing.foams : none);
     result.set("items", items);
-    result.set("fit", packing.foams ? fit_val(packing.fit) : val::null());
+    result.set("fit", packing.foams ? fit_val(packing.fit, *packing.foams) : val::null());
     result.set("findings", to_val(packing.findings, packing.items));
     result.set("library_ms", library_ms);
     return result;
@@ -282,7 +285,7 @@ val to_val(const Packing& packing, double library_ms) {
 
 namespace {
 
-/// Of the whole report or of a half.
+/// Of all layers, of one or of a half.
 template <class Part>
 val gap_part(const Part& gap) {
     val result = val::object();
@@ -294,9 +297,7 @@ val gap_part(const Part& gap) {
     return result;
 }
 
-}  // namespace
-
-val to_val(const GapReport& gap) {
+val layer_gap_val(const GapReport& gap) {
     val result = gap_part(gap);
     result.set("lower", gap_part(gap.lower));
     result.set("upper", gap_part(gap.upper));
@@ -304,6 +305,16 @@ val to_val(const GapReport& gap) {
     for (const ColumnGap& c : gap.columns)
         columns.insert(columns.end(), {c.lower_step, c.lower_undercut, c.upper_step, c.upper_undercut});
     result.set("columns", typed_array(columns.data(), columns.size()));
+    return result;
+}
+
+}  // namespace
+
+val to_val(const GapFigures& whole, const std::vector<GapReport>& layers) {
+    val list = val::array();
+    for (const GapReport& layer : layers) list.call<void>("push", layer_gap_val(layer));
+    val result = gap_part(whole);
+    result.set("layers", list);
     return result;
 }
 

@@ -55,7 +55,8 @@ template <class T>
 [[nodiscard]] val to_val(const Object& object, Vec3d file_size, const std::optional<Error>& refused);
 [[nodiscard]] val to_val(const Mesh& mesh);
 [[nodiscard]] val to_val(const Packing& packing, double library_ms);
-[[nodiscard]] val to_val(const GapReport& gap);
+/// Of all layers, and of each.
+[[nodiscard]] val to_val(const GapFigures& whole, const std::vector<GapReport>& layers);
 [[nodiscard]] val to_val(const BearingReport& bearing, const Design& design);
 /// `items`: of the packing that they are of, whose numbers they then tell.
 [[nodiscard]] val to_val(const std::vector<Finding>& findings, const std::vector<Item>& items = {});

@@ -12,13 +12,10 @@ constexpr Wording kWordsOfSession[] = {
      "点群では、すきま、陰になる部分、対象物が載る面はわかりません。"},
     {"session.one_item", "this looks at one item, and {items} lie in the case",
      "これは一つのものだけを調べますが、ケースには {items} 個あります。"},
-    {"session.one_layer",
-     "the items lie in {layers} layers, and this page shows one: make it with `snug make` on the command "
-     "line",
-     "ものが {layers} 段に分かれていますが、このページで扱えるのは 1 段だけです。コマンドラインの "
-     "`snug make` で作ってください。"},
     {"session.no_object", "there is no object yet: open one first",
      "まだ対象物がありません。先に開いてください。"},
+    {"session.tray", "this looks for foams that close, and this is a tray: place the item by hand",
+     "これは閉じるフォームを対象とします。トレイでは手で置いてください。"},
 };
 
 }  // namespace

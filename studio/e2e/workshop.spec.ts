@@ -1,18 +1,7 @@
-import {readFileSync} from 'node:fs';
-import {unzipSync} from 'fflate';
 import type {Page} from '@playwright/test';
 import {sample} from './support/command_line';
-import {commandSays, expect, open, set, status, test} from './support/studio';
+import {commandSays, expect, exported, open, set, status, test} from './support/studio';
 import {torusStl} from './support/torus';
-
-/** The files of the zip that Export saves. */
-async function exported(page: Page): Promise<Record<string, Uint8Array>> {
-  const [file] = await Promise.all([
-    page.waitForEvent('download'),
-    page.getByRole('button', {name: 'Export', exact: true}).click(),
-  ]);
-  return unzipSync(readFileSync(await file.path()));
-}
 
 /** Whose foams are built in a moment, block by block. */
 async function openSmallRing(page: Page) {

@@ -1,6 +1,7 @@
 import {fileURLToPath} from 'node:url';
 import type {Page} from '@playwright/test';
-import {expect, gapsMeasured, status, test} from '../e2e/support/studio';
+import {sample} from '../e2e/support/command_line';
+import {expect, gapsMeasured, set, status, test} from '../e2e/support/studio';
 
 // Every step in both colours, in Japanese and on a tablet, into build/pictures; the two of the README into docs/.
 
@@ -44,6 +45,33 @@ test('the ways of working with tools of their own', async ({studio: page}) => {
     }
     await page.locator('header select').last().selectOption('en');
   }
+});
+
+test('three layers, and a tray', async ({studio: page}) => {
+  const samples = ['camera', 'torus', 'vase'].map((name) => sample(name));
+  await page.getByLabel('Open object', {exact: true}).setInputFiles(samples);
+  for (const [i, name] of ['torus', 'vase'].entries()) {
+    await page.getByRole('button', {name: `${i + 2}. ${name}.stl`, exact: true}).click();
+    await set(page, 'spinbutton', 'Layer', i + 2);
+  }
+  await gapsMeasured(page);
+  await page.getByRole('button', {name: 'Show all'}).click();
+  for (const theme of ['light', 'dark']) {
+    await page.getByLabel('Colours').selectOption(theme);
+    await shoot(page, `build/pictures/layers-${theme}`);
+  }
+  await page.getByRole('tab', {name: 'Middle 1, above'}).click();
+  await page.locator('nav a[href="#step-check"]').click();
+  await shoot(page, 'build/pictures/layers-map');
+  await page.getByRole('checkbox', {name: 'Tray without a lid'}).check();
+  // A layer is never left empty between others.
+  for (const name of ['vase', 'torus']) {
+    await page.getByRole('button', {name: new RegExp(`^\\d\\. ${name}`)}).click();
+    await set(page, 'spinbutton', 'Layer', 1);
+  }
+  await gapsMeasured(page);
+  await page.getByRole('button', {name: 'Show all'}).click();
+  await shoot(page, 'build/pictures/tray');
 });
 
 test('Japanese, a tablet and a telephone', async ({studio: page}) => {

@@ -1,4 +1,6 @@
+import {readFileSync} from 'node:fs';
 import {expect, test as base, type Page} from '@playwright/test';
+import {unzipSync} from 'fflate';
 
 /** A page whose console stays silent: any error on it fails the test. */
 export const test = base.extend<{studio: Page}>({
@@ -39,6 +41,15 @@ export async function gapsMeasured(page: Page) {
 /** A range or number field's value, as a person's hand would set it. */
 export async function set(page: Page, role: 'slider' | 'spinbutton', name: string, value: number) {
   await page.getByRole(role, {name, exact: true}).fill(String(value));
+}
+
+/** The files of the zip that Export saves. */
+export async function exported(page: Page): Promise<Record<string, Uint8Array>> {
+  const [file] = await Promise.all([
+    page.waitForEvent('download'),
+    page.getByRole('button', {name: 'Export', exact: true}).click(),
+  ]);
+  return unzipSync(readFileSync(await file.path()));
 }
 
 /** Waits until the command line on the page has all of these. */

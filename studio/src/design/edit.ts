@@ -107,7 +107,7 @@ export function withClearance(design: Design, clearance_mm: number | number[]): 
 }
 
 /** x, y, z of the lower foam, then of the upper. */
-export function clearances({cut}: Design): number[] {
+export function clearances({cut}: Pick<Design, 'cut'>): number[] {
   return typeof cut.clearance_mm === 'number' ? Array<number>(6).fill(cut.clearance_mm) : cut.clearance_mm;
 }
 
@@ -126,8 +126,13 @@ export function withLift(design: Design, lift: Lift | null): Design {
   return {...design, fit: {...design.fit, lift}};
 }
 
-export function withParting(design: Design, level: number | 'auto'): Design {
+export function withParting(design: Design, level: Design['parting']['level']): Design {
   return {...design, parting: {level}};
+}
+
+/** A tray, whose surface follows how deep its items are sunk; null: foams that close. */
+export function withTray(design: Design, open: Design['space']['open']): Design {
+  return withParting({...design, space: {...design.space, open}}, 'auto');
 }
 
 export function withCap(design: Design, cap: boolean): Design {
@@ -184,7 +189,7 @@ export function firstDesign(defaults: Design, object = defaults.object): Design 
 
 /** What a fresh object starts with. To the person belongs how they work: the foam and its blocks, the way of working
  *  with its machines and prices, what a search looks for. To the object belongs all that was chosen to hold or to
- *  place it: walls, case, clearance, notches, which axis is up, what it weighs. The latter begins anew, with the
+ *  place it: walls, case, tray, clearance, notches, which axis is up, what it weighs. The latter begins anew, with the
  *  foam's own clearance, so that a thin wall for a ring never holds the next vase. */
 export function forNewObject(design: Design, defaults: Design, presets: readonly Preset[]): Design {
   const preset = presets.find(({name}) => name === design.space.preset);
@@ -195,7 +200,7 @@ export function forNewObject(design: Design, defaults: Design, presets: readonly
     placement: defaults.placement,
     items: defaults.items,
     parting: {level: 'auto'},
-    space: {...design.space, blocks: 'auto', wall_mm: defaults.space.wall_mm},
+    space: {...design.space, blocks: 'auto', wall_mm: defaults.space.wall_mm, open: defaults.space.open},
     cut: {...design.cut, clearance_mm: preset?.clearance_mm ?? defaults.cut.clearance_mm},
     fit: {...design.fit, notches: null},
     case: {...defaults.case, play_mm, division},

@@ -1,4 +1,5 @@
 import type {Design, Triple} from './design';
+import {between, closedUp, layersOf, withFittingParting, type ItemOptions, type Lying} from './layers';
 
 // What lies in the case, as a value, and every change of it. Of one item alone everything stands in the design; several
 // have what is their own beside it, and panels show the design as it is for the one that is selected.
@@ -15,14 +16,6 @@ export interface Moment {
   readonly objects: readonly ObjectUse[];
   /** Items that no hand moves, by their numbers. */
   readonly locked: readonly number[];
-}
-
-export type ItemOptions = Design['items'][number];
-
-/** Where an item lies, and the box that it fills, as the design has offsets. */
-export interface Lying {
-  readonly offset_mm: Triple;
-  readonly bounds: {readonly min: Triple; readonly max: Triple};
 }
 
 const AXES = [0, 1, 2] as const;
@@ -134,7 +127,7 @@ function withItem(moment: Moment, id: string, defaults: Design, size_mm: Triple 
   const wide = spread(moment, defaults);
   const known = wide.objects.findIndex((use) => use.id === id);
   const objects = known < 0 ? [...wide.objects, {id, own: null}] : wide.objects;
-  const item = {...defaults.items[0]!, object: known < 0 ? objects.length - 1 : known, offset_mm: besideAll(wide, size_mm, lying)};
+  const item = {...defaults.items[0]!, object: known < 0 ? objects.length - 1 : known, offset_mm: besideAll(wide, defaults.items[0]!.layer, size_mm, lying)};
   return withItems({...wide, objects}, [...wide.design.items, item]);
 }
 
@@ -142,22 +135,21 @@ function withItem(moment: Moment, id: string, defaults: Design, size_mm: Triple 
 export function duplicated(moment: Moment, item: number, defaults: Design, lying: readonly Lying[]): Moment {
   const wide = spread(moment, defaults);
   const bounds = lying[item]?.bounds;
-  const offset_mm = besideAll(wide, bounds ? sum(bounds.max, bounds.min, -1) : null, lying);
+  const offset_mm = besideAll(wide, wide.design.items[item]!.layer, bounds ? sum(bounds.max, bounds.min, -1) : null, lying);
   return withItems(wide, [...wide.design.items, {...wide.design.items[item]!, offset_mm}]);
 }
 
-/** A place for one more; none while all lie in their row. */
-function besideAll(moment: Moment, size_mm: Triple | null, lying: readonly Lying[]): Triple | null {
-  const {items, space} = moment.design;
+/** A place for one more in a layer; none while all lie in their row. */
+function besideAll({design}: Moment, layer: number, size_mm: Triple | null, lying: readonly Lying[]): Triple | null {
+  const {items, space} = design;
   if (!size_mm || lying.length === 0 || items.every((item) => item.offset_mm === null)) return null;
-  const [, sy, sz] = space.block_mm;
-  const between = space.between_mm ?? Math.max(sy, sz, 12.7);
-  const apart = (Math.ceil(between / sz) + 1) * sz;
+  const apart = between(design, 2);
   const ends = [Math.max(...lying.map(({bounds}) => bounds.max[2])), Math.min(...lying.map(({bounds}) => bounds.min[2]))];
   // To the side where there is more room; in a space that follows its items there is as much on both.
   const side = space.blocks !== 'auto' && ends[0]! + ends[1]! > 0 ? -1 : 1;
   const z = ends[side > 0 ? 0 : 1]! + side * (apart + size_mm[2] / 2);
-  return [0, 0, Math.round(z * 2) / 2];
+  const x = layersOf(design) > 1 ? (lying[items.findIndex((item) => item.layer === layer)]?.offset_mm[0] ?? 0) : 0;
+  return [x, 0, Math.round(z * 2) / 2];
 }
 
 /** Without an item, and without its object where it was the last of it. */
@@ -169,7 +161,7 @@ export function withoutItem(moment: Moment, item: number): Moment {
   const last = left.every(({object}) => object !== gone.object);
   const items = left.map((one) => (last && one.object > gone.object ? {...one, object: one.object - 1} : one));
   const others: Moment = {
-    design: {...design, items},
+    design: withFittingParting({...design, items: closedUp(items)}),
     objects: last ? objects.filter((_, i) => i !== gone.object) : objects,
     locked: locked.filter((i) => i !== item).map((i) => (i > item ? i - 1 : i)),
   };

@@ -118,6 +118,8 @@ export interface PackedItem {
   name: string;
   /** The number of its object. */
   object: number;
+  /** Of the layers that stand on each other; the lowest is 1. */
+  layer: number;
   rotation_deg: Triple;
   /** As it came out, chosen or not. */
   offset_mm: Triple;
@@ -127,25 +129,29 @@ export interface PackedItem {
   bounds: {min: Triple; max: Triple};
 }
 
+/** Of each column, j (y) over k (z): a run of blocks, counted from -x; none where first >= end. */
+export interface Runs {
+  first: Int16Array<ArrayBuffer>;
+  end: Int16Array<ArrayBuffer>;
+}
+
 export interface Packing {
   blocks: Triple;
   block_mm: Triple;
-  /** Per column, j (y) over k (z): how high a half reaches in blocks from its own side, of which those that exist
-   *  are kept. Empty if the object leaves the space. */
-  lower: Uint16Array<ArrayBuffer>;
-  upper: Uint16Array<ArrayBuffer>;
-  /** Per column: the run of blocks that is cut away, none where first >= end. */
-  cutFirst: Int16Array<ArrayBuffer>;
-  cutEnd: Int16Array<ArrayBuffer>;
-  /** Per column: the run of blocks that exist, from -x; not all where a case is rounded or leans. */
-  existsFirst: Int16Array<ArrayBuffer>;
-  existsEnd: Int16Array<ArrayBuffer>;
-  partingLevel: number;
+  /** The blocks that there are; not all where a case is rounded or leans. */
+  exists: Runs;
+  /** What the pieces of foam keep, the lowest first: L layers of items lie between L + 1 of them. A tray has no uppermost
+   *  one, and there are none at all if an item leaves the space. */
+  pieces: Runs[];
+  /** A tray: its foam ends at the uppermost parting level, and above that nothing is kept and nothing cut. */
+  open: boolean;
+  /** Of each layer, the lowest first: where the pieces around it meet beside its items, in blocks from -x. */
+  partingLevels: number[];
   /** In the design's order. */
   items: PackedItem[];
   fit: {
-    lower_blocks: number;
-    upper_blocks: number;
+    /** As Packing.pieces. `parts`: of foam that do not share a block's face. */
+    pieces: {blocks: number; parts: number}[];
     cut_blocks: number;
     volume_mm3: number;
     fill_ratio: number;
@@ -165,23 +171,27 @@ export interface GapPart {
   step_mm3: number;
   undercut_mm3: number | null;
 }
-/** Of the whole, and of what each half's foam faces. */
-export interface Gap extends GapPart {
+/** Of one layer, and of what the foam below and above it faces; above a tray there is no gap. */
+export interface LayerGap extends GapPart {
   lower: GapPart;
   upper: GapPart;
   /** Mean depths in mm, four a column: steps and undercuts of the lower half, then of the upper. */
   columns: Float32Array<ArrayBuffer>;
+}
+/** Of all layers together, and of each, the lowest first. */
+export interface Gap extends GapPart {
+  layers: LayerGap[];
   bearing: Bearing;
   /** All of the packing, with what only this shows. */
   findings: Finding[];
 }
 
-/** What the object lies on in each half, once it has sunk `sinking_mm` into it. */
+/** What all items lie on, on the foam below them and on that above, once they have sunk `sinking_mm` into it. */
 export interface Bearing {
   sinking_mm: number[];
   lower_mm2: number[];
   upper_mm2: number[];
-  /** Of the lower foam; null where the mass or the area is not there. */
+  /** Of the foam below; null where the mass or the area is not there. */
   static_kpa: (number | null)[];
   creep_kpa: number | null;
 }

@@ -42,9 +42,6 @@ export function serve(core: Promise<EngineCore>): void {
 /** The buffers of the typed arrays in an answer, which are all fresh copies: they move instead of being copied
  *  once more. */
 function buffersOf(answer: unknown): ArrayBuffer[] {
-  if (typeof answer !== 'object' || answer === null) return [];
-  return Object.values(answer).flatMap((value: unknown) => {
-    if (ArrayBuffer.isView(value)) return [value.buffer as ArrayBuffer];
-    return Array.isArray(answer) ? buffersOf(value) : [];
-  });
+  if (ArrayBuffer.isView(answer)) return [answer.buffer as ArrayBuffer];
+  return typeof answer === 'object' && answer !== null ? Object.values(answer).flatMap(buffersOf) : [];
 }

@@ -1,7 +1,7 @@
 import type {Studio} from '../state/studio.svelte';
 import {drawItemNumbers, drawMap, drawMarks, drawNumbers, drawOutlines} from '../view2d/draw';
 import {PRINT_INK} from '../view2d/ink';
-import {layOut} from '../view2d/page';
+import {itemsIn, layOut, mapsOf, said} from '../view2d/page';
 import type {Texts} from '../words/texts';
 
 /** Pixels of a drawing on paper; about 250 to the inch on A4. */
@@ -15,20 +15,21 @@ export async function printMaps(studio: Studio, texts: Texts): Promise<void> {
   const {packing, placed} = studio;
   const items = placed.map(({meshes, placement}) => ({mesh: meshes.still, placement}));
   if (!sheets || !packing?.fit) return;
-  const pages = (['lower', 'lid'] as const).map((half) => {
+  const pages = mapsOf(packing).map((map) => {
+    const told = itemsIn(packing, map, 0);
     const canvas = document.createElement('canvas');
     [canvas.width, canvas.height] = [WIDTH, HEIGHT];
     const pen = canvas.getContext('2d');
     if (pen) {
       pen.setTransform(SCALE, 0, 0, SCALE, 0, 0);
-      const page = layOut(packing, half, WIDTH / SCALE, HEIGHT / SCALE, 24);
-      drawMap(pen, page, packing, half, PRINT_INK);
-      drawOutlines(pen, page, packing, items, PRINT_INK);
-      drawNumbers(pen, page, packing, half);
-      if (items.length > 1) drawItemNumbers(pen, page, packing, PRINT_INK);
+      const page = layOut(packing, map, WIDTH / SCALE, HEIGHT / SCALE, 24);
+      drawMap(pen, page, packing, map, PRINT_INK);
+      drawOutlines(pen, page, packing, items.filter((_, i) => told.includes(i)), PRINT_INK);
+      drawNumbers(pen, page, packing, map);
+      if (items.length > 1) drawItemNumbers(pen, page, packing, told, PRINT_INK);
       drawMarks(pen, page, {back: texts.view2d.back}, PRINT_INK);
     }
-    return sheet(studio, canvas, half === 'lid' ? texts.view2d.lidNote : texts.view2d.lowerNote);
+    return sheet(studio, canvas, said(texts.view2d.notes, map, packing));
   });
   sheets.replaceChildren(...pages.map(({element}) => element));
   await Promise.all(pages.map(({image}) => image.decode()));

@@ -1,9 +1,13 @@
 import type {Triple} from '../design/design';
+import type {PieceKind} from '../engine/pieces';
 
-export type Part = 'object' | 'lower' | 'upper' | 'space';
+export type Part = 'object' | 'space' | PieceKind;
 export type Look = 'shown' | 'glass' | 'hidden';
 export type Handles = 'none' | 'turn' | 'shift';
-export type Drawing = 'slice' | 'lower' | 'lid';
+/** The map of a piece, its cavity facing the reader: the lower one and trays from above, the lid from below, and one
+ *  between two layers, by its number, from either side. */
+export type PieceMap = 'lower' | `middle-${number}-${'above' | 'below'}` | 'lid';
+export type Drawing = 'slice' | PieceMap;
 export interface Cell {
   j: number;
   k: number;
@@ -13,7 +17,7 @@ export interface Cell {
 export class View {
   /** 0 closed, 1 wide open. */
   opening = $state(0);
-  looks: Record<Part, Look> = $state({object: 'shown', lower: 'shown', upper: 'shown', space: 'shown'});
+  looks: Record<Part, Look> = $state({object: 'shown', lower: 'shown', middle: 'shown', upper: 'shown', space: 'shown'});
   handles: Handles = $state('none');
   drawing: Drawing = $state('slice');
   /** Where the section lies, mm along x from the middle of the space: the layer of blocks there is shown, however

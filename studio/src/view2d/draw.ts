@@ -1,6 +1,7 @@
 import type {DisplayMesh, PackedItem, Packing} from '../engine/api';
-import type {Cell, Drawing} from '../state/view.svelte';
-import {blocksToRemove, cellCorner, toPage, type Page} from './page';
+import {isThere, kindOf, pieceAt} from '../engine/pieces';
+import type {Cell, PieceMap} from '../state/view.svelte';
+import {blocksToRemove, cellCorner, shownBy, toPage, type Page} from './page';
 import {placedCoordinates, section} from './section';
 
 export interface Ink {
@@ -9,6 +10,7 @@ export interface Ink {
   line: string;
   cut: string;
   lower: string;
+  middle: string;
   upper: string;
   object: string;
   mark: string;
@@ -32,14 +34,14 @@ const LEAST_NUMBERED = 11;
 
 /** One layer of blocks, seen from above. */
 export function drawSlice(pen: Pen, page: Page, packing: Packing, layer: number, items: readonly Placed[], ink: Ink) {
-  const {lower, upper, existsFirst, existsEnd, blocks, block_mm} = packing;
+  const {pieces, blocks, block_mm} = packing;
   const [nx, , nz] = blocks;
   fillCells(pen, page, (j, k) => {
     const column = j * nz + k;
-    if (lower.length === 0) return ink.cut;
-    if (layer < (existsFirst[column] ?? 0) || layer >= (existsEnd[column] ?? nx)) return ink.paper;
-    if (layer < (lower[column] ?? 0)) return ink.lower;
-    return layer >= nx - (upper[column] ?? 0) ? ink.upper : ink.cut;
+    if (pieces.length === 0) return ink.cut;
+    if (!isThere(packing, column, layer)) return ink.paper;
+    const piece = pieceAt(packing, column, layer);
+    return piece < 0 ? ink.cut : ink[kindOf(packing, piece)];
   });
   lines(pen, page, ink);
   const x = (layer + 0.5 - nx / 2) * block_mm[0];
@@ -47,20 +49,21 @@ export function drawSlice(pen: Pen, page: Page, packing: Packing, layer: number,
   frame(pen, page, ink);
 }
 
-/** How many blocks to take out of each column of one half, as shades. */
-export function drawMap(pen: Pen, page: Page, packing: Packing, drawing: Drawing, ink: Ink) {
-  const {remove} = blocksToRemove(packing, drawing === 'lid' ? 'lid' : 'lower');
+/** How many blocks to take out of each column of a piece, as shades. */
+export function drawMap(pen: Pen, page: Page, packing: Packing, map: PieceMap, ink: Ink) {
+  const {piece, kind, from} = shownBy(map, packing);
+  const remove = blocksToRemove(packing, piece, from);
   const most = remove.reduce((a, b) => Math.max(a, b), 1);
   const at = (j: number, k: number) => remove[j * page.nz + k] ?? 0;
-  const colour = drawing === 'lid' ? ink.upper : ink.lower;
-  fillCells(pen, page, (j, k) => shade(colour, at(j, k) / most));
+  fillCells(pen, page, (j, k) => shade(ink[kind], at(j, k) / most));
   lines(pen, page, ink);
   frame(pen, page, ink);
 }
 
 /** The same as numbers, over whatever else was drawn. */
-export function drawNumbers(pen: Pen, page: Page, packing: Packing, drawing: Drawing) {
-  const {remove} = blocksToRemove(packing, drawing === 'lid' ? 'lid' : 'lower');
+export function drawNumbers(pen: Pen, page: Page, packing: Packing, map: PieceMap) {
+  const {piece, from} = shownBy(map, packing);
+  const remove = blocksToRemove(packing, piece, from);
   const most = remove.reduce((a, b) => Math.max(a, b), 1);
   numbers(pen, page, (j, k) => remove[j * page.nz + k] ?? 0, most);
 }
@@ -126,14 +129,15 @@ export function drawItemFrame(pen: Pen, page: Page, packing: Packing, {bounds}: 
   pen.strokeRect(Math.min(ax, bx) - 3, Math.min(ay, by) - 3, Math.abs(bx - ax) + 6, Math.abs(by - ay) + 6);
 }
 
-/** Which item is which, as the list numbers them. */
-export function drawItemNumbers(pen: Pen, page: Page, packing: Packing, ink: Ink) {
+/** Which item is which, as the list numbers them. `among`: those that the drawing tells of. */
+export function drawItemNumbers(pen: Pen, page: Page, packing: Packing, among: readonly number[], ink: Ink) {
   const place = toPage(page, packing);
   const size = 9;
   pen.font = `700 11px system-ui, sans-serif`;
   pen.textAlign = 'center';
   pen.textBaseline = 'middle';
-  packing.items.forEach(({bounds: {min, max}}, i) => {
+  for (const i of among) {
+    const {min, max} = packing.items[i]!.bounds;
     const [x, y] = place((min[1] + max[1]) / 2, (min[2] + max[2]) / 2);
     pen.fillStyle = ink.text;
     pen.beginPath();
@@ -141,7 +145,7 @@ export function drawItemNumbers(pen: Pen, page: Page, packing: Packing, ink: Ink
     pen.fill();
     pen.fillStyle = ink.paper;
     pen.fillText(String(i + 1), x, y + 0.5);
-  });
+  }
 }
 
 export function drawHovered(pen: Pen, page: Page, cell: Cell, ink: Ink) {

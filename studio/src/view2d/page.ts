@@ -1,10 +1,11 @@
 import type {Triple} from '../design/design';
-import type {Packing} from '../engine/api';
-import type {Cell, Drawing} from '../state/view.svelte';
+import type {Packing, Runs} from '../engine/api';
+import {kindOf, type PieceKind} from '../engine/pieces';
+import type {Cell, Drawing, PieceMap} from '../state/view.svelte';
 
 // Which way round (the same on every picture and sheet): the lower foam and slices are seen from +x, k to the
-// right and j downward; the lid is seen from -x with its cavity to the reader, k to the right and j upward. The
-// edge at -y is BACK.
+// right and j downward; the lid is seen from -x with its cavity to the reader, k to the right and j upward, and so is
+// whatever else is seen from below. The edge at -y is BACK.
 
 /** The space on a canvas, at true proportions. Pixels. */
 export interface Page {
@@ -32,7 +33,7 @@ export function layOut(packing: Packing, drawing: Drawing, width: number, height
     height: pageHeight,
     cellWidth: sz * scale,
     cellHeight: sy * scale,
-    flipped: drawing === 'lid',
+    flipped: drawing === 'lid' || drawing.endsWith('-below'),
     ny,
     nz,
   };
@@ -81,30 +82,96 @@ export function held(page: Page, from: Packing, to: Packing, by: Triple): Page {
   };
 }
 
-/** The item whose box lies there, the smallest where there are several; none. */
-export function itemAt(packing: Packing, y: number, z: number): number | null {
+/** The item whose box lies there, the smallest where there are several; none. `among`: by their numbers. */
+export function itemAt(packing: Packing, y: number, z: number, among: readonly number[]): number | null {
   const area = ({bounds: {min, max}}: Packing['items'][number]) => (max[1] - min[1]) * (max[2] - min[2]);
-  const there = packing.items
-    .map((item, i) => ({item, i}))
+  const there = among
+    .map((i) => ({item: packing.items[i]!, i}))
     .filter(({item: {bounds: {min, max}}}) => y >= min[1] && y <= max[1] && z >= min[2] && z <= max[2])
     .sort((a, b) => area(a.item) - area(b.item));
   return there[0]?.i ?? null;
 }
 
-/** How many blocks a person takes out of each column, from a half that is as high as its highest column. What a
- *  case has no room for is not there to be taken out. */
-export function blocksToRemove(packing: Packing, half: 'lower' | 'lid'): {remove: Uint16Array; highest: number} {
-  const lid = half === 'lid';
-  const kept = lid ? packing.upper : packing.lower;
-  const nx = packing.blocks[0];
-  let highest = 0;
-  for (const blocks of kept) highest = Math.max(highest, blocks);
-  const remove = kept.map((height, column) => {
-    const [low, high] = [packing.existsFirst[column] ?? 0, packing.existsEnd[column] ?? nx];
-    const [first, end] = lid ? [nx - high, nx - low] : [low, high];
-    return Math.max(0, Math.min(highest, end) - Math.max(height, first));
+/** The maps of all pieces, the lowest first; of foams that there are not yet those of two. */
+export function mapsOf(packing: Packing | null): PieceMap[] {
+  if (!packing?.fit) return ['lower', 'lid'];
+  return packing.pieces.flatMap((_, piece): PieceMap[] => {
+    const kind = kindOf(packing, piece);
+    if (kind === 'middle') return [`middle-${piece}-above`, `middle-${piece}-below`];
+    return [kind === 'upper' ? 'lid' : 'lower'];
   });
-  return {remove, highest};
+}
+
+export interface ShownPiece {
+  /** From the lowest, which is 0. */
+  piece: number;
+  kind: PieceKind;
+  from: 'above' | 'below';
+}
+
+export function shownBy(map: PieceMap, {pieces}: Pick<Packing, 'pieces'>): ShownPiece {
+  if (map === 'lower') return {piece: 0, kind: 'lower', from: 'above'};
+  if (map === 'lid') return {piece: pieces.length - 1, kind: 'upper', from: 'below'};
+  const [, number, from] = map.split('-');
+  return {piece: Number(number), kind: 'middle', from: from as 'above' | 'below'};
+}
+
+/** What is said of a map, among words for all kinds of them. */
+export interface MapWords {
+  lower: string;
+  middle: Record<ShownPiece['from'], (number: number) => string>;
+  upper: string;
+}
+
+export function said(words: MapWords, map: PieceMap, packing: Pick<Packing, 'pieces'>): string {
+  const {piece, kind, from} = shownBy(map, packing);
+  return kind === 'middle' ? words.middle[from](piece) : words[kind];
+}
+
+/** How many blocks a person takes out of each column from one side, or from both, of a piece that is as high as its
+ *  highest column and, between two layers, begins where its lowest does. What a case has no room for is not there to be
+ *  taken out. */
+export function blocksToRemove(packing: Packing, piece: number, from: 'above' | 'below' | 'both'): Int16Array {
+  const {first, end} = packing.pieces[piece] ?? {first: new Int16Array(), end: new Int16Array()};
+  const [low, high] = wholePiece({first, end}, kindOf(packing, piece), packing.blocks[0]);
+  return first.map((bottom, column) => {
+    const top = end[column] ?? 0;
+    const lowest = Math.max(low, packing.exists.first[column] ?? 0);
+    const highest = Math.min(high, packing.exists.end[column] ?? 0);
+    if (top <= bottom || from === 'both') return Math.max(highest - lowest, 0) - Math.max(top - bottom, 0);
+    return from === 'above' ? highest - top : bottom - lowest;
+  });
+}
+
+/** The levels between which a piece lies before anything is taken out of it. */
+function wholePiece({first, end}: Runs, kind: PieceKind, nx: number): [low: number, high: number] {
+  let [low, high] = [nx, 0];
+  end.forEach((top, column) => {
+    const bottom = first[column] ?? 0;
+    if (top > bottom) [low, high] = [Math.min(low, bottom), Math.max(high, top)];
+  });
+  return [kind === 'lower' ? 0 : low, kind === 'upper' ? nx : high];
+}
+
+/** The items that a drawing tells of, by their numbers: of a map those that lie against what is seen, and in a section
+ *  those of the layer that is nearest to it. */
+export function itemsIn(packing: Packing, drawing: Drawing, slice_mm: number): number[] {
+  const {items} = packing;
+  const layers = drawing === 'slice' ? nearestLayers(packing, slice_mm) : [layerSeen(packing, drawing)];
+  return [...items.keys()].filter((i) => layers.includes(items[i]!.layer));
+}
+
+function layerSeen(packing: Packing, map: PieceMap): number {
+  const {piece, from} = shownBy(map, packing);
+  return from === 'above' ? piece + 1 : piece;
+}
+
+function nearestLayers({items}: Packing, x: number): number[] {
+  const away = new Map<number, number>();
+  for (const {layer, bounds: {min, max}} of items)
+    away.set(layer, Math.min(away.get(layer) ?? Infinity, Math.max(min[0] - x, x - max[0], 0)));
+  const least = Math.min(...away.values());
+  return [...away.keys()].filter((layer) => away.get(layer) === least);
 }
 
 /** The layer of blocks, from -x, in which a height (mm along x from the middle of the space) lies, or the nearest. */

@@ -5,7 +5,8 @@ import type {Side} from './stage';
 export interface CameraMoves {
   view(side: Side): void;
   all(): void;
-  lookAt(place: Triple): void;
+  /** `layer`: of the item that the place belongs to, which is drawn elsewhere while the foams are open. */
+  lookAt(place: Triple, layer?: number): void;
 }
 
 /** The view comes and goes; who asks while there is none is not heard. */
@@ -16,5 +17,5 @@ export class Camera implements CameraMoves {
   }
   view = (side: Side) => this.#moves?.view(side);
   all = () => this.#moves?.all();
-  lookAt = (place: Triple) => this.#moves?.lookAt(place);
+  lookAt = (place: Triple, layer?: number) => this.#moves?.lookAt(place, layer);
 }

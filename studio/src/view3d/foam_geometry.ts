@@ -1,17 +1,16 @@
 import type {Triple} from '../design/design';
-import type {Packing} from '../engine/api';
+import type {Packing, Runs} from '../engine/api';
+import {isCut, kindOf} from '../engine/pieces';
 
-// A foam half as quads for drawing: what a person sees of a height field, flat runs merged. The library's solids
+// A piece of foam as quads for drawing: what a person sees of a field of runs, flat ones merged. The library's solids
 // are the true ones; these need no closedness, only looks.
-
-export type Half = 'lower' | 'upper';
 
 export interface Quads {
   /** Four corners a quad, design coordinates. */
   positions: Float32Array;
   /** One outward normal a corner, as signed bytes. */
   normals: Int8Array;
-  /** 1 where the quad faces what is cut away; 0 where it faces the case or the other half. */
+  /** 1 where the quad faces what is cut away; 0 where it faces the case or another piece. */
   inner: Uint8Array;
   indices: Uint32Array;
   /** How many columns each way were drawn as one; 1 if all were drawn. */
@@ -21,26 +20,24 @@ export interface Quads {
 interface Field {
   ny: number;
   nz: number;
-  /** How high a cell reaches from the own side; 0 outside of the space. */
-  at(j: number, k: number): number;
-  /** Where it begins: above 0 where a case has no room for its outer blocks. */
-  base(j: number, k: number): number;
+  /** The run of levels that a cell keeps; 0 to 0 where that is none, and outside of the space. */
+  first(j: number, k: number): number;
+  end(j: number, k: number): number;
+  x(level: number): number;
   y(j: number): number;
   z(k: number): number;
-  x(height: number): number;
-  /** Outward, as the cavity faces. */
-  up: 1 | -1;
-  /** Whether the block of a column at this height from the own side is cut away. */
-  cut(j: number, k: number, height: number): boolean;
-  /** One quad a block's face instead of merged runs. */
-  split: boolean;
+  /** Whether the block of a cell at this level is cut away. */
+  cut(j: number, k: number, level: number): boolean;
+  /** One quad a block's face instead of merged runs, where items may lie: what faces the case stays merged. */
+  split: {below: boolean; beside: boolean; above: boolean};
 }
 
-/** At most about `mostTriangles`; beyond that neighbouring columns are drawn as one, as deep as the deepest, so
- *  that no cavity vanishes. `split`: one quad for each block's face, for colouring them one by one. */
-export function foamQuads(packing: Packing, half: Half, mostTriangles: number, split = false): Quads {
+/** `piece`: counted from the lowest. At most about `mostTriangles`; beyond that neighbouring columns are drawn as one,
+ *  which keeps what all of them keep, so that no cavity vanishes. `split`: one quad for each block's face, for colouring
+ *  them one by one. */
+export function foamQuads(packing: Packing, piece: number, mostTriangles: number, split = false): Quads {
   for (let share = 1; ; share *= 2) {
-    const quads = collect(field(packing, half, share, split), mostTriangles / 2);
+    const quads = collect(field(packing, piece, share, split), mostTriangles / 2);
     if (quads) return {...arrays(quads), coarsened: share};
   }
 }
@@ -55,61 +52,45 @@ export function quadCentres({positions}: Quads): Float32Array<ArrayBuffer> {
   return centres;
 }
 
-function field(packing: Packing, half: Half, share: number, split: boolean): Field {
-  const {blocks, block_mm, lower, upper, cutFirst, cutEnd} = packing;
+function field(packing: Packing, piece: number, share: number, split: boolean): Field {
+  const {blocks, block_mm, pieces} = packing;
   const [nx, ny, nz] = blocks;
   const [sx, sy, sz] = block_mm;
-  const kept = half === 'lower' ? lower : upper;
+  const kept = pieces[piece]!;
   const rows = Math.ceil(ny / share);
   const columns = Math.ceil(nz / share);
-  const bases = basesOf(packing, half);
-  const coarse = share === 1 ? {kept, bases} : keptByAll(kept, bases, ny, nz, share);
-  const up = half === 'lower' ? 1 : -1;
+  const {first, end} = share === 1 ? kept : keptByAll(kept, ny, nz, share);
+  const within = (j: number, k: number) => j >= 0 && k >= 0 && j < rows && k < columns;
+  const kind = kindOf(packing, piece);
   return {
     ny: rows,
     nz: columns,
-    at: (j, k) => (j < 0 || k < 0 || j >= rows || k >= columns ? 0 : (coarse.kept[j * columns + k] ?? 0)),
-    base: (j, k) => (j < 0 || k < 0 || j >= rows || k >= columns ? 0 : (coarse.bases[j * columns + k] ?? 0)),
+    first: (j, k) => (within(j, k) ? (first[j * columns + k] ?? 0) : 0),
+    end: (j, k) => (within(j, k) ? (end[j * columns + k] ?? 0) : 0),
+    x: (level) => (level - nx / 2) * sx,
     y: (j) => (Math.min(j * share, ny) - ny / 2) * sy,
     z: (k) => (Math.min(k * share, nz) - nz / 2) * sz,
-    x: (height) => up * (height - nx / 2) * sx,
-    up,
-    cut: (j, k, height) => {
-      const column = Math.min(j * share, ny - 1) * nz + Math.min(k * share, nz - 1);
-      const level = half === 'lower' ? height : nx - 1 - height;
-      return level >= (cutFirst[column] ?? 0) && level < (cutEnd[column] ?? 0);
-    },
-    split,
+    cut: (j, k, level) => isCut(packing, Math.min(j * share, ny - 1) * nz + Math.min(k * share, nz - 1), level),
+    split: {below: split && kind !== 'lower', beside: split, above: split && kind !== 'upper'},
   };
 }
 
-/** Blocks of each column, from the half's side, that a case has no room for; 0 where it keeps none at all. */
-function basesOf({blocks, lower, upper, existsFirst, existsEnd}: Packing, half: Half): Uint16Array {
-  if (half === 'lower') return lower.map((height, column) => (height > 0 ? (existsFirst[column] ?? 0) : 0));
-  return upper.map((height, column) => (height > 0 ? blocks[0] - (existsEnd[column] ?? blocks[0]) : 0));
-}
-
-interface Columns {
-  kept: Uint16Array;
-  bases: Uint16Array;
-}
-
 /** What all columns of a cell keep. */
-function keptByAll(kept: Uint16Array, bases: Uint16Array, ny: number, nz: number, share: number): Columns {
+function keptByAll(kept: Runs, ny: number, nz: number, share: number): Runs {
   const columns = Math.ceil(nz / share);
   const size = Math.ceil(ny / share) * columns;
-  const coarse = {kept: new Uint16Array(size).fill(0xffff), bases: new Uint16Array(size)};
+  const all = {first: new Int16Array(size), end: new Int16Array(size).fill(0x7fff)};
   for (let j = 0; j < ny; j++) {
     const row = Math.floor(j / share) * columns;
     for (let k = 0; k < nz; k++) {
       const cell = row + Math.floor(k / share);
-      coarse.kept[cell] = Math.min(coarse.kept[cell] ?? 0, kept[j * nz + k] ?? 0);
-      coarse.bases[cell] = Math.max(coarse.bases[cell] ?? 0, bases[j * nz + k] ?? 0);
+      all.first[cell] = Math.max(all.first[cell] ?? 0, kept.first[j * nz + k] ?? 0);
+      all.end[cell] = Math.min(all.end[cell] ?? 0, kept.end[j * nz + k] ?? 0);
     }
   }
   for (let cell = 0; cell < size; cell++)
-    if ((coarse.bases[cell] ?? 0) >= (coarse.kept[cell] ?? 0)) coarse.bases[cell] = coarse.kept[cell] = 0;
-  return coarse;
+    if ((all.first[cell] ?? 0) >= (all.end[cell] ?? 0)) all.first[cell] = all.end[cell] = 0;
+  return all;
 }
 
 interface Quad {
@@ -148,11 +129,11 @@ function runs(
   }
 }
 
-/** Floors of the cavity, and the side that lies on the case. */
+/** What faces down, and what faces up: floors of cavities, and the side that lies on the case. */
 function addFlats(quads: Quad[], f: Field, j: number) {
   if (j === f.ny) return;
-  const flat = (height: number, first: number, end: number, normal: 1 | -1, inner: boolean) => {
-    const x = f.x(height);
+  const flat = (level: number, first: number, end: number, normal: 1 | -1, inner: boolean) => {
+    const x = f.x(level);
     quads.push({
       corners: [
         [x, f.y(j), f.z(first)],
@@ -164,21 +145,23 @@ function addFlats(quads: Quad[], f: Field, j: number) {
       inner,
     });
   };
+  const isKept = (k: number) => f.end(j, k) > f.first(j, k);
   runs(
     f.nz,
-    f.split,
-    (k) => f.at(j, k),
+    f.split.above,
+    (k) => (isKept(k) ? f.end(j, k) : -1),
     (first, end) => {
-      const height = f.at(j, first);
-      if (height > 0) flat(height, first, end, f.up, f.cut(j, first, height));
+      const level = f.end(j, first);
+      if (isKept(first)) flat(level, first, end, 1, f.cut(j, first, level));
     },
   );
   runs(
     f.nz,
-    false,
-    (k) => (f.at(j, k) > 0 ? 1 + f.base(j, k) : 0),
+    f.split.below,
+    (k) => (isKept(k) ? f.first(j, k) : -1),
     (first, end) => {
-      if (f.at(j, first) > 0) flat(f.base(j, first), first, end, f.up === 1 ? -1 : 1, false);
+      const level = f.first(j, first);
+      if (isKept(first)) flat(level, first, end, -1, f.cut(j, first, level - 1));
     },
   );
 }
@@ -186,8 +169,8 @@ function addFlats(quads: Quad[], f: Field, j: number) {
 /** Walls between row j - 1 and row j. */
 function addStepsAlongZ(quads: Quad[], f: Field, j: number) {
   const step = (k: number) => pairOf(f, [j - 1, k], [j, k]);
-  runs(f.nz, f.split, step, (first, end) => {
-    eachStep(f, [j - 1, first], [j, first], (a, b, height, before) =>
+  runs(f.nz, f.split.beside, step, (first, end) => {
+    eachStep(f, [j - 1, first], [j, first], (a, b, level, before) =>
       quads.push({
         corners: [
           [a, f.y(j), f.z(first)],
@@ -196,7 +179,7 @@ function addStepsAlongZ(quads: Quad[], f: Field, j: number) {
           [a, f.y(j), f.z(end)],
         ],
         normal: [0, before ? 1 : -1, 0],
-        inner: j > 0 && j < f.ny && f.cut(before ? j : j - 1, first, height),
+        inner: j > 0 && j < f.ny && f.cut(before ? j : j - 1, first, level),
       }),
     );
   });
@@ -205,8 +188,8 @@ function addStepsAlongZ(quads: Quad[], f: Field, j: number) {
 /** Walls between column k - 1 and column k. */
 function addStepsAlongY(quads: Quad[], f: Field, k: number) {
   const step = (j: number) => pairOf(f, [j, k - 1], [j, k]);
-  runs(f.ny, f.split, step, (first, end) => {
-    eachStep(f, [first, k - 1], [first, k], (a, b, height, before) =>
+  runs(f.ny, f.split.beside, step, (first, end) => {
+    eachStep(f, [first, k - 1], [first, k], (a, b, level, before) =>
       quads.push({
         corners: [
           [a, f.y(first), f.z(k)],
@@ -215,7 +198,7 @@ function addStepsAlongY(quads: Quad[], f: Field, k: number) {
           [a, f.y(end), f.z(k)],
         ],
         normal: [0, 0, before ? 1 : -1],
-        inner: k > 0 && k < f.nz && f.cut(first, before ? k : k - 1, height),
+        inner: k > 0 && k < f.nz && f.cut(first, before ? k : k - 1, level),
       }),
     );
   });
@@ -225,31 +208,31 @@ type At = [j: number, k: number];
 
 /** One number for what two neighbours keep. */
 function pairOf(f: Field, ...cells: [At, At]): number {
-  return cells.reduce((sum, [j, k]) => (sum * 4097 + f.at(j, k)) * 4097 + f.base(j, k), 0);
+  return cells.reduce((sum, [j, k]) => (sum * 4097 + f.end(j, k)) * 4097 + f.first(j, k), 0);
 }
 
 /** The walls between two neighbours, where one has foam and the other none, whole or block by block: use(x, x, the
- *  lower height, whether the first of them has the foam). */
+ *  lowest level, whether the first of them has the foam). */
 function eachStep(
   f: Field,
   one: At,
   other: At,
-  use: (a: number, b: number, height: number, before: boolean) => void,
+  use: (a: number, b: number, level: number, before: boolean) => void,
 ) {
   const wall = (low: number, high: number, before: boolean) => {
-    const by = f.split ? 1 : high - low;
-    for (let height = low; height < high; height += by) use(f.x(height), f.x(height + by), height, before);
+    const by = f.split.beside ? 1 : high - low;
+    for (let level = low; level < high; level += by) use(f.x(level), f.x(level + by), level, before);
   };
   for (const [foam, beside, before] of [
     [one, other, true],
     [other, one, false],
   ] as const) {
-    const [base, top] = [f.base(...foam), f.at(...foam)];
-    const [besideBase, besideTop] = [f.base(...beside), f.at(...beside)];
-    if (besideTop === 0) wall(base, top, before);
+    const [first, end] = [f.first(...foam), f.end(...foam)];
+    const [besideFirst, besideEnd] = [f.first(...beside), f.end(...beside)];
+    if (besideEnd === 0) wall(first, end, before);
     else {
-      wall(base, Math.min(top, besideBase), before);
-      wall(Math.max(base, besideTop), top, before);
+      wall(first, Math.min(end, besideFirst), before);
+      wall(Math.max(first, besideEnd), end, before);
     }
   }
 }

@@ -1,5 +1,4 @@
 import {
-  BufferAttribute,
   BufferGeometry,
   Group,
   Matrix4,
@@ -14,24 +13,22 @@ import type {Triple} from '../design/design';
 import type {DisplayMesh, PackedItem, Packing} from '../engine/api';
 import type {PlacedItem} from '../state/on_the_page';
 import type {Cell, Look, Part} from '../state/view.svelte';
-import {foamQuads, type Half, type Quads} from './foam_geometry';
+import {apart, type Apart} from './apart';
+import {FoamMeshes, type PieceColours} from './foam_meshes';
 import {arrow, boxEdges, columnBox, ruler} from './furniture';
 import {objectGeometry} from './object_geometry';
-import {foamShading, objectShading, type Shading} from './shading';
+import {GLASS, objectShading} from './shading';
 
-/** What may be drawn while something moves: halves, and the object's own copy besides. */
-const MOVING_FOAM_TRIANGLES = 4_500;
-const STILL_FOAM_TRIANGLES = 200_000;
-/** How far the halves go apart, as a share of the space's height. */
-const WIDE_OPEN = 0.9;
-const GLASS = 0.28;
 /** Around an item. */
 const FRAME_MM = 1;
+/** Of a stack's height, so that it ends below and above the controls. */
+const STACK_CLEAR = 0.66;
 
 export interface Colours {
   background: string;
   object: string;
   lower: string;
+  middle: string;
   upper: string;
   edge: string;
   space: string;
@@ -45,18 +42,14 @@ export interface Colours {
 /** Design coordinates to the world of three.js: x up, y to the reader, z to the right. */
 export const TO_WORLD = new Matrix4().makeBasis(new Vector3(0, 1, 0), new Vector3(0, 0, 1), new Vector3(1, 0, 0));
 
-/** For each half the quads of its blocks' faces, and how far each is from the object (0 to 1, -1 not said). */
-export type GapColours = Record<Half, {quads: Quads; shares: Float32Array}>;
-
 interface Body {
-  /** Where the object lies in the space. */
+  /** Where its layer is drawn, and in it where the object lies in the space. */
+  lift: Group;
   group: Group;
   mesh: Mesh<BufferGeometry, ShaderMaterial>;
   geometries: Geometries;
 }
 type Geometries = {moving: BufferGeometry; still: BufferGeometry};
-
-type FoamMesh = Mesh<BufferGeometry, ShaderMaterial>;
 
 /** What is in the 3D view, without how it is looked at. */
 export class FoamScene {
@@ -65,15 +58,8 @@ export class FoamScene {
   #bodies: Body[] = [];
   #selected = 0;
   readonly #frames = new Group();
-  readonly #shades: Record<'object' | Half, Shading> = {
-    object: objectShading(),
-    lower: foamShading(),
-    upper: foamShading(),
-  };
-  readonly #foams: Record<Half, FoamMesh> = {
-    lower: new Mesh(new BufferGeometry(), this.#shades.lower.material),
-    upper: new Mesh(new BufferGeometry(), this.#shades.upper.material),
-  };
+  readonly #objectShade = objectShading();
+  readonly #foams = new FoamMeshes();
   readonly #space = boxEdges();
   readonly #column = boxEdges();
   readonly #up = arrow();
@@ -85,47 +71,52 @@ export class FoamScene {
   #packing: Packing | null = null;
   #detailed = false;
   #opening = 0;
+  /** None while there is no space. */
+  #apart: Apart | null = null;
   #shift: Triple = [0, 0, 0];
   #objectLook: Look = 'shown';
-  #gaps: GapColours | null = null;
-  #quads: Partial<Record<Half, Quads>> = {};
 
   constructor() {
     this.#root.matrixAutoUpdate = false;
     this.#root.matrix.copy(TO_WORLD);
-    this.#root.add(this.#frames, this.#foams.lower, this.#foams.upper, this.#space, this.#column);
+    this.#root.add(this.#frames, this.#foams.group, this.#space, this.#column);
     this.scene.add(this.#root, this.#up.group);
     this.#column.visible = false;
     this.#column.material.depthTest = false;
     this.#column.renderOrder = 9;
-    // Glass over the object, not under it.
-    this.#foams.lower.renderOrder = this.#foams.upper.renderOrder = 2;
-    this.#shades.object.material.polygonOffset = false;
+    this.#objectShade.material.polygonOffset = false;
     this.show(null, null);
   }
 
-  /** Of the space with its halves as far apart as they are, or of an object that has none; world coordinates. */
+  /** Of the space with its pieces as far apart as they are, or of an object that has none; world coordinates. */
   get extent(): {centre: Vector3; radius: number} {
     const alone = this.#packing ? null : this.#sphere();
     if (alone) return {centre: alone.center.clone().applyMatrix4(this.#root.matrix), radius: alone.radius};
     const [x, y, z] = this.#size();
-    const open = x * (1 + 2 * WIDE_OPEN * this.#opening);
-    return {centre: new Vector3(), radius: Math.max(Math.hypot(open, y, z) / 2, 1)};
+    const {low, high} = this.#apart ?? {low: -x / 2, high: x / 2};
+    const centre = new Vector3((low + high) / 2, 0, 0).applyMatrix4(TO_WORLD);
+    const clear = (this.#packing?.partingLevels.length ?? 1) > 1 ? STACK_CLEAR * (high - low) : 0;
+    return {centre, radius: Math.max(Math.hypot(high - low, y, z) / 2, clear, 1)};
   }
 
   /** The middle of the item that is selected, world coordinates. */
   get objectCentre(): Vector3 {
-    const bounds = this.#packing?.items[this.#selected]?.bounds;
-    if (!bounds) return new Vector3();
-    const middle = new Vector3(...bounds.min).add(new Vector3(...bounds.max)).multiplyScalar(0.5);
-    return middle.applyMatrix4(this.#root.matrix);
+    const item = this.#packing?.items[this.#selected];
+    if (!item) return new Vector3();
+    const {min, max} = item.bounds;
+    const middle = new Vector3(...min).add(new Vector3(...max)).multiplyScalar(0.5);
+    return this.drawnAt(middle, item.layer).applyMatrix4(this.#root.matrix);
+  }
+
+  /** Where a place of a layer is drawn, design coordinates. */
+  drawnAt(place: Vector3, layer: number): Vector3 {
+    return place.setX(place.x + (this.#apart?.layer(layer) ?? 0));
   }
 
   paint(colours: Colours, words: {up: string; own: string}) {
     this.#colours = colours;
-    this.#shades.object.colour(colours.object, colours.edge);
-    this.#shades.lower.colour(colours.lower, colours.edge);
-    this.#shades.upper.colour(colours.upper, colours.edge);
+    this.#objectShade.colour(colours.object, colours.edge);
+    this.#foams.paint(colours, colours.edge);
     this.#space.material.color.set(colours.space);
     this.#column.material.color.set(colours.mark);
     this.#up.colour(colours.space);
@@ -142,7 +133,7 @@ export class FoamScene {
         geometry.dispose();
         this.#geometries.delete(mesh);
       }
-    while (this.#bodies.length > placed.length) this.#root.remove(this.#bodies.pop()!.group);
+    while (this.#bodies.length > placed.length) this.#root.remove(this.#bodies.pop()!.lift);
     placed.forEach(({meshes: {moving, still}, placement}, i) => {
       const body = (this.#bodies[i] ??= this.#body());
       body.geometries = {moving: this.#geometry(moving), still: this.#geometry(still)};
@@ -152,17 +143,18 @@ export class FoamScene {
     this.#selected = selected;
     const {group} = this.#bodies[selected] ?? this.#bodies[0] ?? {group: this.#root};
     group.add(this.#own.group, this.#ruler.group);
+    this.#place();
     this.#dress();
   }
 
   #body(): Body {
-    const mesh = new Mesh(new BufferGeometry(), this.#shades.object.material);
+    const mesh = new Mesh(new BufferGeometry(), this.#objectShade.material);
     mesh.visible = this.#objectLook !== 'hidden';
-    const group = new Group();
+    const [lift, group] = [new Group(), new Group()];
     group.matrixAutoUpdate = false;
-    group.add(mesh);
-    this.#root.add(group);
-    return {group, mesh, geometries: {moving: mesh.geometry, still: mesh.geometry}};
+    lift.add(group.add(mesh));
+    this.#root.add(lift);
+    return {lift, group, mesh, geometries: {moving: mesh.geometry, still: mesh.geometry}};
   }
 
   #geometry(mesh: DisplayMesh): BufferGeometry {
@@ -179,29 +171,30 @@ export class FoamScene {
     while (this.#frames.children.length > framed.length) this.#frames.remove(this.#frames.children.at(-1)!);
     for (const [at, i] of framed.entries()) {
       if (!this.#colours) return;
-      const {bounds} = items[i]!;
+      const {bounds, layer} = items[i]!;
       const known = this.#frames.children[at] as ReturnType<typeof boxEdges> | undefined;
       const frame = known ?? boxEdges();
       frame.material.color.set(near.has(i) ? this.#colours.near : this.#colours.selected);
       const [low, high] = [new Vector3(...bounds.min), new Vector3(...bounds.max)];
-      frame.position.copy(low).add(high).multiplyScalar(0.5);
+      frame.userData = {layer, middle: low.clone().add(high).multiplyScalar(0.5)};
       frame.scale.copy(high.sub(low)).addScalar(2 * FRAME_MM);
       frame.material.depthTest = false;
       frame.renderOrder = 8;
       if (!known) this.#frames.add(frame);
     }
+    this.#place();
   }
 
-  show(packing: Packing | null, gaps: GapColours | null) {
+  /** `colours`: of the pieces, where they are wanted. */
+  show(packing: Packing | null, colours: readonly PieceColours[] | null) {
     this.#packing = packing;
-    this.#gaps = gaps;
     const [x, y, z] = this.#size();
     // An object by itself lies wherever its file has it, in no space.
     this.#space.scale.set(x, y, z).multiplyScalar(packing ? 1 : 0);
     this.#placeUpArrow();
     this.#up.group.scale.setScalar(Math.max(x, 1) * 0.32);
     this.#up.group.visible = packing !== null;
-    for (const half of ['lower', 'upper'] as const) this.#build(half);
+    this.#foams.show(packing, colours);
     this.#place();
     this.#placeOwnArrow();
   }
@@ -211,11 +204,7 @@ export class FoamScene {
     if (value === this.#detailed) return;
     this.#detailed = value;
     this.#dress();
-    // A coarser drawing is refined, and a finer one coarsened, only where there is a difference.
-    for (const half of ['lower', 'upper'] as const) {
-      const coarse = (this.#quads[half]?.coarsened ?? 1) > 1;
-      if (coarse || (!value && this.#triangles(half) > MOVING_FOAM_TRIANGLES)) this.#build(half);
-    }
+    this.#foams.detailed = value;
   }
 
   /** Draws everything so much further, design coordinates. */
@@ -232,16 +221,11 @@ export class FoamScene {
   }
 
   set looks(looks: Record<Part, Look>) {
-    const see = (mesh: {visible: boolean}, shade: Shading | null, look: Look) => {
-      mesh.visible = look !== 'hidden';
-      shade?.see(look === 'glass' ? GLASS : 1);
-    };
-    for (const {mesh} of this.#bodies) see(mesh, null, looks.object);
     this.#objectLook = looks.object;
-    this.#shades.object.see(looks.object === 'glass' ? GLASS : 1);
-    see(this.#foams.lower, this.#shades.lower, looks.lower);
-    see(this.#foams.upper, this.#shades.upper, looks.upper);
-    see(this.#space, null, looks.space);
+    for (const {mesh} of this.#bodies) mesh.visible = looks.object !== 'hidden';
+    this.#objectShade.look(looks.object);
+    this.#foams.looks = looks;
+    this.#space.visible = looks.space !== 'hidden';
     this.#space.material.transparent = looks.space === 'glass';
     this.#space.material.opacity = looks.space === 'glass' ? GLASS : 1;
     this.#placeOwnArrow();
@@ -249,10 +233,11 @@ export class FoamScene {
 
   mark(cell: Cell | null) {
     this.#column.visible = cell !== null && this.#packing !== null;
-    if (!cell || !this.#packing) return;
+    if (!cell || !this.#packing || !this.#apart) return;
+    const {low, high} = this.#apart;
     const {centre, size} = columnBox(this.#packing, cell.j, cell.k);
-    this.#column.position.set(...centre);
-    this.#column.scale.set(size[0] * (1 + 2 * WIDE_OPEN * this.#opening), size[1], size[2]);
+    this.#column.position.set((low + high) / 2, centre[1], centre[2]);
+    this.#column.scale.set(high - low, size[1], size[2]);
   }
 
   measure(points: readonly Triple[]) {
@@ -262,7 +247,7 @@ export class FoamScene {
   /** What lies under a point of the picture (-1 to 1): on the object in its own mm, and the column of the space. */
   pick(ray: Raycaster): {own: Triple | null; cell: Cell | null; item: number | null} {
     const bodies = this.#bodies.map(({mesh}) => mesh);
-    const targets = [...bodies, this.#foams.lower, this.#foams.upper].filter(({visible}) => visible);
+    const targets = [...bodies.filter(({visible}) => visible), ...this.#foams.visible];
     const hit = ray.intersectObjects<Mesh>(targets, false)[0];
     if (!hit) return {own: null, cell: null, item: null};
     const item = bodies.findIndex((mesh) => mesh === hit.object);
@@ -334,37 +319,12 @@ export class FoamScene {
   }
 
   #place() {
-    const apart = this.#size()[0] * WIDE_OPEN * this.#opening;
-    this.#foams.lower.position.set(-apart, 0, 0);
-    this.#foams.upper.position.set(apart, 0, 0);
-  }
-
-  #triangles(half: Half): number {
-    return (this.#foams[half].geometry.index?.count ?? 0) / 3;
-  }
-
-  #build(half: Half) {
-    const mesh = this.#foams[half];
-    mesh.geometry.dispose();
-    mesh.geometry = new BufferGeometry();
-    if (!this.#packing?.fit) return;
-    const most = this.#detailed ? STILL_FOAM_TRIANGLES : MOVING_FOAM_TRIANGLES;
-    const coloured = this.#gaps?.[half];
-    const quads = coloured?.quads ?? foamQuads(this.#packing, half, most);
-    this.#quads[half] = quads;
-    mesh.geometry.setAttribute('position', new BufferAttribute(quads.positions, 3));
-    mesh.geometry.setAttribute('normal', new BufferAttribute(quads.normals, 3, true));
-    mesh.geometry.setIndex(new BufferAttribute(quads.indices, 1));
-    const {uniforms} = mesh.material;
-    const [x, y, z] = this.#size();
-    uniforms.block?.value.set(...this.#packing.block_mm);
-    uniforms.corner?.value.set(-x / 2, -y / 2, -z / 2);
-    if (uniforms.showGaps) uniforms.showGaps.value = coloured ? 1 : 0;
-    if (coloured) {
-      const corners = new Float32Array(quads.inner.length);
-      corners.forEach((_, i) => (corners[i] = coloured.shares[i >> 2] ?? -1));
-      mesh.geometry.setAttribute('gap', new BufferAttribute(corners, 1));
-    }
+    this.#apart = this.#packing && apart(this.#packing, this.#opening);
+    const layer = (item: number) => this.#packing?.items[item]?.layer ?? 1;
+    this.#foams.place((piece) => this.#apart?.piece(piece) ?? 0);
+    this.#bodies.forEach(({lift}, item) => lift.position.copy(this.drawnAt(new Vector3(), layer(item))));
+    for (const {position, userData} of this.#frames.children)
+      position.copy(this.drawnAt((userData.middle as Vector3).clone(), userData.layer as number));
   }
 }
 

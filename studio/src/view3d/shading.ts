@@ -1,4 +1,5 @@
 import {Color, DoubleSide, ShaderMaterial, Vector3} from 'three';
+import type {Look} from '../state/view.svelte';
 
 // One small shader for the object and the foams: two lights that go with the camera, block edges drawn from the
 // design coordinates (so that they cost no triangles), and the colours of the gaps.
@@ -65,10 +66,13 @@ void main() {
   #include <colorspace_fragment>
 }`;
 
+/** Of what is seen through. */
+export const GLASS = 0.28;
+
 export interface Shading {
   material: ShaderMaterial;
   colour(face: string, edge: string): void;
-  see(opacity: number): void;
+  look(look: Look): void;
 }
 
 function shading(defines: Record<string, string>): Shading {
@@ -96,10 +100,11 @@ function shading(defines: Record<string, string>): Shading {
       uniforms.color.value.set(face);
       uniforms.edgeColor.value.set(edge);
     },
-    see(opacity) {
-      uniforms.opacity.value = opacity;
-      material.transparent = opacity < 1;
-      material.depthWrite = opacity >= 1;
+    look(look) {
+      const glass = look === 'glass';
+      uniforms.opacity.value = glass ? GLASS : 1;
+      material.transparent = glass;
+      material.depthWrite = !glass;
     },
   };
 }

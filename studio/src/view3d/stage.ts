@@ -160,9 +160,10 @@ export class Stage {
     this.draw();
   }
 
-  /** Brings the camera near a place, design coordinates. */
-  lookAt(place: Triple) {
-    const point = new Vector3(...place).applyMatrix4(TO_WORLD);
+  /** Brings the camera near a place, design coordinates. `layer`: that it belongs to. */
+  lookAt(place: Triple, layer?: number) {
+    const lies = new Vector3(...place);
+    const point = (layer === undefined ? lies : this.#content.drawnAt(lies, layer)).applyMatrix4(TO_WORLD);
     const {radius} = this.#content.extent;
     void this.#controls.moveTo(point.x, point.y, point.z, true);
     void this.#controls.dollyTo(radius * 1.6, true);

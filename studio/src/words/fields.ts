@@ -33,6 +33,13 @@ export const fields = {
         'より厳しく：面が触れるだけのブロックも切り取ります。',
       ],
     },
+    'space.open': {
+      name: ['Sunk by', '沈める深さ'],
+      tip: [
+        'Each item at least: up to 1 as a share of its height, above 1 in mm.',
+        'それぞれ少なくとも：1 までは高さに対する割合、1 より大きい値は mm。',
+      ],
+    },
     'cut.liner_mm': {
       name: ['Liner', '内張り'],
       tip: [

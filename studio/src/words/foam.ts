@@ -44,12 +44,6 @@ export const foam = words({
       'Play around the object before blocks are cut. Negative squeezes it.',
       'ブロックを切る前に対象物のまわりに取る余裕。負の値は締めつけます。',
     ],
-    parting: ['Parting level', '分割の高さ'],
-    partingTip: [
-      'Where lower foam and lid meet beside the object, in blocks from below.',
-      '対象物のない所で下のフォームとふたが合わさる高さ（下からのブロック数）。',
-    ],
-    partingAuto: ['Choose it for me', '自動で決める'],
     axes: {x: ['up', '上下'], y: ['front to back', '前後'], z: ['left to right', '左右']},
   },
   cases: {

@@ -25,6 +25,10 @@ export const items = words({
       'Searches look at one thing alone: take the others out, or place them by hand here, in the view or in the plan.',
       '探索は一つのものだけが対象です。ほかのものを取り出すか、ここ、立体の表示、平面図で手で置いてください。',
     ],
+    closedOnly: [
+      'Searches look for foams that close: place what lies in a tray by hand, here or in the view.',
+      '探索は閉じるフォームが対象です。トレイのものは、ここか立体の表示で手で置いてください。',
+    ],
     plan: ['Drag an item in the plan to move it.', '平面図でものをドラッグすると動かせます。'],
   },
 });

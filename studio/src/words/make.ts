@@ -7,16 +7,16 @@ export const make = words({
     what: ['What to export', '書き出すもの'],
     kinds: {
       zip: ['Everything in one zip', 'すべてを一つのzipに'],
-      stl: ['The two foams as STL', '二つのフォームをSTLで'],
-      ply: ['The two foams as PLY', '二つのフォームをPLYで'],
+      stl: ['The foams as STL', 'フォームをSTLで'],
+      ply: ['The foams as PLY', 'フォームをPLYで'],
     },
     kindTips: {
       zip: [
         'Foams, drawing, depth table, report and project: what the command line writes',
         'フォーム、図、深さの表、レポート、プロジェクト：コマンドラインと同じ内容',
       ],
-      stl: ['lower.stl and upper.stl, in millimetres', 'lower.stl と upper.stl（ミリメートル）'],
-      ply: ['lower.ply and upper.ply, in millimetres', 'lower.ply と upper.ply（ミリメートル）'],
+      stl: ['lower.stl, upper.stl and what lies between, in millimetres', 'lower.stl、upper.stl と中間のもの（ミリメートル）'],
+      ply: ['lower.ply, upper.ply and what lies between, in millimetres', 'lower.ply、upper.ply と中間のもの（ミリメートル）'],
     },
     export: ['Export', '書き出す'],
     exportTip: [
@@ -24,8 +24,6 @@ export const make = words({
       'このコンピューターの中でファイルを作り、ダウンロードに保存します',
     ],
     summary: ['What you will make', '作るもの'],
-    lower: ['Lower foam', '下のフォーム'],
-    upper: ['Lid', 'ふた'],
     blocks: (n: string) => [`${n} blocks`, `${n} ブロック`],
     remove: ['Blocks to take out', '取り除くブロック'],
     weight: ['Weight of the foam', 'フォームの重さ'],

@@ -7,13 +7,14 @@ import {items} from './items';
 import {make} from './make';
 import {object} from './object';
 import {page} from './page';
+import {pieces} from './pieces';
 import {placement} from './placement';
 import {views} from './views';
 import {spoken, words} from './words';
 import {workshop} from './workshop';
 
 /** Every text of the studio. Sentences of the library come from the library. */
-export const ALL = words({...page, ...object, ...items, ...foam, ...workshop, ...placement, ...check, ...make, ...views, ...files, ...failures, ...fields});
+export const ALL = words({...page, ...object, ...items, ...foam, ...pieces, ...workshop, ...placement, ...check, ...make, ...views, ...files, ...failures, ...fields});
 
 export const en = spoken(ALL, 0);
 export const ja = spoken(ALL, 1);

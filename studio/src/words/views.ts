@@ -10,8 +10,8 @@ export const views = words({
     ],
     opening: ['Open foams', 'フォームを開く'],
     openingTip: [
-      'Moves the lid up and the lower foam down, as the object goes in and out',
-      'ふたを上に、下のフォームを下に動かします（出し入れの動き）',
+      'Moves the pieces of foam up and down, away from each other, as things go in and out',
+      'フォームを上下に離します（出し入れの動き）',
     ],
     openingValue: ['Opening in percent', '開き（パーセント）'],
     play: ['Open or close, animated', '開閉のアニメーション'],
@@ -29,6 +29,7 @@ export const views = words({
     parts: {
       object: ['Object', '対象物'],
       lower: ['Lower foam', '下のフォーム'],
+      middle: ['Middle foam', '中間のフォーム'],
       upper: ['Lid', 'ふた'],
       space: ['Space', '空間'],
     },
@@ -57,7 +58,20 @@ export const views = words({
   },
   view2d: {
     label: ['Drawings', '図面'],
-    tabs: {slice: ['Section', '断面図'], lower: ['Lower', '下'], lid: ['Lid', 'ふた']},
+    tabs: {
+      slice: ['Section', '断面図'],
+      lower: ['Lower', '下'],
+      middle: {
+        above: (number: number) => [`Middle ${number}, above`, `中間 ${number} の上`],
+        below: (number: number) => [`Middle ${number}, below`, `中間 ${number} の下`],
+      },
+      upper: ['Lid', 'ふた'],
+    },
+    /** Where there is little room for them. */
+    shortTabs: {
+      above: (number: number) => [`Middle ${number} ↑`, `中間 ${number} ↑`],
+      below: (number: number) => [`Middle ${number} ↓`, `中間 ${number} ↓`],
+    },
     slice: ['Slice', '断面'],
     sliceTip: [
       'One layer of blocks, counted from below. Page Up and Page Down move five.',
@@ -65,36 +79,61 @@ export const views = words({
     ],
     sliceValue: ['Layer from below', '下からの層'],
     sliceAt: (mm: string) => [`seen from above, at ${mm} mm`, `上から見た図、高さ ${mm} mm`],
-    lowerNote: [
-      'LOWER · cavity facing you · numbers: blocks to remove',
-      '下のフォーム（LOWER）・くぼみが手前・数字は取り除くブロック数',
-    ],
-    lidNote: [
-      'LID · cavity facing you · numbers: blocks to remove',
-      'ふた（LID）・くぼみが手前・数字は取り除くブロック数',
-    ],
+    notes: {
+      lower: [
+        'LOWER · cavity facing you · numbers: blocks to remove',
+        '下のフォーム（LOWER）・くぼみが手前・数字は取り除くブロック数',
+      ],
+      middle: {
+        above: (number: number) => [
+          `MIDDLE ${number} from above · cavity facing you · numbers: blocks to remove`,
+          `中間 ${number}（MIDDLE ${number}）上から・くぼみが手前・数字は取り除くブロック数`,
+        ],
+        below: (number: number) => [
+          `MIDDLE ${number} from below · cavity facing you · numbers: blocks to remove`,
+          `中間 ${number}（MIDDLE ${number}）下から・くぼみが手前・数字は取り除くブロック数`,
+        ],
+      },
+      upper: [
+        'LID · cavity facing you · numbers: blocks to remove',
+        'ふた（LID）・くぼみが手前・数字は取り除くブロック数',
+      ],
+    },
     back: ['BACK', 'BACK'],
     print: ['Print', '印刷'],
     printTip: [
-      'Prints the maps of the lower foam and the lid, one page each, the cavity facing you',
-      '図を印刷します：下のフォームとふたを1ページずつ、くぼみを手前にして',
+      'Prints the maps of all pieces of foam, one page for each side with cavities, which faces you',
+      '図を印刷します：フォームのくぼみのある面を1ページずつ、くぼみを手前にして',
     ],
     column: (j: number, k: number) => [`Row ${j}, column ${k}`, `${j} 行 ${k} 列`],
-    remove: (lower: number, lid: number) => [
-      `remove ${lower} below, ${lid} in the lid`,
-      `下で ${lower}、ふたで ${lid} 取り除く`,
-    ],
+    remove: (parts: readonly string[]) => [`remove ${parts.join(', ')}`, `${parts.join('、')} 取り除く`],
+    removeFrom: {
+      lower: (blocks: number) => [`${blocks} below`, `下で ${blocks}`],
+      middle: (blocks: number, number: number) => [`${blocks} in middle ${number}`, `中間 ${number} で ${blocks}`],
+      upper: (blocks: number) => [`${blocks} in the lid`, `ふたで ${blocks}`],
+    },
     hover: ['Point at a column to see it in both windows.', '列を指すと両方の窓に表示されます。'],
     legend: {
       lower: ['lower foam', '下のフォーム'],
-      lid: ['lid', 'ふた'],
+      middle: ['middle foam', '中間のフォーム'],
+      upper: ['lid', 'ふた'],
       cut: ['cut away', '切り取り'],
       object: ['object', '対象物'],
     },
     canvas: {
       section: (n: number) => [`Section through layer ${n}`, `${n} 層目の断面`],
       lower: ['Map of the lower foam: blocks to remove in each column', '下のフォームの図：各列で取り除くブロック数'],
-      lid: ['Map of the lid: blocks to remove in each column', 'ふたの図：各列で取り除くブロック数'],
+      middle: {
+        above: (number: number) => [
+          `Map of middle foam ${number} from above: blocks to remove in each column`,
+          `中間のフォーム ${number} の上からの図：各列で取り除くブロック数`,
+        ],
+        below: (number: number) => [
+          `Map of middle foam ${number} from below: blocks to remove in each column`,
+          `中間のフォーム ${number} の下からの図：各列で取り除くブロック数`,
+        ],
+      },
+      upper: ['Map of the lid: blocks to remove in each column', 'ふたの図：各列で取り除くブロック数'],
     },
   },
 });

@@ -11,9 +11,9 @@ import {
   withJoined,
   withLock,
   withoutItem,
-  type Lying,
   type Moment,
 } from '../../src/design/moment';
+import type {Lying} from '../../src/design/layers';
 import {startCore} from '../support/snug';
 
 let defaults: Design;
@@ -54,6 +54,16 @@ test('what was chosen for one alone stays its own when another joins, which begi
 test('and becomes the design’s again when it is left alone', () => {
   const chosen = withUnits(withRotation({...defaults, workshop: {...defaults.workshop, mass_kg: 2}}, [0, 90, 0]), 'in');
   expect(withoutItem(join(one(chosen), ['b']), 1)).toEqual(one(chosen));
+});
+
+test('a layer whose last item is taken out closes up, and levels that were chosen for it are chosen anew', () => {
+  const {design, ...rest} = row();
+  const items = design.items.map((item, i) => ({...item, layer: i + 1}));
+  const three: Moment = {...rest, design: {...design, items, parting: {level: [3, 6, 9]}}};
+  const two = withoutItem(three, 1).design;
+  expect([two.items.map(({layer}) => layer), two.parting.level]).toEqual([[1, 2], 'auto']);
+  const {design: same} = withoutItem({...three, design: {...three.design, items: items.map((item, i) => ({...item, layer: [1, 2, 2][i]!})), parting: {level: [3, 6]}}}, 1);
+  expect([same.items.map(({layer}) => layer), same.parting.level]).toEqual([[1, 2], [3, 6]]);
 });
 
 test('a change of the selected item leaves the others where they lie', () => {

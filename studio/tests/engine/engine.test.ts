@@ -1,7 +1,7 @@
 import {createHash} from 'node:crypto';
 import {afterEach, beforeEach, describe, expect, test, vi} from 'vitest';
 import type {Design} from '../../src/design/design';
-import type {SearchStep, Packing} from '../../src/engine/api';
+import type {LayerGap, Packing, SearchStep} from '../../src/engine/api';
 import type {EngineCore} from '../../src/engine/core';
 import {box, torus} from '../support/shapes';
 import {good, refused, startCore} from '../support/snug';
@@ -97,7 +97,7 @@ describe('an object', () => {
   });
 });
 
-const columns = ({lower, upper, cutFirst, cutEnd, fit}: Packing) => ({lower, upper, cutFirst, cutEnd, fit});
+const columns = ({pieces, exists, fit}: Packing) => ({pieces, exists, fit});
 
 describe('a packing', () => {
   test('has the columns that depths.csv has', async () => {
@@ -106,16 +106,11 @@ describe('a packing', () => {
     design.cut.clearance_mm = 1.5;
     const packing = await pack();
     const rows = (await outputs()).get('depths.csv')!.trim().split('\n').slice(1);
-    const [nx, ny, nz] = packing.blocks;
+    const [, ny, nz] = packing.blocks;
     expect(rows.length).toBe(ny * nz);
     rows.forEach((row, column) => {
-      const expected = [Math.floor(column / nz), column % nz, packing.lower[column], packing.upper[column]];
-      expect(row).toBe(expected.join(','));
-    });
-    packing.cutFirst.forEach((first, column) => {
-      const end = packing.cutEnd[column]!;
-      const foam = packing.lower[column]! + packing.upper[column]!;
-      expect(foam).toBe(first < end ? nx - (end - first) : nx);
+      const kept = packing.pieces.map(({first, end}) => end[column]! - first[column]!);
+      expect(row).toBe([Math.floor(column / nz), column % nz, ...kept].join(','));
     });
     expect(packing.library_ms).toBeGreaterThan(0);
   });
@@ -128,16 +123,17 @@ describe('a packing', () => {
     expect(packing.blocks).toEqual(report.design_space.blocks);
     expect(packing.fit!.cut_blocks).toBe(report.foam.cut_blocks);
     expect(packing.fit!.fill_ratio).toBe(report.foam.fill_ratio);
-    expect(packing.partingLevel).toBe(report.foam.parting_level);
+    expect(packing.partingLevels).toEqual([report.foam.parting_level]);
     expect(packing.fit!.wall_mm).toEqual(report.wall_mm);
     const gap = good(await core.gaps());
     expect(gap.findings.map(({code}) => code)).toEqual(report.findings.map(({code}: {code: string}) => code));
     gap.bearing.lower_mm2.forEach((area, i) => expect(area).toBeCloseTo(report.bearing.lower_mm2[i], 2));
     expect(gap.widest_mm).toBeCloseTo(report.gap.widest_mm, 3);
     expect(gap.step_mm3).toBeCloseTo(report.gap.step_mm3, 2);
-    expect(gap.lower.step_mm3 + gap.upper.step_mm3).toBeCloseTo(gap.step_mm3, 2);
-    expect(gap.upper.widest_mm).toBeCloseTo(report.gap.upper.widest_mm, 3);
-    expect(gap.columns.length).toBe(4 * packing.lower.length);
+    const [{lower, upper, columns}] = gap.layers as [LayerGap];
+    expect(lower.step_mm3 + upper.step_mm3).toBeCloseTo(gap.step_mm3, 2);
+    expect(upper.widest_mm).toBeCloseTo(report.gap.upper.widest_mm, 3);
+    expect(columns.length).toBe(4 * packing.exists.first.length);
   });
 
   test('places the drawn object where its bounds are', async () => {
@@ -168,7 +164,7 @@ describe('a packing', () => {
     design.space.blocks = [2, 2, 2];
     const packing = await pack();
     expect(packing.fit).toBeNull();
-    expect(packing.lower.length).toBe(0);
+    expect(packing.pieces).toEqual([]);
     expect(packing.findings[0]).toMatchObject({severity: 'danger', code: 'outside'});
     expect(packing.items[0]!.bounds.max[0]).toBe(60);
     expect(refused(await core.outputFiles(design)).kind).toBe('does_not_fit');

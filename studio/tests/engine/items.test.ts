@@ -92,7 +92,7 @@ test('objects that are kept no more are gone, and the others are as they were', 
   const alone = {...design, items: [item(0)]};
   const before = good(await core.pack(alone, lens));
   await core.keep([lens[0]!.id]);
-  expect(good(await core.pack(alone, lens)).lower).toEqual(before.lower);
+  expect(good(await core.pack(alone, lens)).pieces).toEqual(before.pieces);
   expect(refused(await core.pack(design, objects)).error).toContain('no object');
 });
 

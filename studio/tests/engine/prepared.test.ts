@@ -5,8 +5,8 @@ import {numbers} from '../support/packing';
 import {good, startCore} from '../support/snug';
 
 /** What a packing says of the foams. */
-function foams({lower, upper, cutFirst, cutEnd, items, findings}: Packing) {
-  return {lower, upper, cutFirst, cutEnd, items, findings};
+function foams({pieces, exists, items, findings}: Packing) {
+  return {pieces, exists, items, findings};
 }
 
 describe('the prepared surface', () => {

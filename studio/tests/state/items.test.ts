@@ -90,7 +90,7 @@ test('a project of several opens with its files in any order, and gives the same
   studio.change((design) => withOffset(design, [0, 10, 400]), 'handles');
   await packed();
   const text = await projectText();
-  const {lower} = studio.packing!;
+  const {pieces} = studio.packing!;
   const project = () => new File([text], 'kit.snug.json');
   for (const files of [[project(), lens(), body()], [project()], [lens(), body(), project()]]) {
     const other = await startStudio();
@@ -104,7 +104,7 @@ test('a project of several opens with its files in any order, and gives the same
     expect(other.notice).toBeNull();
     expect(other.problem).toBeNull();
     expect(await other.engine.projectText(other.moment.design, other.moment.objects)).toBe(text);
-    expect(other.packing?.lower).toEqual(lower);
+    expect(other.packing?.pieces).toEqual(pieces);
   }
   // Where they lie there already it needs no files.
   studio.change((design) => withOffset(design, [0, 0, 500]), 'handles');
@@ -130,7 +130,7 @@ test('a file among several that cannot be read leaves everything as it was, and 
   await openFiles(studio, [lens(), new File(['no mesh'], 'notes.stl')], {joins: true});
   expect(studio.problem?.text[0]).toContain('notes.stl');
   expect(names()).toEqual(['body.stl']);
-  expect(studio.packing?.lower).toEqual(before?.lower);
+  expect(studio.packing?.pieces).toEqual(before?.pieces);
   studio.change((design) => withOffset(design, [0, 0, 0]), '');
   await openFiles(studio, [lens()], {joins: true});
   expect(names()).toEqual(['body.stl', 'lens.stl']);

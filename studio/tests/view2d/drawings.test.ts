@@ -1,7 +1,8 @@
 import {describe, expect, it} from 'vitest';
-import {blocksToRemove, cellAt, cellCorner, layOut, toPage} from '../../src/view2d/page';
+import {blocksToRemove, cellAt, cellCorner, layOut, mapsOf, shownBy, toPage} from '../../src/view2d/page';
 import {section} from '../../src/view2d/section';
-import {packingOf} from '../support/packing';
+import {layeredPacking} from '../support/layers';
+import {packingOf, piecesPacking} from '../support/packing';
 
 const packing = packingOf([4, 3, 5], [10, 20, 8], new Array<number>(15).fill(2), new Array<number>(15).fill(2));
 
@@ -51,16 +52,43 @@ describe('which way round', () => {
 describe('maps', () => {
   it('say how many blocks to remove from the highest column', () => {
     const packing = packingOf([9, 2, 2], [1, 1, 1], [7, 4, 7, 0], [2, 2, 2, 2]);
-    expect(blocksToRemove(packing, 'lower')).toEqual({remove: Uint16Array.from([0, 3, 0, 7]), highest: 7});
+    expect(blocksToRemove(packing, 0, 'above')).toEqual(Int16Array.from([0, 3, 0, 7]));
   });
 
   it('count no block that a case has no room for', () => {
-    const packing = packingOf([9, 2, 2], [1, 1, 1], [7, 4, 0, 0], [2, 2, 0, 1]);
-    packing.existsFirst = Int16Array.from([0, 2, 3, 9]);
-    packing.existsEnd = Int16Array.from([9, 9, 8, 9]);
+    const packing = packingOf([9, 2, 2], [1, 1, 1], [7, 4, 0, 0], [2, 2, 0, 0], [[0, 9], [2, 9], [3, 8], [9, 9]]);
     // From 7 levels: the second column has 4 and 5 and 6 to lose, the third 3 to 6, the last has no blocks.
-    expect(blocksToRemove(packing, 'lower').remove).toEqual(Uint16Array.from([0, 3, 4, 0]));
-    expect(blocksToRemove(packing, 'lid').remove).toEqual(Uint16Array.from([0, 0, 1, 0]));
+    expect(blocksToRemove(packing, 0, 'above')).toEqual(Int16Array.from([0, 3, 4, 0]));
+    expect(blocksToRemove(packing, 1, 'below')).toEqual(Int16Array.from([0, 0, 1, 0]));
+  });
+
+  it('of a piece between two layers tell from each side what is taken out there, and a hole from both', () => {
+    const nothing = [[0, 0], [0, 0], [0, 0]] as const;
+    const packing = piecesPacking([9, 1, 3], [1, 1, 1], [nothing, [[2, 6], [3, 5], [0, 0]], nothing], [[0, 9], [0, 9], [0, 9]]);
+    expect(mapsOf(packing)).toEqual(['lower', 'middle-1-above', 'middle-1-below', 'lid']);
+    expect(shownBy('middle-1-below', packing)).toEqual({piece: 1, kind: 'middle', from: 'below'});
+    expect(blocksToRemove(packing, 1, 'above')).toEqual(Int16Array.from([0, 1, 4]));
+    expect(blocksToRemove(packing, 1, 'below')).toEqual(Int16Array.from([0, 1, 4]));
+    expect(blocksToRemove(packing, 1, 'both')).toEqual(Int16Array.from([0, 2, 4]));
+  });
+
+  it('of both sides are what the piece does not keep of its whole block, whatever the case', () => {
+    for (let seed = 1; seed <= 40; seed++) {
+      const packing = layeredPacking(seed, 3, seed % 2 === 0);
+      packing.pieces.forEach(({first, end}, piece) => {
+        const [above, below, both] = (['above', 'below', 'both'] as const).map((from) => blocksToRemove(packing, piece, from)) as [Int16Array, Int16Array, Int16Array];
+        both.forEach((remove, column) => {
+          const through = first[column]! >= end[column]!;
+          expect(through ? [above[column], below[column]] : above[column]! + below[column]!, `seed ${seed}`).toEqual(through ? [remove, remove] : remove);
+        });
+      });
+    }
+  });
+
+  it('of a tray are those of the pieces that there are', () => {
+    expect(mapsOf(layeredPacking(1, 1, true))).toEqual(['lower']);
+    expect(mapsOf(layeredPacking(1, 2, true))).toEqual(['lower', 'middle-1-above', 'middle-1-below']);
+    expect(mapsOf(null)).toEqual(['lower', 'lid']);
   });
 });
 

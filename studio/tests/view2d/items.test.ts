@@ -1,7 +1,7 @@
 import {expect, test} from 'vitest';
 import type {Triple} from '../../src/design/design';
 import {tooNear} from '../../src/state/findings';
-import {fromPage, held, itemAt, layOut, toPage} from '../../src/view2d/page';
+import {fromPage, held, itemAt, itemsIn, layOut, toPage} from '../../src/view2d/page';
 import {packingOf} from '../support/packing';
 
 // Items in the plan.
@@ -23,10 +23,26 @@ test('a place on the page is the place in the space that is drawn there', () => 
 test('under a hand is the item whose box is there, the smaller one of two', () => {
   const items = [box([0, -40, -40], [10, 40, 40]), box([0, 0, 0], [10, 20, 20]), box([0, 0, 60], [10, 20, 80])];
   const packing = {...spaceOf(6, 9), items};
-  expect(itemAt(packing, 10, 10)).toBe(1);
-  expect(itemAt(packing, -10, 10)).toBe(0);
-  expect(itemAt(packing, 10, 70)).toBe(2);
-  expect(itemAt(packing, 10, 90)).toBeNull();
+  expect(itemAt(packing, 10, 10, [0, 1, 2])).toBe(1);
+  expect(itemAt(packing, -10, 10, [0, 1, 2])).toBe(0);
+  expect(itemAt(packing, 10, 70, [0, 1, 2])).toBe(2);
+  expect(itemAt(packing, 10, 90, [0, 1, 2])).toBeNull();
+  expect(itemAt(packing, 10, 10, [0, 2])).toBe(0);
+});
+
+test('a drawing tells of the items that lie against what it shows', () => {
+  const lying = (layer: number, from: number, to: number) => ({...box([from, 0, 0], [to, 9, 9]), layer});
+  const items = [lying(1, -40, -10), lying(2, -15, 30), lying(1, -40, -30), lying(3, 35, 60)];
+  const packing = {...spaceOf(6, 9), items};
+  expect(itemsIn(packing, 'lower', 0)).toEqual([0, 2]);
+  expect(itemsIn(packing, 'middle-1-below', 0)).toEqual([0, 2]);
+  expect(itemsIn(packing, 'middle-1-above', 0)).toEqual([1]);
+  expect(itemsIn({...packing, pieces: Array(4).fill(packing.pieces[0])}, 'lid', 0)).toEqual([3]);
+  expect(itemsIn(packing, 'slice', -12)).toEqual([0, 1, 2]);
+  expect(itemsIn(packing, 'slice', 31)).toEqual([1]);
+  expect(itemsIn(packing, 'slice', 500)).toEqual([3]);
+  // Of one layer all of them, however high the section lies.
+  expect(itemsIn({...packing, items: items.map((item) => ({...item, layer: 1}))}, 'slice', 500)).toEqual([0, 1, 2, 3]);
 });
 
 test('a space that is centred anew stays where it was under the hand that moves an item', () => {
