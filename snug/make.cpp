@@ -78,9 +78,11 @@ void find_all_tipping(std::span<const Object> objects, const ItemCuts& cuts, Pac
     of_each(packing, [&](std::size_t i, std::vector<Finding>& findings) {
         Item& item = packing.items[i];
         if (item.layer != packing.foams->layers()) return;
-        item.tip_deg = tip_angle_deg(cuts.cuts[i].lower, packing.space, packing.foams->parting.back(),
-                                     centre_of_mass(objects[item.object], item.placement));
-        find_tipping(item, item.tip_deg, findings);
+        const BlockMap& cut = cuts.cuts[i].lower;
+        const int level = packing.foams->parting.back();
+        item.tip_deg =
+            tip_angle_deg(cut, packing.space, level, centre_of_mass(objects[item.object], item.placement));
+        find_tipping(item, cut, level, findings);
     });
 }
 
@@ -162,8 +164,10 @@ void cut_notches_of_layer(Packing& packing, const Design& design, const std::vec
     for (std::size_t i = 0; i < packing.items.size(); ++i) {
         const Item& item = packing.items[i];
         if (item.layer != number) continue;
-        NotchPair pair = cut_notches(layer, cut_of_layer(cuts[i], levels.parting, uncovered), packing.space,
-                                     levels, *design.fit.notches, wanted_wall_mm(design.space));
+        const NotchedObject object{cut_of_layer(cuts[i], levels.parting, uncovered),
+                                   packing.items.size() == 1};
+        NotchPair pair = cut_notches(layer, object, packing.space, levels, *design.fit.notches,
+                                     wanted_wall_mm(design.space));
         if (!pair.notches)
             packing.findings.push_back(
                 {Severity::warning, pair.why_not, {}, packing.items.size() > 1 ? item.name : std::string()});

@@ -55,6 +55,20 @@ SpaceChoice choice_of(const Packing& packing, const Design& design) {
     return choice;
 }
 
+/// Above the inside of its case.
+bool too_high_for_tray(const Item& item, const Packing& packing, std::vector<Finding>& findings) {
+    if (!packing.fitted_case) return false;
+    const double top = packing.fitted_case->free.max.x, floor = packing.space.box().min.x;
+    if (item.placement.bounds.max.x <= top + 0.01) return false;
+    const double lowest = item.placement.bounds.min.x - item.cut.whole_clearance_mm().lower.x;
+    findings.push_back({Severity::danger,
+                        say("outside/tray", {{"floor_mm", number(lowest - floor, 1)},
+                                             {"height_mm", number(item.placement.bounds.max.x - lowest, 1)},
+                                             {"inside_mm", number(top - floor, 1)}}),
+                        item.placement.bounds.centre()});
+    return true;
+}
+
 double squared_distance(const Box3d& box, Vec3d p) {
     double sum = 0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -81,7 +95,13 @@ void name_nearest(const std::vector<Item>& items, std::size_t begin, std::vector
 void find_outside(const Item& item, const Packing& packing, const Design& design,
                   std::vector<Finding>& findings) {
     const Clearance clearance = item.cut.whole_clearance_mm();
-    auto finding = outside_of(item.placement.bounds, packing.space, clearance);
+    Box3d placed = item.placement.bounds;
+    if (design.space.open) {
+        if (too_high_for_tray(item, packing, findings)) return;
+        // What stands out of a tray needs no foam around it.
+        placed.max.x = std::min(placed.max.x, packing.space.box().max.x - clearance.upper.x);
+    }
+    auto finding = outside_of(placed, packing.space, clearance);
     if (!finding) return;
     const Walls walls = wanted_wall_mm(design.space);
     const bool alone = packing.items.size() == 1;
@@ -102,6 +122,11 @@ void find_foam_problems(const Packing& packing, const Design& design, std::vecto
                     findings);
     name_nearest(packing.items, before, findings);
     find_pieces(packing.fit, choice, findings);
+    constexpr double kFinger = 25;  // mm that a finger reaches down beside an item
+    if (design.fit.notches && design.fit.notches->depth_mm < kFinger && packing.items.size() > 1)
+        findings.push_back(
+            {Severity::warning, say("notches_shallow", {{"depth_mm", number(design.fit.notches->depth_mm, 1)},
+                                                        {"wanted_mm", number(kFinger, 0)}})});
     for (const Piece piece : packing.lift.without)
         findings.push_back({Severity::warning, say("no_lift", {{"foam", foam_of(piece)}})});
     if (packing.fitted_case)

@@ -76,11 +76,17 @@ std::optional<double> tip_angle_deg(const BlockMap& cut, const DesignSpace& spac
     return std::max(0.0, std::atan2(inside, above) * kDegrees);
 }
 
-void find_tipping(const Item& item, std::optional<double> tip_deg, std::vector<Finding>& findings) {
-    if (!tip_deg || *tip_deg >= kLeastTip) return;
-    findings.push_back({Severity::warning,
-                        say("tips_out", {{"degrees", number(std::floor(*tip_deg), 0)}, {"option", "--open"}}),
-                        item.placement.bounds.centre()});
+void find_tipping(const Item& item, const BlockMap& cut, int level, std::vector<Finding>& findings) {
+    const bool pocket =
+        std::any_of(cut.begin(), cut.end(), [&](CutRun run) { return !run.none() && run.first < level; });
+    const Vec3d where = item.placement.bounds.centre();
+    if (!pocket)
+        findings.push_back({Severity::danger, say("no_pocket", {{"option", "--open"}}), where});
+    else if (item.tip_deg && *item.tip_deg < kLeastTip)
+        findings.push_back(
+            {Severity::warning,
+             say("tips_out", {{"degrees", number(std::floor(*item.tip_deg), 0)}, {"option", "--open"}}),
+             where});
 }
 
 }  // namespace snug

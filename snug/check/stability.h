@@ -23,7 +23,8 @@ namespace snug {
 [[nodiscard]] std::optional<double> tip_angle_deg(const BlockMap& cut, const DesignSpace& space, int level,
                                                   Vec3d centre);
 
-/// An item of a tray that tips out below 20 degrees: `tips_out` (warning).
-void find_tipping(const Item& item, std::optional<double> tip_deg, std::vector<Finding>& findings);
+/// An item of a tray that tips out below 20 degrees: `tips_out` (warning), or has no pocket at all:
+/// `no_pocket` (danger). `cut`, `level`: as for tip_angle_deg().
+void find_tipping(const Item& item, const BlockMap& cut, int level, std::vector<Finding>& findings);
 
 }  // namespace snug

@@ -113,7 +113,7 @@ LiftSlots cut_lift_slots(Foams& foams, std::span<const BlockMap> layers, const D
     LiftSlots found;
     const Grid<char> free = free_columns(layers);
     for (const Piece piece : foams.all()) {
-        if (piece.index == 0) continue;
+        if (piece.index == 0 && !foams.open()) continue;
         Grid<Run>& kept = foams.pieces[static_cast<std::size_t>(piece.index)];
         const std::vector<LiftSlot> slots = cut_two(kept, piece, free, space, options, between_mm);
         found.slots.insert(found.slots.end(), slots.begin(), slots.end());

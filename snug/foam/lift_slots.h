@@ -28,10 +28,11 @@ struct LiftSlots {
     std::vector<Piece> without;  ///< pieces that have no room for two slots
 };
 
-/// Cuts two slots opposite each other out of every piece but the lowest, which stays in the case: whole
-/// columns of the piece from its edge inwards, as near to the middle of both sides as they leave foam of at
-/// least `between_mm` (one block at least) to what the layers cut. So pieces stay height fields from both
-/// sides, and only lose blocks. `layers`: what each layer cuts, as for split().
+/// Cuts two slots opposite each other out of every piece, but the lowest where there is a lid: that stays in
+/// the case, while a tray is lifted out of its drawer. Whole columns of the piece go, from its edge inwards,
+/// as near to the middle of both sides as they leave foam of at least `between_mm` (one block at least) to
+/// what the layers cut. So pieces stay height fields from both sides, and only lose blocks. `layers`: what
+/// each layer cuts, as for split().
 [[nodiscard]] LiftSlots cut_lift_slots(Foams& foams, std::span<const BlockMap> layers,
                                        const DesignSpace& space, const LiftOptions& options,
                                        double between_mm);

@@ -48,6 +48,13 @@ class Sides {
         return ends_[static_cast<std::size_t>(side)][static_cast<std::size_t>(along)];
     }
 
+    /// How many lines the object has below the level.
+    [[nodiscard]] int length() const {
+        const auto& ends = ends_[0];
+        return static_cast<int>(
+            std::count_if(ends.begin(), ends.end(), [](int end) { return end != kNoEnd; }));
+    }
+
     /// The middle of what is cut, along the object's side, mm.
     [[nodiscard]] double middle() const {
         double sum = 0, weight = 0;
@@ -214,6 +221,14 @@ Message no_room_for(const NotchOptions& options, int lacking) {
                {{"width_mm", width}, {"depth_mm", depth}, {"room_mm", room}, {"blocks", lacking}});
 }
 
+/// The lowest level that is cut below the parting.
+int pocket_floor(const BlockMap& own, int parting_level) {
+    int floor = parting_level;
+    for (const CutRun run : own)
+        if (!run.none()) floor = std::min<int>(floor, run.first);
+    return floor;
+}
+
 /// 1 (y) or 2 (z).
 std::optional<int> chosen_axis(const NotchOptions& options) {
     if (!options.axis) return {};
@@ -222,11 +237,12 @@ std::optional<int> chosen_axis(const NotchOptions& options) {
 
 }  // namespace
 
-NotchPair cut_notches(BlockMap& layer, const BlockMap& own, const DesignSpace& space, NotchLevels levels,
-                      const NotchOptions& options, const Walls& wanted_mm) {
+NotchPair cut_notches(BlockMap& layer, const NotchedObject& object, const DesignSpace& space,
+                      NotchLevels levels, const NotchOptions& options, const Walls& wanted_mm) {
     const int parting_level = levels.parting;
     const int floor = levels.under > 0 ? 1 : std::max(1, whole_blocks(wanted_mm[kFloor], space.block_mm.x));
-    const int bottom = parting_level - whole_blocks(options.depth_mm, space.block_mm.x);
+    int bottom = parting_level - whole_blocks(options.depth_mm, space.block_mm.x);
+    if (!object.alone) bottom = std::max(bottom, pocket_floor(object.own, parting_level));
     if (bottom < levels.under + floor)
         return {{},
                 say("no_notches/floor",
@@ -237,8 +253,10 @@ NotchPair cut_notches(BlockMap& layer, const BlockMap& own, const DesignSpace& s
     std::array<NotchSize, 2> best_sizes{};
     for (const int axis : {1, 2}) {
         if (chosen_axis(options).value_or(axis) != axis) continue;
-        const Sides sides(own, space, axis, parting_level);
-        const std::array<NotchSize, 2> sizes = sizes_of(sides, space, axis, options, wanted_mm);
+        const Sides sides(object.own, space, axis, parting_level);
+        std::array<NotchSize, 2> sizes = sizes_of(sides, space, axis, options, wanted_mm);
+        if (!object.alone)
+            for (NotchSize& size : sizes) size.width = std::clamp(sides.length() * 2 / 3, 1, size.width);
         int lacks = 0;
         const auto found = find_pair(sides, {layer, bottom}, sizes, options, &lacks);
         if (!found && lacks > 0) lacking = std::max(lacking, lacks);
@@ -248,7 +266,7 @@ NotchPair cut_notches(BlockMap& layer, const BlockMap& own, const DesignSpace& s
         best_sizes = sizes;
     }
     if (!best) return {{}, no_room_for(options, lacking)};
-    const Sides sides(own, space, best_axis, parting_level);
+    const Sides sides(object.own, space, best_axis, parting_level);
     std::array<Notch, 2> notches;
     for (std::size_t side = 0; side < 2; ++side)
         notches[side] = carve(layer, space, sides, best_axis, static_cast<int>(side), best->first[side],

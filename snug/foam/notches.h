@@ -36,14 +36,20 @@ struct NotchLevels {
     int under = 0;
 };
 
+/// What of its layer an object cuts itself. Where it is not `alone`, its notches go no deeper than its own
+/// pocket and are no wider than two thirds of it, so that enough foam holds it.
+struct NotchedObject {
+    BlockMap own;
+    bool alone = true;
+};
+
 /// Cuts the notches of one object out of the foam below its layer, from the object outwards: where they are
 /// left to choose, across the object's narrower way and as near to the middle of what is cut as both find
 /// room beside it, so that the object hangs level between two hands. They leave the walls that are wanted,
 /// and at least one block, and never take foam from under what lies inside the object's outline at the
 /// parting level, nor from under another; so both halves stay height fields. Two objects may share one.
-/// `layer`: what is cut of all objects of the layer, which the notches join; `own`: what of that the object
-/// cuts itself.
-[[nodiscard]] NotchPair cut_notches(BlockMap& layer, const BlockMap& own, const DesignSpace& space,
+/// `layer`: what is cut of all objects of the layer, which the notches join.
+[[nodiscard]] NotchPair cut_notches(BlockMap& layer, const NotchedObject& object, const DesignSpace& space,
                                     NotchLevels levels, const NotchOptions& options, const Walls& wanted_mm);
 
 }  // namespace snug

@@ -94,7 +94,7 @@ void draw_half(Canvas& canvas, const Page& page, const PieceScene& scene, Half h
     canvas.layer(name, kFoamStep);
     draw_foam(canvas, page, scene.relief, scene.faces, piece_color(scene.piece));
     canvas.layer("marks");
-    draw_half_name(canvas, page, scene.relief, half, piece_title(scene.piece));
+    draw_half_name(canvas, page, scene.relief, half, scene.piece);
 }
 
 std::vector<Projected> projected(const Mesh& mesh, const Placement& placement, const OpenedPair& pair) {

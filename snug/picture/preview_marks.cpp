@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "snug/base/text.h"
+#include "snug/drawing/page_builder.h"
 #include "snug/picture/preview_style.h"
 #include "snug/words/pieces.h"
 
@@ -76,10 +77,15 @@ int outer_wall_layers(const Relief& relief, Half half) {
     return least;
 }
 
+Lettering table_text(Piece piece) {
+    if (piece.middle()) return {piece_ink(piece), true, 1};
+    return piece.highest() ? kLidTableText : kLowerTableText;
+}
+
 }  // namespace
 
-void draw_half_name(Canvas& canvas, const Page& page, const Relief& relief, Half half,
-                    std::string_view name) {
+void draw_half_name(Canvas& canvas, const Page& page, const Relief& relief, Half half, Piece piece) {
+    const std::string name = piece_title(piece);
     const bool lower = half == Half::lower;
     const double left = relief.right_faces.front(), right = relief.right_faces.back();
     const double back = relief.front_faces.front(), front = relief.front_faces.back();
@@ -98,7 +104,7 @@ void draw_half_name(Canvas& canvas, const Page& page, const Relief& relief, Half
     const Vec3d outward = lower ? Vec3d{0, 1, 0} : Vec3d{1, 0, 0};
     const double away = kTableText + (lower ? kDimensionOffset + 26 : 0);
     flat_text(canvas, page.at(foot) + unit(seen(outward)) * away, reading, outward, kTableText,
-              lower ? kLowerTableText : kLidTableText, name);
+              table_text(piece), name);
 }
 
 void draw_sizes(Canvas& canvas, const Page& page, const Relief& relief, Half half, const DesignSpace& space) {

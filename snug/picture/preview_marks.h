@@ -18,7 +18,7 @@ constexpr double kPageWidth = 1200;  // px
 
 /// LOWER, MIDDLE 1 or LID: on the half's front wall (lower) or right wall (lid) where there is room, else on
 /// the table beside.
-void draw_half_name(Canvas& canvas, const Page& page, const Relief& relief, Half half, std::string_view name);
+void draw_half_name(Canvas& canvas, const Page& page, const Relief& relief, Half half, Piece piece);
 
 /// Sizes along the edges: the columns' two directions and the height at the left corner of the lower half,
 /// and the height of the lid.

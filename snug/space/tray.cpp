@@ -34,7 +34,7 @@ double sunk_mm(double open, const Box3d& placed) {
 int tray_level(double open, const std::vector<Item>& uppermost, const DesignSpace& space) {
     double surface = space.face(0, 1);
     for (const Item& item : uppermost) surface = std::max(surface, surface_of(open, item));
-    const double level = std::round((surface - space.face(0, 0)) / space.block_mm.x);
+    const double level = std::ceil((surface - space.face(0, 0)) / space.block_mm.x - 1e-9);
     return std::clamp(static_cast<int>(level), 1, space.blocks.x);
 }
 

@@ -15,7 +15,7 @@ namespace snug {
 /// How deep an item is sunk at least, `open` as in SpaceOptions. mm, never more than its height.
 [[nodiscard]] double sunk_mm(double open, const Box3d& placed);
 
-/// The level where a tray's foam ends: the nearest to where all items of its uppermost layer are sunk as deep
+/// The level where a tray's foam ends: the lowest at which all items of its uppermost layer are sunk as deep
 /// as they must be, 1 to nx.
 [[nodiscard]] int tray_level(double open, const std::vector<Item>& uppermost, const DesignSpace& space);
 

@@ -36,6 +36,23 @@ constexpr Wording kWordsOfFit[] = {
     {"label_letters",
      "the letters that a cutter engraves lack some of {name}: its number {number} stands in their place",
      "{name} には刻めない文字があります。代わりに番号 {number} を刻みます。"},
+    {"no_pocket",
+     "it lies on the tray without a pocket, since no block of foam is as thin as it is sunk: sink it deeper "
+     "({option}), or take thinner blocks",
+     "沈める深さがブロック一つに満たず、くぼみができません。もっと深く沈めるか（{option}"
+     "）、薄いブロックを使って"
+     "ください。"},
+    {"notches_shallow",
+     "finger notches {depth_mm} mm deep are shallower than the {wanted_mm} mm that a finger wants: choose "
+     "deeper ones",
+     "指かけの深さ {depth_mm} mm は、指に要る {wanted_mm} mm より浅いため、もっと深くしてください。"},
+    {"outside/tray",
+     "the items do not fit: above {floor_mm} mm of foam they reach {height_mm} mm, and the case is "
+     "{inside_mm} mm high "
+     "where its foam begins; choose a thinner floor (--wall) or a higher case",
+     "入りきりません。厚さ {floor_mm} mm のフォームの上に {height_mm} mm "
+     "の高さが要りますが、ケースの高さはフォームの"
+     "下面から {inside_mm} mm です。底を薄くするか（--wall）、もっと高いケースにしてください。"},
     {"tips_out",
      "rolls out over the rim of its pocket when the tray is tilted by {degrees} degrees: sink it deeper "
      "({option}), or carry the tray level",

@@ -38,6 +38,17 @@ constexpr Wording kWordsOfPackingSheet[] = {
      "{layer} 段目：{items;} を、図 {picture} のように、回したり押し込んだりせず、それぞれのくぼみへまっすぐ"
      "に下ろします。自重で収まらないものがあれば、いったん取り出して原因を調べます。数を数え、残りがないこと"
      "を確かめます。"},
+    {"packing.put_middle_ribbons",
+     "Lay two ribbons across, their ends outside, to lift the next piece by later. Lower {piece} straight "
+     "down onto "
+     "that, the side with its mark up, BACK over BACK, the marked corners together. Its rim must lie on the "
+     "foam "
+     "below all round without force.",
+     "後で次のフォームを持ち上げるために、リボンを 2 本、端を外に出して渡します。その上に {piece} "
+     "を、印のある面を"
+     "上に、BACK "
+     "どうし、印のある角どうしを合わせて、まっすぐに下ろします。力を入れなくても、縁は全周で下のフォーム"
+     "に載るはずです。"},
     {"packing.put_middle",
      "Lower {piece} straight down onto that, the side with its mark up, BACK over BACK, the marked corners "
      "together. Its rim must lie on the foam below all round without force.",
@@ -148,7 +159,7 @@ constexpr Wording kWordsOfPackingSheet[] = {
      "floor {floor} · lid {lid} · back {back} · front {front} · left {left} · right {right} mm",
      "底 {floor} · ふた {lid} · 奥 {back} · 手前 {front} · 左 {left} · 右 {right} mm"},
     {"packing.foam_weighs", "{litres} litres, {kg} kg", "{litres} リットル、{kg} kg"},
-    {"packing.foam_and_object", "{litres} litres, {kg} kg; with the object {all_kg} kg, without the case",
+    {"packing.foam_and_object", "{litres} litres, {kg} kg; with its content {all_kg} kg, without the case",
      "{litres} リットル、{kg} kg。対象物を含めて {all_kg} kg（ケースを除く）"},
     {"packing.pieces", "To lift", "持ち上げる重さ"},
     {"packing.pieces_of", "{pieces,}", "{pieces,}"},

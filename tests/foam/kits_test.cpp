@@ -166,7 +166,8 @@ void expect_tray(const Packing& packing, const Design& design, const Blocks& cut
     }
     const double block = packing.space.block_mm.x, at = level * block - packing.space.blocks.x * block / 2;
     if (level > 1 && level < packing.space.blocks.x) {
-        EXPECT_LE(std::fabs(at - surface), block / 2 + 1e-9);
+        EXPECT_GE(at - surface, -1e-6 * block);
+        EXPECT_LT(at - surface, block + 1e-6);
     }
     const Grid<Run>& kept = packing.foams->pieces.back();
     const bool exact = packing.notches.empty() && packing.rib_blocks == 0;
@@ -297,7 +298,8 @@ TEST(Kits, LiftSlotsTakeWholeColumnsOfThePiecesThatAreLiftedAndKeepFarFromTheIte
         const double between = std::max(wanted_between_mm(kit.design.space), 1e-9);
         without += static_cast<int>(with.lift.without.size());
         slotted += static_cast<int>(with.lift.slots.size());
-        EXPECT_EQ(with.lift.slots.size() + 2 * with.lift.without.size(), 2 * (with.foams->pieces.size() - 1));
+        EXPECT_EQ(with.lift.slots.size() + 2 * with.lift.without.size(),
+                  2 * (with.foams->pieces.size() - (with.foams->open() ? 0 : 1)));
         for (const Piece piece : with.foams->all()) {
             const Grid<snug::Run>& cut = with.foams->piece(piece);
             const Grid<snug::Run>& whole = plain.foams->piece(piece);

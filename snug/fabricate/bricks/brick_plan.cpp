@@ -211,7 +211,7 @@ void tell_order(PageFlow& flow, const BrickPlanText& text) {
     std::vector<Message> steps{say("bricks.sort"), say("bricks.build"), say("bricks.press"),
                                say("bricks.studs")};
     if (text.lid_gap_mm > 0) steps.push_back(say("bricks.lid_gap", {{"mm", number(text.lid_gap_mm, 1)}}));
-    steps.push_back(say("bricks.close"));
+    if (text.closes) steps.push_back(say("bricks.close"));
     flow.heading(say("page.order_of_work"));
     flow.steps(steps, 8, kInk);
 }

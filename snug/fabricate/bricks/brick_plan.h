@@ -15,6 +15,7 @@ struct BrickPlanText {
     std::string object_name;
     Language language = Language::english;
     std::vector<PackFigure> figures;
+    bool closes = true;     ///< has a lid
     double lid_gap_mm = 0;  ///< that the rims' studs leave between the halves
 };
 

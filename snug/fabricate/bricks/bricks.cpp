@@ -125,8 +125,9 @@ Result<WorkshopPack> brick_pack(const FoamDesign& design, const WorkshopOptions&
     pack.files.push_back(text_file("bricks/foams.mpd", ldraw_file(halves, design.object_name)));
     pack.files.push_back(text_file("bricks/parts.csv", parts_csv(counts)));
     pack.files.push_back(text_file("bricks/wanted.xml", wanted_xml(counts)));
-    BrickPlan plan = brick_plan(halves, {design.object_name, design.language, pack.figures, gap},
-                                paper_mm(workshop.paper));
+    BrickPlan plan =
+        brick_plan(halves, {design.object_name, design.language, pack.figures, !design.foams.open(), gap},
+                   paper_mm(workshop.paper));
     pack.documents.push_back(std::move(plan.document));
     if (plan.cut_short) pack.findings.push_back({Severity::note, say("many_steps")});
     return pack;

@@ -14,10 +14,10 @@
 namespace snug {
 namespace {
 
-constexpr std::array<double, 5> kLabelHeights{8, 6, 4.5, 3.5, 3};  // mm, the first that fits
-constexpr double kBeside = 4;                                      // mm between item and label
-constexpr double kAroundLabel = 1.5;                               // mm of flat foam around it
-constexpr int kPlacesTried = 24;                                   // to either side along an item
+constexpr std::array<double, 4> kLabelHeights{8, 6, 5, 4};   // mm, the first that fits
+constexpr std::array<double, 5> kBeside{4, 12, 20, 30, 40};  // mm from the item, the first that has room
+constexpr double kAroundLabel = 1.5;                         // mm of flat foam around it
+constexpr int kPlacesTried = 24;                             // to either side along an item
 
 bool can_be_engraved(std::string_view words) {
     return std::all_of(words.begin(), words.end(), [](char c) {
@@ -77,17 +77,18 @@ class FlatFoam {
 /// Before it, behind it, to its right, to its left; at each side nearest to its middle.
 std::optional<Rectangle> place_beside(const Rectangle& item, Vec2d size, const FlatFoam& foam) {
     const Vec2d middle = (item.low + item.high) * 0.5;
-    const double front = item.high.y + kBeside + size.y / 2, back = item.low.y - kBeside - size.y / 2,
-                 right = item.high.x + kBeside + size.x / 2, left = item.low.x - kBeside - size.x / 2;
-    for (int off = 0; off <= kPlacesTried; ++off)
-        for (const int way : {off, -off}) {
-            const double x = middle.x + way * (item.high.x - item.low.x) / (2.0 * kPlacesTried),
-                         y = middle.y + way * (item.high.y - item.low.y) / (2.0 * kPlacesTried);
-            for (const Vec2d at : {Vec2d{x, front}, Vec2d{x, back}, Vec2d{right, y}, Vec2d{left, y}}) {
-                const Rectangle label{at - size * 0.5, at + size * 0.5};
-                if (foam.holds(label)) return label;
+    for (const double away : kBeside)
+        for (int off = 0; off <= kPlacesTried; ++off)
+            for (const int way : {off, -off}) {
+                const double front = item.high.y + away + size.y / 2, back = item.low.y - away - size.y / 2,
+                             right = item.high.x + away + size.x / 2, left = item.low.x - away - size.x / 2,
+                             x = middle.x + way * (item.high.x - item.low.x) / (2.0 * kPlacesTried),
+                             y = middle.y + way * (item.high.y - item.low.y) / (2.0 * kPlacesTried);
+                for (const Vec2d at : {Vec2d{x, front}, Vec2d{x, back}, Vec2d{right, y}, Vec2d{left, y}}) {
+                    const Rectangle label{at - size * 0.5, at + size * 0.5};
+                    if (foam.holds(label)) return label;
+                }
             }
-        }
     return {};
 }
 
@@ -110,10 +111,8 @@ ItemLabels item_labels(std::span<const Item> items, const std::vector<std::strin
         const auto note = [&](const char* code) {
             made.findings.push_back({Severity::note, say(code, {{"name", names[i]}, {"number", number}})});
         };
-        if (can_be_engraved(names[i]))
-            label.strokes = label.words;
-        else
-            note("label_letters");
+        const bool engraved = can_be_engraved(names[i]);
+        if (engraved) label.strokes = label.words;
         FlatFoam& foam = surfaces[static_cast<std::size_t>(label.layer) - 1];
         const Rectangle item = seen_from_above(items[i].placement.bounds, space);
         for (const double height : kLabelHeights) {
@@ -125,7 +124,10 @@ ItemLabels item_labels(std::span<const Item> items, const std::vector<std::strin
             made.labels.push_back(label);
             break;
         }
-        if (label.height_mm == 0) note("no_label");
+        if (label.height_mm == 0)
+            note("no_label");
+        else if (!engraved)
+            note("label_letters");
     }
     return made;
 }

@@ -30,7 +30,7 @@ struct ItemLabels {
     std::vector<Finding> findings;
 };
 
-/// A label for each item where the foam around it is flat at its parting level, as large as it can be (8 to 3
+/// A label for each item where the foam around it is flat at its parting level, as large as it can be (8 to 4
 /// mm) at one of its sides. `layers`: what each layer cuts. `names`: of the items, as people know them.
 [[nodiscard]] ItemLabels item_labels(std::span<const Item> items, const std::vector<std::string>& names,
                                      std::span<const BlockMap> layers, const Foams& foams,

@@ -132,7 +132,11 @@ std::vector<Message> laying_steps(const PackedObject& packed) {
                                                   {"items", items_of(packed, layer.layer)},
                                                   {"picture", picture}}));
         const Piece above = packed.design.foams.at(layer.layer);
-        if (above.middle()) steps.push_back(say("packing.put_middle", {{"piece", marked_piece(above)}}));
+        if (!above.middle()) continue;
+        const bool slots = std::any_of(packed.lift.begin(), packed.lift.end(),
+                                       [&](const LiftSlot& slot) { return slot.piece == above; });
+        steps.push_back(say(slots ? "packing.put_middle" : "packing.put_middle_ribbons",
+                            {{"piece", marked_piece(above)}}));
     }
     return steps;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "snug/design/workshop_options.h"
 #include "snug/fabricate/kit/packing_picture.h"
 #include "snug/fabricate/kit/workshop_pack.h"
+#include "snug/foam/lift_slots.h"
 #include "snug/mesh/mesh.h"
 #include "snug/space/placement.h"
 
@@ -32,6 +34,7 @@ struct PackedObject {
     std::vector<PackedItem> items;         ///< one at least
     const PackMaterial& material;
     const WorkshopOptions& options;
+    std::span<const LiftSlot> lift;  ///< to lift pieces by
 };
 
 /// The pages that travel with the box ("packing-sheet"): how the object is laid in and lifted out, walls,

@@ -172,6 +172,9 @@ Json items_json(const Packing& packing, const Project& project, const MeasuredFi
                         {"box_mm", Json::array({array(box.min), array(box.max)})},
                         {"clearance_mm", clearance_json(item.cut.clearance_mm)},
                         {"mass_kg", item.mass_kg ? Json(rounded(*item.mass_kg)) : Json(nullptr)}});
+        if (packing.foams && packing.foams->open() && item.layer == packing.foams->layers())
+            list.back()["sunk_mm"] =
+                rounded(packing.space.face(0, packing.foams->parting.back()) - box.min.x);
         if (item.tip_deg) list.back()["tips_at_deg"] = std::floor(*item.tip_deg);
         if (packing.items.size() > 1 && !fit.item_bearings.empty())
             list.back()["bearing"] = bearing_areas(fit.item_bearings[i], item.mass_kg);

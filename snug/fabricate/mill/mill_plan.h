@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
@@ -30,7 +31,12 @@ struct MillPlans {
     [[nodiscard]] const MillPlan& own(const MillPlan& plan) const {
         return plans[static_cast<std::size_t>(plan.piece.index)];
     }
-    [[nodiscard]] int pieces() const { return plans.front().piece.count; }
+    [[nodiscard]] int pieces() const {
+        return static_cast<int>(
+            std::count_if(plans.begin(), plans.end(), [](const MillPlan& plan) { return !plan.outside; }));
+    }
+    /// Whether there is foam between layers.
+    [[nodiscard]] bool layered() const { return plans.front().piece.count > 2; }
 };
 
 /// All pieces' ways, or what forbids them (kind usage), see mill_pack().

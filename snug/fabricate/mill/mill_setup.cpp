@@ -128,7 +128,7 @@ Message turning(const MillPlans& plans) {
     std::vector<Message> boards;
     for (const MillPlan& plan : plans.plans)
         if (plan.outside && !plan.empty()) boards.push_back(as_it_is(mill_board_name(plan.piece)));
-    const bool layers = plans.pieces() > 2;
+    const bool layers = plans.layered();
     if (!layers) boards.resize(1);  // as an example
     return say("mill.turn_on_pins",
                {{"programs", names}, {"board", say("mill.programs", {{"names", boards}})}});
@@ -136,15 +136,17 @@ Message turning(const MillPlans& plans) {
 
 std::vector<Message> order_of_work(const MillPlans& plans, const MillOptions& options) {
     std::vector<Message> marks;
-    for (int i = 0; i < plans.pieces(); ++i) marks.push_back(as_it_is(piece_title({i, plans.pieces()})));
-    const bool layers = plans.pieces() > 2;
+    for (const MillPlan& plan : plans.plans)
+        if (!plan.outside) marks.push_back(as_it_is(piece_title(plan.piece)));
+    const bool layers = plans.layered();
     std::vector<Message> steps{say("mill.cut_stock", {{"marks", marks}}),
                                say("mill.fix_stock", {{"mm", number(options.cutter_mm)}}),
                                say("mill.set_zero", {{"mm", number(highest_stock(plans) + 20, 0)}})};
-    if (!plans.plans.front().pins.empty())
+    if (!plans.plans.front().pins.empty() && plans.pieces() > 1)
         steps.push_back(say(layers ? "mill.pins_layers" : "mill.pins", {{"mm", number(options.pin_mm)}}));
     if (!programs(plans, true).empty()) steps.push_back(turning(plans));
-    steps.push_back(say(layers ? "mill.close_layers" : "mill.close"));
+    if (plans.pieces() == plans.plans.front().piece.count)
+        steps.push_back(say(layers ? "mill.close_layers" : "mill.close"));
     return steps;
 }
 

@@ -93,7 +93,7 @@ std::vector<Message> order_of_work(const std::vector<Mould>& moulds, const Works
     steps.push_back(say("mould.cure"));
     steps.push_back(say(options.mould.rim_mm > 0 ? "mould.mark_rim" : "mould.mark"));
     steps.push_back(say("mould.pull"));
-    steps.push_back(say("mould.close"));
+    if (moulds.size() > 1) steps.push_back(say("mould.close"));
     return steps;
 }
 

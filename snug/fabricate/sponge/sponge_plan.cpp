@@ -90,7 +90,8 @@ std::vector<Message> order_of_work(const SpongeWork& work) {
     steps.push_back(say("sponge.pluck"));
     if (work.plans.size() > 2) steps.push_back(say("sponge.middle"));
     steps.push_back(say("sponge.stack"));
-    steps.push_back(say(work.plans.size() > 2 ? "sponge.close_layers" : "sponge.close"));
+    if (work.plans.back().piece.highest())
+        steps.push_back(say(work.plans.size() > 2 ? "sponge.close_layers" : "sponge.close"));
     return steps;
 }
 

@@ -18,6 +18,8 @@ export const check = words({
       open: ['Foam would grow inside', '内側にフォームが残る'],
       outside: ['Does not fit', '入りきらない'],
       items_near: ['Items too near each other', '間のフォームが足りない'],
+      no_pocket: ['No pocket in the tray', 'トレイにくぼみがない'],
+      notches_shallow: ['Notches too shallow', '指かけが浅い'],
       tips_out: ['Tips out of the tray', 'トレイから転がり出る'],
       heavy_above: ['Something heavy above', '重いものが上にある'],
       mixed_up: ['Items easily mixed up', '取り違えやすいもの'],
