@@ -130,6 +130,8 @@ std::string options_schema() {
     SpaceOptions fitted;
     fitted.blocks.reset();
     json["space.wall_mm"]["fitted"] = wanted_wall_mm(fitted).front();
+    fitted.open = 1;
+    json["space.wall_mm"]["tray"] = wanted_wall_mm(fitted).front();
     return json.dump();
 }
 

@@ -18,9 +18,9 @@ namespace snug {
 /// step, often, count, or_one, words, optional, none, default, flag, scope}}. What an option does not have is
 /// missing; `label` and `help`: in English and in Japanese; `count`: of its numbers, for which one number may
 /// stand where `or_one` says so; `default` is as a project has it, and `none` the word that a project has for
-/// no value; `fitted`: what no wall comes to where the space is fitted to the object, 0 elsewhere. Groups
-/// that may be missing are there, too, of kind "group", and lists of them of kind "list": "items", whose
-/// first is "items.0".
+/// no value; `fitted`: what no wall comes to where the space is fitted to the object, 0 elsewhere; `tray`:
+/// the same of a tray. Groups that may be missing are there, too, of kind "group", and lists of them of kind
+/// "list": "items", whose first is "items.0".
 [[nodiscard]] std::string options_schema();
 
 /// What follows from other choices of a design, as JSON: {path: {usual, least, most}}. `usual`: what an

@@ -59,6 +59,7 @@ test('a tray has no lid, and sinks its things as deep as they must be', async ({
   await page.getByRole('checkbox', {name: 'Tray without a lid'}).check();
   await commandSays(page, 'torus.stl:layer=2', '--open=0.6');
   await expect(look(page, 'Lid')).toHaveCount(0);
+  await expect(page.getByRole('slider', {name: 'Wall'})).toHaveValue('25');
   await expect(page.getByRole('tab', {name: 'Lid'})).toHaveCount(0);
   await expect(look(page, 'Middle foam')).toBeVisible();
   await set(page, 'spinbutton', 'Sunk by', 30);

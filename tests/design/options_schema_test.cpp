@@ -79,6 +79,7 @@ TEST(OptionsSchema, TighterBoundsAreThoseOfTheLibrary) {
 TEST(OptionsSchema, WhatIsLeftOpenFollowsOtherChoices) {
     Design design;
     EXPECT_EQ(schema()["space.wall_mm"]["fitted"], 50);
+    EXPECT_EQ(schema()["space.wall_mm"]["tray"], 25.4);
     design.space.block_mm = {12, 10, 10};
     design.workshop.mill.cutter_mm = 5;
     Json usual = dependent(design);

@@ -31,6 +31,8 @@ export interface OptionRow {
   step?: number;
   /** Of a wall that is not chosen, where the space is fitted to the object. */
   fitted?: number;
+  /** The same of a tray. */
+  tray?: number;
   /** What few go above. */
   often?: number;
   /** Of its numbers, for which one number may stand where `or_one` says so. */

@@ -30,6 +30,7 @@ export class Options {
 
   /** Of a side where none is chosen and the space is fitted to the object. */
   get fittedWall(): number {
-    return this.rows['space.wall_mm'].fitted ?? 0;
+    const {fitted = 0, tray = 0} = this.rows['space.wall_mm'];
+    return this.#design().space.open === null ? fitted : tray;
   }
 }

@@ -50,7 +50,7 @@ test('what is left open comes to what the other choices make of it', async () =>
   expect(comesTo(defaults, 'workshop.mill.step_down_mm', dependent)).toBe(3);
   expect(comesTo(withValue(defaults, 'workshop.mill.step_down_mm', 1), 'workshop.mill.step_down_mm', dependent)).toBe(1);
   expect(comesTo(defaults, 'workshop.mass_kg', dependent)).toBeNull();
-  expect(schema['space.wall_mm'].fitted).toBe(50);
+  expect(schema['space.wall_mm']).toMatchObject({fitted: 50, tray: 25.4});
   expect(bounds(schema['cut.clearance_mm'], dependent['cut.clearance_mm'])).toMatchObject({min: -6});
 });
 
