@@ -129,6 +129,14 @@ Result<CaseSpace> case_space(const CaseOptions& options, Vec3d block_mm) {
     return fitted;
 }
 
+CaseSpace standing_on_floor(CaseSpace fitted) {
+    const double up = fitted.space.box().min.x - fitted.free.min.x;
+    fitted.free.min.x += up;
+    fitted.free.max.x += up;
+    fitted.rest_under = false;
+    return fitted;
+}
+
 std::vector<Filler> fillers(const CaseSpace& fitted, int parting_level, bool open) {
     const Vec3d rest = fitted.rest_mm, free = fitted.free.size(), foam = fitted.space.size();
     std::vector<Filler> list;

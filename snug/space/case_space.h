@@ -30,6 +30,9 @@ struct CaseSpace {
 /// usage) where not one block goes in, or more than 4096 on an axis.
 [[nodiscard]] Result<CaseSpace> case_space(const CaseOptions& options, Vec3d block_mm);
 
+/// The same with what the blocks leave along x above them: a tray stands on the floor.
+[[nodiscard]] CaseSpace standing_on_floor(CaseSpace fitted);
+
 /// Strips or sheets of foam that fill what the blocks leave.
 struct Filler {
     Side side = kFloor;  ///< where it lies: at the floor or roof, front or right

@@ -6,9 +6,9 @@
 #include <string>
 #include <utility>
 
-#include "snug/space/case_space.h"
 #include "snug/space/fitted_space.h"
 #include "snug/space/place_object.h"
+#include "snug/space/space_for.h"
 #include "snug/space/tray.h"
 
 namespace snug {
@@ -111,7 +111,7 @@ void centre(std::vector<Item>& items, Vec3d middle, bool along_x) {
 /// The design's own blocks or those of its case.
 Result<DesignSpace> given_space(const Design& design) {
     if (!design.case_options.inside_mm) return DesignSpace{*design.space.blocks, design.space.block_mm};
-    const auto fitted = case_space(design.case_options, design.space.block_mm);
+    const auto fitted = case_space(design);
     if (!fitted) return tl::unexpected(fitted.error());
     return fitted->space;
 }

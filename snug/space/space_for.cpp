@@ -36,7 +36,7 @@ PackedSpace plain_box(const DesignSpace& space) {
 }
 
 Result<PackedSpace> in_case(double least_clearance, const Design& design) {
-    auto fitted = case_space(design.case_options, design.space.block_mm);
+    auto fitted = case_space(design);
     if (!fitted) return tl::unexpected(fitted.error());
     if (const auto error = too_squeezed(fitted->space, least_clearance)) return tl::unexpected(*error);
     const DesignSpace space = fitted->space;
@@ -45,6 +45,12 @@ Result<PackedSpace> in_case(double least_clearance, const Design& design) {
 }
 
 }  // namespace
+
+Result<CaseSpace> case_space(const Design& design) {
+    auto fitted = case_space(design.case_options, design.space.block_mm);
+    if (fitted && design.space.open) return standing_on_floor(std::move(*fitted));
+    return fitted;
+}
 
 Result<PackedSpace> space_for(const Box3d& room, double least_clearance, const Design& design) {
     if (design.case_options.inside_mm) return in_case(least_clearance, design);

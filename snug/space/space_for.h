@@ -19,6 +19,10 @@ struct PackedSpace {
     Grid<Run> available;                   ///< blocks that exist in `space`
 };
 
+/// The design's case, divided into blocks; a tray stands on its floor. Fails as case_space(CaseOptions, ...)
+/// does.
+[[nodiscard]] Result<CaseSpace> case_space(const Design& design);
+
 /// The space of a design: its case divided into blocks, its own counts, or fitted to what the placed items
 /// take up, with walls and room for notches. `room`: of the items grown by their clearance, mm, design
 /// coordinates, shift_between_walls() included; `least_clearance`: of all of them, mm. Fails with kind

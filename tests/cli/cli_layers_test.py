@@ -232,9 +232,9 @@ class LayersTest(unittest.TestCase):
         self.assertEqual(near(40 + up), [])
 
     def test_an_item_that_gets_no_notches_is_named(self):
-        # So deep that they would reach through the foam below them.
+        # With more room for the fingers than the case has.
         out = self.make("vase.stl:longest=60,name=deep,layer=1", "torus.stl:longest=60,name=A,count=2,layer=2", "--units=mm",
-                        "--blocks=auto", "--wall=30", "--notches=40x500")
+                        "--case=400x300x400", "--notches=40x25x300")
         told = [each["message"] for each in json.loads((out / "report.json").read_text())["findings"]
                 if each["code"] == "no_notches"]
         self.assertEqual([each.split(":")[0] for each in told], ["deep", "A (2)", "A (3)"])
