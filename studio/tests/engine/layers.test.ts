@@ -85,10 +85,6 @@ test('what is found of items in layers names those, and no others', async () => 
   const heavy = {...near.design, items: near.design.items.map((item, i) => ({...item, mass_kg: masses[i]!}))};
   const above = good(await core.pack(heavy, near.objects)).findings.filter(({code}) => code === 'heavy_above');
   expect(above.map(({items}) => items)).toEqual([[0, 1]]);
-  const notches = {width_mm: 900, depth_mm: 40, room_mm: 25, axis: null, first_mm: null, second_mm: null};
-  const wide = good(await core.pack({...near.design, fit: {...near.design.fit, notches}}, near.objects));
-  const none = wide.findings.filter(({code}) => code === 'no_notches');
-  expect(none.map(({items}) => items)).toEqual([[0], [1, 2]]);
 });
 
 test('a layer in which nothing lies is refused, and so are levels of another number of layers', async () => {
