@@ -8,6 +8,7 @@
 #include "snug/base/one_line.h"
 #include "snug/base/text.h"
 #include "snug/words/pieces.h"
+#include "snug/words/sides.h"
 #include "snug/words/words.h"
 
 #include "cli/make_case.h"
@@ -148,6 +149,9 @@ std::string summary(std::span<const Object> objects, const Project& project, con
               say("summary.parting_after",
                   {{"level", levels}, {"blocks", std::to_string(packing.space.blocks.x)}}));
     lines.add("summary.walls", walls_text(fit));
+    for (const LiftSlot& slot : packing.lift.slots)
+        lines.add("summary.lift",
+                  say("summary.lift_at", {{"piece", foam_of(slot.piece)}, {"side", side_text(slot.side)}}));
     for (const Notch& notch : packing.notches) {
         const Message what = notch_text(notch);
         lines.add(

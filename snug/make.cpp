@@ -74,7 +74,8 @@ Result<ItemCuts> cut_each(std::span<const Object> objects, Packing& packing, int
 }
 
 /// Of the uppermost layer of a tray.
-void find_all_tipping(std::span<const Object> objects, const ItemCuts& cuts, Packing& packing) {
+void find_tray_problems(std::span<const Object> objects, const ItemCuts& cuts, double open,
+                        Packing& packing) {
     of_each(packing, [&](std::size_t i, std::vector<Finding>& findings) {
         Item& item = packing.items[i];
         if (item.layer != packing.foams->layers()) return;
@@ -82,7 +83,7 @@ void find_all_tipping(std::span<const Object> objects, const ItemCuts& cuts, Pac
         const int level = packing.foams->parting.back();
         item.tip_deg =
             tip_angle_deg(cut, packing.space, level, centre_of_mass(objects[item.object], item.placement));
-        find_tipping(item, cut, level, findings);
+        find_tray_problems(item, sunk_mm(open, item.placement.bounds), cut, level, packing.space, findings);
     });
 }
 
@@ -93,7 +94,7 @@ void find_problems(std::span<const Object> objects, const ItemCuts& cuts, const 
         find_object_problems(objects[item.object], item.placement, packing.space, *cuts.depths[i],
                              cuts.cuts[i], findings);
     });
-    if (packing.foams->open()) find_all_tipping(objects, cuts, packing);
+    if (design.space.open) find_tray_problems(objects, cuts, *design.space.open, packing);
     if (packing.items.size() > 1)
         find_near_items(packing.items, cuts.cuts, packing.space, wanted_between_mm(design.space),
                         packing.findings);

@@ -31,6 +31,8 @@ SAMPLE_CASES = [
     ("vase", ["--for", "bricks", "--longest", "120", "--language", "ja"]),
     ("camera", ["--for", "mill", "--longest", "90", "--flute", "100", "--language", "ja"]),
     ("torus", ["--for", "mould", "--language", "ja"]),
+    ("camera", ["--for", "sheets", "--blocks", "auto", "--open", "0.6", "--notches", "60x30", "--lift", "60x20"]),
+    ("vase", ["--for", "sponge", "--case", "400x300x200", "--open", "40", "--clearance", "1,2,2,0,1,3", "--language", "ja"]),
     ("figurine", ["--blocks", "90x54x54", "--block-size", "5x5x7.3", "--cut-on-touch", "--parting", "40"]),
 ]
 MODEL_CASES = [

@@ -122,11 +122,10 @@ void find_foam_problems(const Packing& packing, const Design& design, std::vecto
                     findings);
     name_nearest(packing.items, before, findings);
     find_pieces(packing.fit, choice, findings);
-    constexpr double kFinger = 25;  // mm that a finger reaches down beside an item
-    if (design.fit.notches && design.fit.notches->depth_mm < kFinger && packing.items.size() > 1)
+    if (design.fit.notches && design.fit.notches->depth_mm < kFingerDepth && packing.items.size() > 1)
         findings.push_back(
             {Severity::warning, say("notches_shallow", {{"depth_mm", number(design.fit.notches->depth_mm, 1)},
-                                                        {"wanted_mm", number(kFinger, 0)}})});
+                                                        {"wanted_mm", number(kFingerDepth, 0)}})});
     for (const Piece piece : packing.lift.without)
         findings.push_back({Severity::warning, say("no_lift", {{"foam", foam_of(piece)}})});
     if (packing.fitted_case)

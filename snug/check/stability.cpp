@@ -3,14 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "snug/base/text.h"
 #include "snug/base/vec2.h"
+#include "snug/space/tray.h"
 
 namespace snug {
 namespace {
 
-constexpr double kLeastTip = 20;  // degrees: a tray that is carried on one hand leans so much
+constexpr double kLeastTip = 20;       // degrees: a tray that is carried on one hand leans so much
+constexpr double kRoundedAway = 0.05;  // mm
 constexpr double kDegrees = 180 / 3.14159265358979323846;
 
 double turn(Vec2d a, Vec2d b, Vec2d c) {
@@ -76,17 +79,21 @@ std::optional<double> tip_angle_deg(const BlockMap& cut, const DesignSpace& spac
     return std::max(0.0, std::atan2(inside, above) * kDegrees);
 }
 
-void find_tipping(const Item& item, const BlockMap& cut, int level, std::vector<Finding>& findings) {
+void find_tray_problems(const Item& item, double wanted_mm, const BlockMap& cut, int level,
+                        const DesignSpace& space, std::vector<Finding>& findings) {
+    const auto find = [&](Severity severity, Message message) {
+        findings.push_back({severity, std::move(message), item.placement.bounds.centre()});
+    };
     const bool pocket =
         std::any_of(cut.begin(), cut.end(), [&](CutRun run) { return !run.none() && run.first < level; });
-    const Vec3d where = item.placement.bounds.centre();
-    if (!pocket)
-        findings.push_back({Severity::danger, say("no_pocket", {{"option", "--open"}}), where});
-    else if (item.tip_deg && *item.tip_deg < kLeastTip)
-        findings.push_back(
-            {Severity::warning,
-             say("tips_out", {{"degrees", number(std::floor(*item.tip_deg), 0)}, {"option", "--open"}}),
-             where});
+    if (!pocket) return find(Severity::danger, say("no_pocket", {{"option", "--open"}}));
+    if (item.tip_deg && *item.tip_deg < kLeastTip)
+        find(Severity::warning,
+             say("tips_out", {{"degrees", number(std::floor(*item.tip_deg), 0)}, {"option", "--open"}}));
+    const double reached = reached_mm(item, level, space);
+    if (reached < wanted_mm - kRoundedAway)
+        find(Severity::warning,
+             say("sunk_less", {{"mm", number(reached, 1)}, {"wanted_mm", number(wanted_mm, 1)}}));
 }
 
 }  // namespace snug

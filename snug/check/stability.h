@@ -23,8 +23,10 @@ namespace snug {
 [[nodiscard]] std::optional<double> tip_angle_deg(const BlockMap& cut, const DesignSpace& space, int level,
                                                   Vec3d centre);
 
-/// An item of a tray that tips out below 20 degrees: `tips_out` (warning), or has no pocket at all:
-/// `no_pocket` (danger). `cut`, `level`: as for tip_angle_deg().
-void find_tipping(const Item& item, const BlockMap& cut, int level, std::vector<Finding>& findings);
+/// An item of a tray that has no pocket at all: `no_pocket` (danger); that tips out below 20 degrees:
+/// `tips_out`; that is sunk less than `wanted_mm`, since foam or case is too low or the level was chosen:
+/// `sunk_less` (warnings). `cut`, `level`: as for tip_angle_deg().
+void find_tray_problems(const Item& item, double wanted_mm, const BlockMap& cut, int level,
+                        const DesignSpace& space, std::vector<Finding>& findings);
 
 }  // namespace snug

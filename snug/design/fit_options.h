@@ -8,6 +8,9 @@
 
 namespace snug {
 
+/// What a finger wants beside an item: how far it reaches down, and how wide it is. mm.
+constexpr double kFingerDepth = 25, kFingerWidth = 18;
+
 /// The axis that leads from one notch to the other.
 enum class NotchAxis { y, z };
 template <>

@@ -74,6 +74,12 @@ Foams without_lid(Foams foams) {
     return foams;
 }
 
+Vec3d outer_size(const Foams& foams, const DesignSpace& space) {
+    Vec3d size = space.size();
+    if (foams.open()) size.x = foams.parting.back() * space.block_mm.x;
+    return size;
+}
+
 Grid<Run> kept_runs(const Foams& foams, Half half, int nx) {
     if (half == Half::lid && foams.open()) return {foams.pieces.front().ny(), foams.pieces.front().nz()};
     return seen_piece(foams, half == Half::lower ? foams.at(0) : foams.at(foams.layers()), half, nx).kept;

@@ -47,6 +47,9 @@ struct Foams {
 /// In a plain box, where all blocks exist.
 [[nodiscard]] Foams split(const BlockMap& blocks, const DesignSpace& space, int parting_level);
 
+/// Of the closed foams, or of a tray up to its surface. mm.
+[[nodiscard]] Vec3d outer_size(const Foams& foams, const DesignSpace& space);
+
 /// The blocks that a half keeps in each column of nx blocks, counted from the half's own side (the lower
 /// foam's from -x, the lid's from +x): `end` is how high it reaches. Of a lid that there is not: none.
 [[nodiscard]] Grid<Run> kept_runs(const Foams& foams, Half half, int nx);

@@ -184,8 +184,7 @@ void draw_legend(Canvas& canvas, Vec2d at, const DesignSpace& space, const Foams
         if (piece.middle()) entry(kMiddleGreen, {}, marked_piece(piece), say("preview.middle"));
     if (!foams.open()) entry(kUpperOrange, {}, say("mark.lid"), say("preview.lid"));
     if (with_object) entry(kWhite, kObjectSwatchStroke, say("preview.object"), say("preview.object_lies"));
-    Vec3d size = space.size();
-    if (foams.open()) size.x = foams.parting.back() * space.block_mm.x;
+    const Vec3d size = outer_size(foams, space);
     canvas.text(
         at + Vec2d{0, 15}, 15, kAxisText,
         text(say(foams.open() ? "preview.tray" : "preview.closed", {{"size", dimensions(size)}}), language));

@@ -31,6 +31,10 @@ double sunk_mm(double open, const Box3d& placed) {
     return open <= 1 ? open * height : std::min(open, height);
 }
 
+double reached_mm(const Item& item, int level, const DesignSpace& space) {
+    return space.face(0, level) - item.placement.bounds.min.x + item.offset_mm.x;
+}
+
 int tray_level(double open, const std::vector<Item>& uppermost, const DesignSpace& space) {
     double surface = space.face(0, 1);
     for (const Item& item : uppermost) surface = std::max(surface, surface_of(open, item));

@@ -15,6 +15,9 @@ namespace snug {
 /// How deep an item is sunk at least, `open` as in SpaceOptions. mm, never more than its height.
 [[nodiscard]] double sunk_mm(double open, const Box3d& placed);
 
+/// How deep an item lies in a tray whose foam ends at this level, had it no offset along x of its own. mm.
+[[nodiscard]] double reached_mm(const Item& item, int level, const DesignSpace& space);
+
 /// The level where a tray's foam ends: the lowest at which all items of its uppermost layer are sunk as deep
 /// as they must be, 1 to nx.
 [[nodiscard]] int tray_level(double open, const std::vector<Item>& uppermost, const DesignSpace& space);

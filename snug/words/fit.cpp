@@ -42,6 +42,12 @@ constexpr Wording kWordsOfFit[] = {
      "沈める深さがブロック一つに満たず、くぼみができません。もっと深く沈めるか（{option}"
      "）、薄いブロックを使って"
      "ください。"},
+    {"sunk_less",
+     "sunk {mm} mm only, and {wanted_mm} mm were asked for: the foam is too low, or its level was chosen "
+     "(--parting)",
+     "{mm} mm しか沈みません（指定は {wanted_mm} "
+     "mm）。フォームの高さが足りないか、上面の高さが指定されています"
+     "（--parting）。"},
     {"notches_shallow",
      "finger notches {depth_mm} mm deep are shallower than the {wanted_mm} mm that a finger wants: choose "
      "deeper ones",

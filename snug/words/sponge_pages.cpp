@@ -8,6 +8,10 @@ namespace {
 constexpr Wording kWordsOfSpongePages[] = {
     {"sponge.title", "{name}: plan", "{name}：作業計画"},
     {"sponge.maps_title", "{name}: maps at true size", "{name}：原寸の図"},
+    {"sponge.subtitle_tray",
+     "Slit sponge · tray of {size} mm (x, y, z) · blocks of {block} mm · {blocks} {blocks|block|blocks} to "
+     "pluck",
+     "スリットスポンジ · トレイ {size} mm（x, y, z） · ブロック {block} mm · 抜く数 {blocks}"},
     {"sponge.subtitle",
      "Slit sponge · {size} mm closed (x, y, z) · blocks of {block} mm · {blocks} "
      "{blocks|block|blocks} to pluck",
@@ -71,10 +75,10 @@ constexpr Wording kWordsOfSpongePages[] = {
      "層のくぼみ側を上にして、その層の図を重ねます。BACK どうしを合わせ、黒い角を A1 に合わせます。色"
      "のついたブロックを抜きます。間違えたときに戻せるよう、抜いたブロックは取っておきます。"},
     {"sponge.stack",
-     "Stack each half from its last layer up to layer 1, the BACK edges in one line, and check the "
+     "Stack each piece from its last layer up to layer 1, the BACK edges in one line, and check the "
      "depths against the overview. Then glue the layers, with an adhesive that the object's keeper "
      "allows.",
-     "下とふたをそれぞれ、最後の層から 1 層目まで、BACK の縁をそろえて重ね、深さを全体図で確かめます"
+     "フォームごとに、最後の層から 1 層目まで、BACK の縁をそろえて重ね、深さを全体図で確かめます"
      "。それから、対象物の管理者が認めた接着剤で層を接着します。"},
     {"sponge.close_layers",
      "Stand the empty pieces on each other once, from LOWER up to the LID, BACK over BACK: the black corners "

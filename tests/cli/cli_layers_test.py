@@ -99,6 +99,8 @@ class LayersTest(unittest.TestCase):
             options.append("--notches=40x20")
         if numbers.random() < 0.4:
             options.append("--least-rib=25")
+        if numbers.random() < 0.5:
+            options.append("--lift=60x20")
         return items + options
 
     def packs(self, way, *own):

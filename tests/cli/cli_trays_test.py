@@ -12,6 +12,8 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from read_solids import read_stl
+
 SNUG = Path(sys.argv.pop(1)).resolve()
 
 
@@ -122,6 +124,26 @@ class TraysTest(unittest.TestCase):
         _, report, _ = self.make("torus.stl:longest=60", "--units=mm", "--case=300x300x100", "--block-size=10x10x10", "--wall=10",
                                  "--open=0.001", "--parting=1")
         self.assertIn(("danger", "no_pocket"), [(each["severity"], each["code"]) for each in report["findings"]])
+
+    def test_what_is_sunk_less_than_asked_is_said(self):
+        def told(*words):
+            _, report, _ = self.make("vase.stl:longest=120,upright=z", "--units=mm", "--block-size=15x10x10", "--open=0.9", *words)
+            return report["items"][0]["sunk_mm"], [each["code"] for each in report["findings"] if each["severity"] == "warning"]
+        self.assertGreaterEqual(told("--blocks=auto")[0], 108)
+        self.assertNotIn("sunk_less", told("--blocks=auto")[1])
+        self.assertIn("sunk_less", told("--blocks=4x16x16")[1])
+        self.assertIn("sunk_less", told("--blocks=auto", "--parting=4")[1])
+
+    def test_it_is_made_of_a_cloud_and_of_a_stream(self):
+        whole, _, _ = self.make("vase.stl:longest=90", "--units=mm", "--blocks=auto", "--open=0.6", "--notches=40x25", "--lift=60x20", out="whole")
+        streamed, _, _ = self.make("vase.stl:longest=90", "--units=mm", "--blocks=auto", "--open=0.6", "--notches=40x25", "--lift=60x20", "--stream",
+                                   out="streamed")
+        self.assertEqual((whole / "depths.csv").read_bytes(), (streamed / "depths.csv").read_bytes())
+        points = {tuple(map(str, vertex)) for face in read_stl(self.work / "vase.stl") for vertex in face}
+        (self.work / "points.xyz").write_text("\n".join(" ".join(point) for point in sorted(points)))
+        cloud, report, _ = self.make("points.xyz", "--units=mm", "--longest=90", "--blocks=auto", "--open=0.6", "--notches=40x25", out="cloud")
+        self.assertEqual(report["foam"]["upper_blocks"], 0)
+        self.assertGreater(report["items"][0]["sunk_mm"], 0)
 
     def test_items_may_stand_out_of_the_foam_up_to_the_top_of_the_case(self):
         words = ["camera.stl", "--units=mm", "--preset=slit-15", "--blocks=auto", "--open=25", "--wall=15"]

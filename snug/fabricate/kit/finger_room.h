@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "snug/design/fit_options.h"
 #include "snug/foam/block_map.h"
 #include "snug/foam/foams.h"
 #include "snug/mesh/mesh.h"
@@ -9,9 +10,6 @@
 #include "snug/space/placement.h"
 
 namespace snug {
-
-constexpr double kFingerWidth = 18;  ///< mm of room that a finger wants beside an object
-constexpr double kFingerDepth = 25;  ///< mm that it reaches down beside it
 
 /// The widest room for fingers beside the object at each side of the lower foam: back (-y), front (+y), left
 /// (-z), right (+z).

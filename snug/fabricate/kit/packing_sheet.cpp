@@ -150,12 +150,6 @@ void tell_order(PageFlow& flow, const PackedObject& packed) {
     flow.steps(steps, kMarkIndent);
 }
 
-/// Up to its surface.
-Vec3d tray_size(const FoamDesign& design) {
-    const Vec3d size = design.space.size();
-    return {design.foams.parting.back() * design.space.block_mm.x, size.y, size.z};
-}
-
 Message walls_text(const FitReport& fit) {
     const auto mm = [&](Side side) { return number(fit.wall_mm[side], 1); };
     if (fit.open)
@@ -242,11 +236,9 @@ void tell_facts(PageFlow& flow, const PackedObject& packed) {
         fact(packed.items.size() == 1 ? say("summary.object")
                                       : say("packing.item", {{"number", std::to_string(i + 1)}}),
              listed_item(packed.items[i], packed));
-    if (packed.design.foams.open())
-        fact(say("packing.tray"), say("packing.closed_of", {{"size", dimensions(tray_size(packed.design))}}));
-    else
-        fact(say("packing.closed"),
-             say("packing.closed_of", {{"size", dimensions(packed.design.space.size())}}));
+    const FoamDesign& design = packed.design;
+    fact(say(design.foams.open() ? "packing.tray" : "packing.closed"),
+         say("packing.closed_of", {{"size", dimensions(outer_size(design.foams, design.space))}}));
     fact(say("summary.walls"), walls_text(packed.fit));
     fact(say("summary.foam"), foam_text(packed));
     if (const auto masses = piece_masses(packed); !masses.empty())

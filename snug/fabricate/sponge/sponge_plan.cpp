@@ -163,9 +163,10 @@ long long cut_off_of(const SpongeWork& work) {
 
 std::vector<Drawing> sponge_plan(const FoamDesign& design, const SpongeWork& work, Vec2d page_mm) {
     PageFlow flow(page_mm, as_it_is(design.object_name),
-                  say("sponge.subtitle", {{"size", dimensions(design.space.size())},
-                                          {"block", dimensions(design.space.block_mm, 2)},
-                                          {"blocks", plucked_of(work)}}),
+                  say(design.foams.open() ? "sponge.subtitle_tray" : "sponge.subtitle",
+                      {{"size", dimensions(outer_size(design.foams, design.space))},
+                       {"block", dimensions(design.space.block_mm, 2)},
+                       {"blocks", plucked_of(work)}}),
                   kInk, design.language);
     for (const PluckPlan& plan : work.plans) tell_half(flow, plan);
     flow.space(2);

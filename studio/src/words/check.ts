@@ -18,6 +18,7 @@ export const check = words({
       open: ['Foam would grow inside', '内側にフォームが残る'],
       outside: ['Does not fit', '入りきらない'],
       items_near: ['Items too near each other', '間のフォームが足りない'],
+      sunk_less: ['Not sunk as deep as asked', '指定より浅い'],
       no_pocket: ['No pocket in the tray', 'トレイにくぼみがない'],
       notches_shallow: ['Notches too shallow', '指かけが浅い'],
       tips_out: ['Tips out of the tray', 'トレイから転がり出る'],

@@ -85,6 +85,12 @@ test('what is found of items in layers names those, and no others', async () => 
   const heavy = {...near.design, items: near.design.items.map((item, i) => ({...item, mass_kg: masses[i]!}))};
   const above = good(await core.pack(heavy, near.objects)).findings.filter(({code}) => code === 'heavy_above');
   expect(above.map(({items}) => items)).toEqual([[0, 1]]);
+  // More room for the fingers than these blocks have: each item lacks its own.
+  const notches = {width_mm: 20, depth_mm: 15, room_mm: 900, axis: null, first_mm: null, second_mm: null};
+  const space = {...near.design.space, blocks: [40, 30, 30] as [number, number, number]};
+  const small = good(await core.pack({...near.design, space, fit: {...near.design.fit, notches}}, near.objects));
+  const none = small.findings.filter(({code}) => code === 'no_notches');
+  expect(none.map(({items}) => items)).toEqual([[0], [1], [2]]);
 });
 
 test('a layer in which nothing lies is refused, and so are levels of another number of layers', async () => {
