@@ -56,7 +56,7 @@ constexpr Wording kWordsOfSummary[] = {
      "底 {floor}、上 {roof}、奥 {back}、手前 {front}、左 {left}、右 {right} mm"},
     {"summary.walls_of_tray", "floor {floor}, back {back}, front {front}, left {left}, right {right} mm",
      "底 {floor}、奥 {back}、手前 {front}、左 {left}、右 {right} mm"},
-    {"summary.lift", "Lift slot", "持ち上げ口"},
+    {"summary.lift", "Lift slot", "持ち手"},
     {"summary.lift_at", "{piece}, {side}", "{piece}、{side}"},
     {"summary.notch", "Notch", "指かけ"},
     {"summary.notch_at", "{side} at {axis} = {at} mm, {deep} deep",
