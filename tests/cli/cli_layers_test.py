@@ -130,8 +130,8 @@ class LayersTest(unittest.TestCase):
                 self.assertAlmostEqual(signed_volume(faces) / (blocks * block[0] * block[1] * block[2]), 1, 6)
                 level = [face for face in faces if face[0][0] == face[1][0] == face[2][0]]
                 for (j, k), (first, end) in piece.items():
-                    y = (j + 0.37 - counts[1] / 2) * block[1]
-                    z = (k + 0.41 - counts[2] / 2) * block[2]
+                    y = (j + 0.3716843 - counts[1] / 2) * block[1]
+                    z = (k + 0.4139271 - counts[2] / 2) * block[2]
                     ends = sorted(face[0][0] / block[0] + counts[0] / 2 for face in level if holds(face, y, z))
                     expected = [first, end] if first < end else []
                     self.assertEqual([round(x) for x in ends], expected, (name, j, k))
