@@ -113,7 +113,7 @@ Result<Project> Session::lay_out_one(const std::string& design, const val& objec
     auto project = lay_out(design, objects);
     if (project && project->design.items.size() > 1)
         return fail(ErrorKind::usage, say("session.one_item", {{"items", project->design.items.size()}}));
-    if (project && project->design.space.open) return fail(ErrorKind::usage, say("session.tray"));
+    if (project && project->design.space.open) return fail(ErrorKind::usage, say("search.tray"));
     return project;
 }
 

@@ -98,7 +98,7 @@ void set_foams(val& result, const Foams& foams) {
     for (const Grid<Run>& kept : foams.pieces) pieces.call<void>("push", runs_val(kept));
     for (const int level : foams.parting) levels.call<void>("push", level);
     result.set("pieces", pieces);
-    result.set("open", foams.layers() > 0 && foams.open());
+    result.set("open", foams.open());
     result.set("partingLevels", levels);
 }
 

@@ -18,6 +18,9 @@ struct SheetOptions {
     double dowel_mm = 6;                 ///< diameter
     int dowels = 3;                      ///< holes in a half's sheets: 0, or 2 to 8
     double dowel_edge_mm = 6;            ///< least foam between a dowel hole and an edge
+    /// From a cavity to the slit that a liner's edges are tucked into; 0: none
+    double liner_slit_mm = 0;
+    bool second_color = false;  ///< the uppermost sheet of a piece is of another colour than those below
     bool svg = true;
     bool dxf = true;
     friend bool operator==(const SheetOptions&, const SheetOptions&) = default;
@@ -99,6 +102,27 @@ void visit_options(Visit& visit, SheetOptions& sheets) {
                   .label = {"the foam between a dowel hole and an edge", "ダボの穴と縁の間のフォーム"},
                   .help = {"Sheets: least foam between a dowel hole and an edge",
                            "シート：ダボの穴と縁の間に残すフォームの最小の幅"}});
+    visit.option(
+        sheets.liner_slit_mm,
+        {.json = "liner_slit_mm",
+         .flag = "--liner-slit",
+         .takes = "MM",
+         .unit = "mm",
+         .range = {.least = 10, .most = 1000, .or_zero = true},
+         .step = 1,
+         .often = 50,
+         .label = {"the liner's slit", "内張り用の切れ目"},
+         .help = {"Sheets: so far from each cavity a blind slit that the edges of a liner are tucked into",
+                  "シート：内張りの端を差し込む切れ目（貫通させない）の、くぼみからの距離"},
+         .usual = {"0: none", "0：なし"}});
+    visit.option(
+        sheets.second_color,
+        {.json = "second_color",
+         .flag = "--second-color",
+         .label = {"the second colour", "二色目"},
+         .help = {"Sheets: the uppermost sheet in another colour than those below it, so that an empty "
+                  "place is seen",
+                  "シート：いちばん上のシートだけ色を変え、空いている場所が目立つようにします"}});
     visit.option(sheets.svg,
                  {.json = "svg",
                   .label = {"SVG", "SVG の書き出し"},

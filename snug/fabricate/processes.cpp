@@ -50,16 +50,20 @@ std::string short_name(const Project& project, std::size_t item) {
     return short_title(without_ending(item_name(project, project.design.items[item])));
 }
 
-/// Whether a finding about labels matters to a way of working: maps are printed, sheets engraved.
+/// Whether a finding about labels matters to a way of working: maps are printed, sheets, prints and milled
+/// foam engraved, bricks and cast foam bear none.
 bool concerns(const Finding& finding, Workshop work) {
-    return work == Workshop::sheets || (work == Workshop::sponge && finding.code() == "no_label");
+    if (work == Workshop::bricks || work == Workshop::mould) return false;
+    return work != Workshop::sponge || finding.code() == "no_label";
 }
 
 /// Of a tray, whose surface everybody sees.
 ItemLabels labels_of(const Packing& packing, const Project& project) {
     std::vector<std::string> names;
     for (std::size_t i = 0; i < packing.items.size(); ++i) names.push_back(short_name(project, i));
-    return item_labels(packing.items, names, packing.layers, *packing.foams, packing.space);
+    const WorkshopOptions& options = project.design.workshop;
+    const double slit = options.work == Workshop::sheets ? options.sheets.liner_slit_mm : 0;
+    return item_labels(packing.items, names, packing.layers, *packing.foams, packing.space, slit);
 }
 
 std::vector<PackedItem> packed_items(std::span<const Object> objects, const Packing& packing,

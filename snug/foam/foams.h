@@ -26,7 +26,7 @@ struct Foams {
     }
     [[nodiscard]] int layers() const { return static_cast<int>(parting.size()); }
     /// Whether it is a tray: nothing lies on the uppermost layer.
-    [[nodiscard]] bool open() const { return pieces.size() == parting.size(); }
+    [[nodiscard]] bool open() const { return !parting.empty() && pieces.size() == parting.size(); }
     [[nodiscard]] Piece at(int index) const { return {index, layers() + 1}; }
     [[nodiscard]] bool has(Piece piece) const { return !open() || !piece.highest(); }
     /// All that there are, the lowest first.

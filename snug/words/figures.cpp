@@ -27,6 +27,8 @@ constexpr Wording kWordsOfFigures[] = {
     {"figure.pieces", "Pieces", "部品"},
     {"figure.stock", "Stock", "材料のシート"},
     {"figure.stock_of", "{sheets} {sheets|sheet|sheets} of {size} mm", "{size} mm を {sheets} 枚"},
+    {"figure.stock_of/colors", "{sheets} of the first colour, {others} of the second, of {size} mm",
+     "{size} mm を一色目 {sheets} 枚、二色目 {others} 枚"},
     {"figure.foam_in_pieces", "Foam in the pieces", "部品のフォーム"},
     {"figure.foam_of_stock", "{litres} litres, {percent} % of the stock",
      "{litres} リットル、材料の {percent} %"},

@@ -36,6 +36,13 @@ constexpr Wording kWordsOfFit[] = {
     {"label_letters",
      "the letters that a cutter engraves lack some of {name}: its number {number} stands in their place",
      "{name} には刻めない文字があります。代わりに番号 {number} を刻みます。"},
+    {"label_cut",
+     "the label \"{label}\" would lie across a joint of printed parts, and is left out: write it by hand, or "
+     "take a "
+     "larger bed",
+     "ラベル「{label}」は 3D "
+     "プリントの部品の継ぎ目にかかるため、省きます。手で書くか、造形範囲の大きいプリンター"
+     "を使ってください。"},
     {"no_pocket",
      "it lies on the tray without a pocket, since no block of foam is as thin as it is sunk: sink it deeper "
      "({option}), or take thinner blocks",
@@ -103,9 +110,8 @@ constexpr Wording kWordsOfFit[] = {
      "その上の段の番号を一つずつ下げてください。"},
     {"items.no_object", "there is an item of object {number}, but only {objects} of them, counted from 0",
      "対象物 {number} のものがありますが、対象物は {objects} 個しかありません（0 から数えます）。"},
-    {"search.tray",
-     "a search looks for foams that close, and this is a tray (--open): place its items yourself",
-     "探索は閉じるフォームを対象とします。トレイ（--open）では、置き方を自分で決めてください"},
+    {"search.tray", "a search looks for foams that close, and this is a tray: place its items yourself",
+     "探索は閉じるフォームを対象とします。トレイでは、置き方を自分で決めてください。"},
     {"search.one_item", "a search takes one object, and here lie {items}: place them yourself ({example})",
      "探索できる対象物は一つだけですが、ここには {items} 個あります。自分で置いてください"
      "（{example}）。"},

@@ -43,6 +43,13 @@ constexpr Wording kWordsOfMillPages[] = {
      "only: where they do not, one of them lay turned.",
      "フォーム同士が合わさる面には、まず直径 {mm} mm のピンの穴を 2 つずつ開けます。正しい向きでだけピンで"
      "合います。合わなければ、どれかを逆向きに置いて削っています。"},
+    {"mill.engrave",
+     "Labels ({programs}): when the cavity is milled, leave the stock as it lies, change to a pointed cutter "
+     "or one "
+     "of 1 mm, keep X0 Y0, set Z0 on the top again, and run the label program: it goes {mm} mm deep.",
+     "名前（{programs}）：くぼみを削り終えたら、材料はそのままに、先のとがった刃か 1 mm の刃に替えます。X0 "
+     "Y0 は"
+     "そのままに、Z0 を上面に合わせ直して、名前のプログラムを動かします。深さは {mm} mm です。"},
     {"mill.programs", "{names&}", "{names&}"},
     {"mill.turn",
      "Outer sides ({programs}): after a half's cavity is milled, turn it over about the line from "

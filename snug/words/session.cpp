@@ -14,8 +14,6 @@ constexpr Wording kWordsOfSession[] = {
      "これは一つのものだけを調べますが、ケースには {items} 個あります。"},
     {"session.no_object", "there is no object yet: open one first",
      "まだ対象物がありません。先に開いてください。"},
-    {"session.tray", "this looks for foams that close, and this is a tray: place the item by hand",
-     "これは閉じるフォームを対象とします。トレイでは手で置いてください。"},
 };
 
 }  // namespace

@@ -54,6 +54,17 @@ constexpr Wording kWordsOfSheetsPages[] = {
      "Held by no sheet: {islands}. Glue all pieces of {first} onto a backing sheet, as on its "
      "picture.",
      "支えるシートのない部品：{islands}。{first} の部品はすべて、図のとおりに台紙に接着します。"},
+    {"sheets.colors", "{sheet} is of the first colour, all sheets below it of the second.",
+     "{sheet} は一色目、その下のシートはすべて二色目です。"},
+    {"sheets.slit",
+     "Slit {sheet} along the lines of the layer {layer}, {mm} mm from the cavities, with a knife: about "
+     "half "
+     "through, never all the way. Lay the liner over the cavities, the smooth side to the object, and tuck "
+     "its edges "
+     "into the slits with a blunt blade.",
+     "{sheet} を、くぼみから {mm} mm "
+     "の所にある{layer} の層の線に沿ってナイフで切ります。深さは厚みの半分ほどで、貫通"
+     "させません。内張りを滑らかな面を対象物側にしてくぼみに敷き、縁をへらで切れ目に差し込みます。"},
     {"sheets.lower_done", "The lower foam is done: it goes into the case with {first} below.",
      "これで下のフォームの完成です。{first} を下にしてケースに入れます。"},
     {"sheets.middle_done",
@@ -89,6 +100,12 @@ constexpr Wording kWordsOfSheetsPages[] = {
      "ケース（閉じると上側。逆さに見た図）"},
     {"sheets.stock_title", "{name}: stock sheet {sheet} of {sheets}, {mm} mm thick, lengths in mm",
      "{name}：材料シート {sheets} 枚中 {sheet} 枚目、厚さ {mm} mm、長さは mm"},
+    {"sheets.stock_title/upper",
+     "{name}: stock sheet {sheet} of {sheets}, {mm} mm thick, first colour (uppermost sheets), lengths in mm",
+     "{name}：材料シート {sheets} 枚中 {sheet} 枚目、厚さ {mm} mm、一色目（いちばん上のシート）、長さは mm"},
+    {"sheets.stock_title/below",
+     "{name}: stock sheet {sheet} of {sheets}, {mm} mm thick, second colour (sheets below), lengths in mm",
+     "{name}：材料シート {sheets} 枚中 {sheet} 枚目、厚さ {mm} mm、二色目（下のシート）、長さは mm"},
     {"sheets.fit_title", "{name}: fit test, lengths in mm", "{name}：試験片、長さは mm"},
 };
 

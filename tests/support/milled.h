@@ -7,18 +7,12 @@
 #include "snug/make.h"
 
 #include "tests/support/gcode_stock.h"
+#include "tests/support/pack_file.h"
 #include "tests/support/random.h"
 
 // What a mill's program leaves of its stock, against the foam and the object that it was made for.
 
 namespace snug::test {
-
-/// A file of the pack; empty where it has none of this name.
-[[nodiscard]] inline std::string text_of(const WorkshopPack& pack, const std::string& name) {
-    for (const PackFile& file : pack.files)
-        if (file.name == name) return {reinterpret_cast<const char*>(file.bytes.data()), file.bytes.size()};
-    return {};
-}
 
 /// What the machine does is what GRBL allows: no rapid move through foam, no sloping one, none too deep.
 void expect_sound(const GcodeProgram& program, const MillPlan& plan, const MillOptions& options);

@@ -31,15 +31,20 @@ struct Rectangle {
     Vec2d low, high;
 };
 
+Rectangle extent_of(const std::vector<std::vector<Vec2d>>& lines) {
+    Rectangle box{{1e9, 1e9}, {-1e9, -1e9}};
+    for (const auto& line : lines)
+        for (const Vec2d p : line) {
+            box.low = {std::min(box.low.x, p.x), std::min(box.low.y, p.y)};
+            box.high = {std::max(box.high.x, p.x), std::max(box.high.y, p.y)};
+        }
+    return box;
+}
+
 /// However it is written.
 Vec2d size_of(const ItemLabel& label, double height) {
-    Vec2d low{1e9, 1e9}, high{-1e9, -1e9};
-    for (const auto& line : stroke_text(label.strokes, {}, height))
-        for (const Vec2d p : line) {
-            low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-            high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-        }
-    const Vec2d drawn = high - low;
+    const Rectangle box = extent_of(stroke_text(label.strokes, {}, height));
+    const Vec2d drawn = box.high - box.low;
     const Vec2d size{std::max(drawn.x, text_width(label.words, height, true)), std::max(drawn.y, height)};
     return size + Vec2d{2 * kAroundLabel, 2 * kAroundLabel};
 }
@@ -47,18 +52,20 @@ Vec2d size_of(const ItemLabel& label, double height) {
 /// Where labels may stand on the surface of one piece.
 class FlatFoam {
   public:
-    FlatFoam(const BlockMap& layer, const Grid<Run>& below, int parting, const DesignSpace& space)
-        : layer_(layer), below_(below), parting_(parting), space_(space) {}
+    /// `away_mm`: that labels keep from what the layer cuts.
+    FlatFoam(const BlockMap& layer, const Grid<Run>& below, int parting, const DesignSpace& space,
+             double away_mm)
+        : layer_(layer), below_(below), parting_(parting), space_(space), away_(away_mm) {}
 
     [[nodiscard]] bool holds(const Rectangle& label) const {
-        const Vec3d size = space_.size(), block = space_.block_mm;
+        const Vec3d size = space_.size();
         if (label.low.x < 0 || label.low.y < 0 || label.high.x > size.z || label.high.y > size.y)
             return false;
-        const int last_j = static_cast<int>(std::ceil(label.high.y / block.y)),
-                  last_k = static_cast<int>(std::ceil(label.high.x / block.z));
-        for (int j = static_cast<int>(label.low.y / block.y); j < last_j; ++j)
-            for (int k = static_cast<int>(label.low.x / block.z); k < last_k; ++k)
-                if (!layer_(j, k).none() || below_(j, k).end != parting_) return false;
+        const Vec2d away{away_, away_};
+        if (!all_columns(label, [&](int j, int k) { return below_(j, k).end == parting_; }) ||
+            !all_columns({label.low - away, label.high + away},
+                         [&](int j, int k) { return layer_(j, k).none(); }))
+            return false;
         return std::none_of(taken_.begin(), taken_.end(), [&](const Rectangle& other) {
             return label.low.x < other.high.x && other.low.x < label.high.x && label.low.y < other.high.y &&
                    other.low.y < label.high.y;
@@ -67,10 +74,22 @@ class FlatFoam {
     void take(const Rectangle& label) { taken_.push_back(label); }
 
   private:
+    template <class Holds>
+    [[nodiscard]] bool all_columns(const Rectangle& met, Holds holds) const {
+        const Vec3d block = space_.block_mm;
+        const int last_j = std::min(layer_.ny(), static_cast<int>(std::ceil(met.high.y / block.y))),
+                  last_k = std::min(layer_.nz(), static_cast<int>(std::ceil(met.high.x / block.z)));
+        for (int j = std::max(0, static_cast<int>(met.low.y / block.y)); j < last_j; ++j)
+            for (int k = std::max(0, static_cast<int>(met.low.x / block.z)); k < last_k; ++k)
+                if (!holds(j, k)) return false;
+        return true;
+    }
+
     const BlockMap& layer_;
     const Grid<Run>& below_;
     int parting_;
     const DesignSpace& space_;
+    double away_;
     std::vector<Rectangle> taken_;
 };
 
@@ -99,12 +118,21 @@ Rectangle seen_from_above(const Box3d& box, const DesignSpace& space) {
 
 }  // namespace
 
+std::vector<std::vector<Vec2d>> label_lines(const ItemLabel& label) {
+    auto lines = stroke_text(label.strokes, {}, label.height_mm);
+    const Rectangle box = extent_of(lines);
+    for (auto& line : lines)
+        for (Vec2d& p : line) p = p + label.middle - (box.low + box.high) * 0.5;
+    return lines;
+}
+
 ItemLabels item_labels(std::span<const Item> items, const std::vector<std::string>& names,
-                       std::span<const BlockMap> layers, const Foams& foams, const DesignSpace& space) {
+                       std::span<const BlockMap> layers, const Foams& foams, const DesignSpace& space,
+                       double away_mm) {
     ItemLabels made;
     std::vector<FlatFoam> surfaces;
     for (std::size_t i = 0; i < layers.size(); ++i)
-        surfaces.emplace_back(layers[i], foams.pieces[i], foams.parting[i], space);
+        surfaces.emplace_back(layers[i], foams.pieces[i], foams.parting[i], space, away_mm);
     for (std::size_t i = 0; i < items.size(); ++i) {
         const std::string number = std::to_string(i + 1);
         ItemLabel label{items[i].layer, number + " " + names[i], number, {}, 0};

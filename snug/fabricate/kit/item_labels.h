@@ -23,6 +23,10 @@ struct ItemLabel {
     double height_mm = 0;
 };
 
+/// The strokes of a label where it stands, as open lines: x along z, y along y, mm from the corner at BACK
+/// and low z.
+[[nodiscard]] std::vector<std::vector<Vec2d>> label_lines(const ItemLabel& label);
+
 struct ItemLabels {
     std::vector<ItemLabel> labels;
     /// Where there is no room beside an item, `no_label`; where a name has letters that cannot be engraved,
@@ -31,9 +35,10 @@ struct ItemLabels {
 };
 
 /// A label for each item where the foam around it is flat at its parting level, as large as it can be (8 to 4
-/// mm) at one of its sides. `layers`: what each layer cuts. `names`: of the items, as people know them.
+/// mm) at one of its sides, at least `away_mm` from all cavities. `layers`: what each layer cuts. `names`: of
+/// the items, as people know them.
 [[nodiscard]] ItemLabels item_labels(std::span<const Item> items, const std::vector<std::string>& names,
                                      std::span<const BlockMap> layers, const Foams& foams,
-                                     const DesignSpace& space);
+                                     const DesignSpace& space, double away_mm = 0);
 
 }  // namespace snug

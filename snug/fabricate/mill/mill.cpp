@@ -54,6 +54,15 @@ std::string board_program(const FoamDesign& design, const MillPlan& own, const M
          "Then lay the " + piece_title(own.piece) + " on the pins, cavity down, BACK " + back(outside)});
 }
 
+/// For another cutter, on the same stock as it lies.
+std::string engraving_program(const FoamDesign& design, const MillPlan& plan, const MillOptions& options) {
+    return grbl_program(plan.engraving, plan.field.size_mm(), options,
+                        {"LABELS on " + piece_title(plan.piece), design.object_name},
+                        {"After " + mill_file_name(plan) + ", the stock as it lies",
+                         "A pointed cutter or one of 1 mm, " + number(kEngravedDepth) + " mm deep",
+                         zero_text(options, "the stock", "its top") + " with this cutter"});
+}
+
 void add_programs(const FoamDesign& design, const MillPlans& plans, const MillOptions& options,
                   WorkshopPack& pack) {
     for (const MillPlan& plan : plans.plans) {
@@ -63,6 +72,9 @@ void add_programs(const FoamDesign& design, const MillPlans& plans, const MillOp
                       grbl_program(plan.path, plan.field.size_mm(), options,
                                    {piece_title(plan.piece) + ", " + side_up(plan), design.object_name},
                                    remarks(plan, options))));
+        if (!plan.letters.empty())
+            pack.files.push_back(
+                text_file("mill/" + mill_labels_name(plan.piece), engraving_program(design, plan, options)));
         const MillPlan& own = plans.own(plan);
         if (plan.outside && !own.pins.empty())
             pack.files.push_back(

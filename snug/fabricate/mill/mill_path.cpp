@@ -58,6 +58,14 @@ class PathBuilder {
         for (int level = field_.top - 1; level >= relief.level; --level) down_to(depth_of(level));
     }
 
+    void engrave(std::span<const Vec2d> line, double depth_mm) {
+        go_over(line.front());
+        const int row = static_cast<int>(line.front().y / field_.cell_mm.y),
+                  column = static_cast<int>(line.front().x / field_.cell_mm.x);
+        down_to(depth_of(field_.height(row, column)) - depth_mm);
+        for (const Vec2d to : line) feed({to.x, to.y, at_.z});
+    }
+
     void finish() { up(); }
     [[nodiscard]] bool full() const { return path_.moves.size() >= kMostMoves; }
     [[nodiscard]] MillPath& path() { return path_; }
@@ -164,6 +172,15 @@ MillPath mill_path(const MillField& field, const std::vector<LevelPass>& passes,
         builder.relieve(CentreLines(field, field.top, options.cutter_mm / 2), relief);
     }
     builder.path().too_long = builder.full();
+    builder.finish();
+    return std::move(builder.path());
+}
+
+MillPath engraving_path(const MillField& field, std::span<const std::vector<Vec2d>> lines, double depth_mm,
+                        const MillOptions& options) {
+    PathBuilder builder(field, options);
+    for (const std::vector<Vec2d>& line : lines)
+        if (!line.empty()) builder.engrave(line, depth_mm);
     builder.finish();
     return std::move(builder.path());
 }

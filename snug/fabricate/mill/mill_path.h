@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "snug/base/vec.h"
@@ -39,5 +40,10 @@ constexpr std::size_t kMostMoves = 2'000'000;
 [[nodiscard]] MillPath mill_path(const MillField& field, const std::vector<LevelPass>& passes,
                                  const std::vector<MillRelief>& reliefs, const std::vector<MillPin>& pins,
                                  const MillOptions& options);
+
+/// The way of a pointed cutter along open lines (x and y as in mill_field.h), one after another, so deep into
+/// the foam that stands where each begins.
+[[nodiscard]] MillPath engraving_path(const MillField& field, std::span<const std::vector<Vec2d>> lines,
+                                      double depth_mm, const MillOptions& options);
 
 }  // namespace snug

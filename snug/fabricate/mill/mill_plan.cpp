@@ -77,8 +77,8 @@ std::vector<MillPlan> all_sides(const FoamDesign& design, const MillOptions& opt
     std::vector<MillPlan> plans, outside;
     const double step_mm = wanted_step_down_mm(options);
     for (const Piece piece : design.foams.all()) {
-        plans.push_back({piece, false, mill_field(design, piece, step_mm), {}, {}, {}});
-        MillPlan other{piece, true, mill_outside(design, piece, step_mm), {}, {}, {}};
+        plans.push_back({piece, false, mill_field(design, piece, step_mm), {}, {}, {}, {}, {}});
+        MillPlan other{piece, true, mill_outside(design, piece, step_mm), {}, {}, {}, {}, {}};
         if (piece.middle() || other.field.lowest() < other.field.top) outside.push_back(std::move(other));
     }
     plans.insert(plans.end(), std::make_move_iterator(outside.begin()),
@@ -99,6 +99,20 @@ void put_pins(MillPlans& all, const MillOptions& options) {
     for (std::size_t i = 0; i < plans.size(); ++i) plans[i]->pins = std::move(pins.sides[i]);
 }
 
+/// Which side they lie in is cavity up, and y runs away from the operator, BACK being there.
+void put_labels(MillPlan& plan, std::span<const ItemLabel> labels, const MillOptions& options) {
+    if (plan.outside) return;
+    for (const ItemLabel& label : labels) {
+        if (label.layer != plan.piece.index + 1) continue;
+        for (std::vector<Vec2d>& line : label_lines(label)) {
+            for (Vec2d& p : line) p.y = plan.field.size_mm().y - p.y;
+            plan.letters.push_back(std::move(line));
+        }
+    }
+    if (!plan.letters.empty())
+        plan.engraving = engraving_path(plan.field, plan.letters, kEngravedDepth, options);
+}
+
 }  // namespace
 
 Result<MillPlans> mill_plans(const FoamDesign& design, const std::optional<MilledObject>& object,
@@ -109,8 +123,10 @@ Result<MillPlans> mill_plans(const FoamDesign& design, const std::optional<Mille
     if (auto error = too_wide(plans, options)) return tl::unexpected(std::move(*error));
     if (auto error = too_deep(plans, options)) return tl::unexpected(std::move(*error));
     if (options.pin_mm >= options.cutter_mm - kPinFit) put_pins(result, options);
-    for (MillPlan& plan : plans)
+    for (MillPlan& plan : plans) {
         if (auto done = work_out(plan, design, object, options); !done) return tl::unexpected(done.error());
+        put_labels(plan, design.labels, options);
+    }
     return result;
 }
 

@@ -9,6 +9,8 @@
 
 namespace snug {
 
+constexpr double kEngravedDepth = 1;  ///< mm
+
 /// One stock and what is done to it from one side.
 struct MillPlan {
     Piece piece;
@@ -17,6 +19,9 @@ struct MillPlan {
     std::vector<MillPin> pins;
     ReliefReport relief;
     MillPath path;
+    /// The labels of items that lie in this side, engraved by another cutter after all else.
+    std::vector<std::vector<Vec2d>> letters;
+    MillPath engraving;
 
     [[nodiscard]] double depth_mm() const { return (field.top - field.lowest()) * field.step_mm; }
     /// Whether the machine has anything to do.

@@ -36,6 +36,9 @@ class TopView {
         depths();
         page_.rectangle(corner_, size_, {}, Pen{kInk, 0.3, {}});
         for (const MillPin& pin : plan_.pins) circle(pin.at, options.pin_mm / 2 * scale_);
+        for (const std::vector<Vec2d>& line : plan_.letters)
+            for (std::size_t i = 1; i < line.size(); ++i)
+                page_.line(at(line[i - 1]), at(line[i]), {kInk, 0.2, {}});
         back();
         origin(options);
     }
@@ -115,6 +118,13 @@ std::vector<Message> programs(const MillPlans& plans, bool outside) {
     return names;
 }
 
+std::vector<Message> label_programs(const MillPlans& plans) {
+    std::vector<Message> names;
+    for (const MillPlan& plan : plans.plans)
+        if (!plan.letters.empty()) names.push_back(as_it_is(mill_labels_name(plan.piece)));
+    return names;
+}
+
 double highest_stock(const MillPlans& plans) {
     double highest = 0;
     for (const MillPlan& plan : plans.plans) highest = std::max(highest, plan.field.top_mm());
@@ -144,6 +154,10 @@ std::vector<Message> order_of_work(const MillPlans& plans, const MillOptions& op
                                say("mill.set_zero", {{"mm", number(highest_stock(plans) + 20, 0)}})};
     if (!plans.plans.front().pins.empty() && plans.pieces() > 1)
         steps.push_back(say(layers ? "mill.pins_layers" : "mill.pins", {{"mm", number(options.pin_mm)}}));
+    if (!label_programs(plans).empty())
+        steps.push_back(
+            say("mill.engrave", {{"programs", say("mill.programs", {{"names", label_programs(plans)}})},
+                                 {"mm", number(kEngravedDepth)}}));
     if (!programs(plans, true).empty()) steps.push_back(turning(plans));
     if (plans.pieces() == plans.plans.front().piece.count)
         steps.push_back(say(layers ? "mill.close_layers" : "mill.close"));
@@ -214,6 +228,10 @@ std::string mill_file_name(const MillPlan& plan) {
 
 std::string mill_board_name(Piece piece) {
     return pack_stem(piece) + "-board.nc";
+}
+
+std::string mill_labels_name(Piece piece) {
+    return pack_stem(piece) + "-labels.nc";
 }
 
 Message mill_side_up(const MillPlan& plan) {

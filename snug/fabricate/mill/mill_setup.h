@@ -11,6 +11,8 @@ namespace snug {
 [[nodiscard]] std::string mill_file_name(const MillPlan& plan);
 /// "lower-board.nc": holes in the board for the pins that the turned half lies on
 [[nodiscard]] std::string mill_board_name(Piece piece);
+/// "lower-labels.nc": the labels of items that lie in the piece, engraved by another cutter
+[[nodiscard]] std::string mill_labels_name(Piece piece);
 /// "cavity up", or "outer side up, cavity down"
 [[nodiscard]] Message mill_side_up(const MillPlan& plan);
 /// Where BACK is to the operator: "away from you" or "towards you"

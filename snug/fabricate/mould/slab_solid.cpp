@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "snug/fabricate/mould/bored_faces.h"
+#include "snug/polygon/plan_faces.h"
 #include "snug/polygon/plan_outline.h"
 #include "snug/polygon/row_triangulator.h"
 
@@ -42,6 +43,12 @@ class Level {
     }
 
     [[nodiscard]] const std::vector<PlanPoint>& points() const { return points_; }
+    [[nodiscard]] std::vector<PlanVertex> vertices() const {
+        std::vector<PlanVertex> all;
+        for (const PlanPoint point : points_)
+            all.push_back({point, first_ + static_cast<std::uint32_t>(all.size())});
+        return all;
+    }
     [[nodiscard]] std::uint32_t vertex(PlanPoint point) const {
         return first_ +
                static_cast<std::uint32_t>(
@@ -212,34 +219,7 @@ class SlabMesher {
         const PlanRegion face = base     ? bottom_of(slabs_[i - 1], box_)
                                 : i == 0 ? slabs_[0].region
                                          : difference(slabs_[i].region, bottom_of(slabs_[i - 1], box_));
-        const auto& points = levels_[i].points();
-        RowTriangulator triangulator(solid_.triangles);
-        for (std::size_t at = 0; at < points.size();) {
-            const int y = points[at].y;
-            const auto &before = face.spans_before(y), &behind = face.spans_behind(y);
-            std::vector<LineCorner> corners;
-            for (; at < points.size() && points[at].y == y; ++at)
-                add_corner(levels_[i], points[at].z, y, before, behind, corners);
-            std::vector<FaceRun> runs;
-            for (const PlanSpan& span : behind) runs.push_back({span.begin, span.end, base ? -1 : 1});
-            if (!corners.empty()) triangulator.step(y, corners, runs);
-        }
-    }
-
-    static void add_corner(const Level& level, int z, int y, const std::vector<PlanSpan>& before,
-                           const std::vector<PlanSpan>& behind, std::vector<LineCorner>& corners) {
-        const std::uint32_t vertex = level.vertex({y, z});
-        const auto beside = [&](const std::vector<PlanSpan>& spans, bool left) {
-            const auto span = std::lower_bound(spans.begin(), spans.end(), left ? z : z + 1,
-                                               [](const PlanSpan& s, int at) { return s.end < at; });
-            return span != spans.end() && (left ? span->begin < z : span->begin <= z) ? vertex : kNoVertex;
-        };
-        const LineCorner corner{z, beside(before, true), beside(before, false), beside(behind, true),
-                                beside(behind, false)};
-        const auto is_outside = [](std::uint32_t v) { return v == kNoVertex; };
-        const std::array<std::uint32_t, 4> around{corner.previous_left, corner.previous_right,
-                                                  corner.next_left, corner.next_right};
-        if (!std::all_of(around.begin(), around.end(), is_outside)) corners.push_back(corner);
+        triangulate(face, levels_[i].vertices(), base ? -1 : 1, solid_.triangles);
     }
 
     void add_bored_level(BoredSide side) {

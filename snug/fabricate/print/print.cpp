@@ -9,6 +9,7 @@
 #include "snug/drawing/page_builder.h"
 #include "snug/fabricate/kit/fit_test.h"
 #include "snug/fabricate/kit/piece_names.h"
+#include "snug/fabricate/print/print_labels.h"
 #include "snug/fabricate/printing/print_joints.h"
 #include "snug/fabricate/printing/print_parts.h"
 #include "snug/fabricate/printing/print_solid.h"
@@ -27,6 +28,8 @@ struct PrintedHalf {
     long long blocks = 0;
     int overhanging = 0;  ///< parts whose floor is no plane
     std::string places;   ///< lines of print/parts.csv
+    std::vector<std::string> cut_labels;
+    double letters_mm3 = 0;
 };
 
 int greatest(const Grid<Run>& kept) {
@@ -52,9 +55,18 @@ PackFile parts_list(const std::string& lines) {
         "part,first_level,last_level,first_row,last_row,first_column,last_column,blocks\n" + lines);
 }
 
+/// Those of the items that lie in a piece.
+std::vector<ItemLabel> labels_on_piece(Piece piece, std::span<const ItemLabel> labels) {
+    std::vector<ItemLabel> own;
+    for (const ItemLabel& label : labels)
+        if (label.layer == piece.index + 1) own.push_back(label);
+    return own;
+}
+
 /// Cut apart and meshed; `name` stands before the numbers of its parts.
 Result<PrintedHalf> printed_half(const Grid<Run>& kept, Vec3d block_mm, const PrintOptions& options,
-                                 Piece piece, const std::string& name) {
+                                 Piece piece, const std::string& name,
+                                 std::span<const ItemLabel> labels = {}) {
     const PrintCuts cuts = print_cuts({greatest(kept), kept.ny(), kept.nz()}, block_mm, options.bed_mm);
     if (auto few = check_part_count(cuts, options.bed_mm); !few) return tl::unexpected(few.error());
     const PrintLayout layout = print_layout(kept, cuts);
@@ -66,10 +78,14 @@ Result<PrintedHalf> printed_half(const Grid<Run>& kept, Vec3d block_mm, const Pr
         half.bores = std::move(joints.bores);
         half.without_joint = joints.without;
     }
+    PrintLabels letters = print_labels(labels, layout, kept, block_mm);
+    half.cut_labels = std::move(letters.cut);
+    half.letters_mm3 = letters.volume_mm3;
     for (std::size_t i = 0; i < layout.parts.size(); ++i) {
-        half.parts.push_back({name + "-" + two_digits(i + 1), piece_color(piece),
-                              part_solid(layout, static_cast<int>(i), half.bores, block_mm, options,
-                                         {piece.half() == Half::lid, layout.cuts.turned})});
+        half.parts.push_back(
+            {name + "-" + two_digits(i + 1), piece_color(piece),
+             part_solid(layout, static_cast<int>(i), half.bores, block_mm, options,
+                        {piece.half() == Half::lid, layout.cuts.turned}, letters.of_part[i])});
         half.blocks += layout.parts[i].blocks();
         half.overhanging += layout.parts[i].overhangs;
         half.places += csv_line(half.parts.back().name, layout.parts[i]);
@@ -123,6 +139,9 @@ void tell_findings(const std::vector<Piece>& pieces, const std::vector<PrintedHa
     int without = 0;
     for (const PrintedHalf& half : printed) without += half.without_joint;
     if (without > 0) pack.findings.push_back(no_dowel_finding("no_dowel/foam", without, options));
+    for (const PrintedHalf& half : printed)
+        for (const std::string& words : half.cut_labels)
+            pack.findings.push_back({Severity::note, say("label_cut", {{"label", words}})});
 }
 
 }  // namespace
@@ -140,13 +159,16 @@ Result<WorkshopPack> print_pack(const FoamDesign& design, const PrintOptions& op
     std::vector<PrintThing> things;
     std::size_t bores = 0;
     long long blocks = 0;
+    double letters_mm3 = 0;
     std::string places;
     for (const Piece piece : pieces) {
-        auto half = printed_half(design.seen(piece).kept, block, options, piece, pack_stem(piece));
+        auto half = printed_half(design.seen(piece).kept, block, options, piece, pack_stem(piece),
+                                 labels_on_piece(piece, design.labels));
         if (!half) return tl::unexpected(half.error());
         things.insert(things.end(), half->parts.begin(), half->parts.end());
         bores += half->bores.size();
         blocks += half->blocks;
+        letters_mm3 += half->letters_mm3;
         places += half->places;
         pack.figures.push_back(
             {piece_text(piece, "figure.parts_lower", "figure.parts_middle", "figure.parts_lid"),
@@ -165,7 +187,7 @@ Result<WorkshopPack> print_pack(const FoamDesign& design, const PrintOptions& op
     pack.figures.push_back({say("figure.beds"), as_it_is(std::to_string(beds))});
     pack.material.pieces = parts + static_cast<long long>(bores);
     pack.material.litres = (static_cast<double>(blocks) * design.space.block_volume() -
-                            2 * static_cast<double>(bores) * bore_volume_mm3(options)) *
+                            2 * static_cast<double>(bores) * bore_volume_mm3(options) - letters_mm3) *
                            1e-6;  // printed solid
     for (const LayerTest& layer : fit_tests(design))
         if (auto done = add_fit_test(design, layer, options, pack); !done)

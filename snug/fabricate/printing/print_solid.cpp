@@ -13,13 +13,6 @@
 namespace snug {
 namespace {
 
-/// Of the lattice, that a block counts along each axis: of a block of any size a whole number.
-Vec3i steps_of(Vec3d block_mm) {
-    Vec3i steps;
-    for (int axis = 0; axis < 3; ++axis) steps[axis] = static_cast<int>(in_steps(block_mm[axis]));
-    return steps;
-}
-
 /// A bore in one part, in that part's own coordinates: levels, y and z in mm from its first corner.
 struct PartBore {
     FaceOpening opening;
@@ -38,7 +31,7 @@ PartBore part_bore(const Bore& bore, const PrintPart& part, bool after, Vec3d bl
     result.opening.axis = bore.axis;
     result.opening.plane = bore.plane - part.first[bore.axis];
     const PlaneAxes axes = plane_axes(bore.axis);
-    const Vec3i steps = steps_of(block);
+    const Vec3i steps = block_steps(block);
     const auto begin = [&](int a) {
         return static_cast<int>(std::floor((result.centre_mm[a] - radius) / block[a] * steps[a])) - 1;
     };
@@ -52,13 +45,24 @@ PartBore part_bore(const Bore& bore, const PrintPart& part, bool after, Vec3d bl
     return result;
 }
 
-/// In the part's own coordinates; made one after another: corners of the solid, then of openings, then bores.
+FaceOpening opening_of(const SunkLetters& letters) {
+    return {0,
+            letters.level,
+            letters.box.least.y,
+            letters.box.greatest.y,
+            letters.box.least.z,
+            letters.box.greatest.z,
+            0};
+}
+
+/// In the part's own coordinates; made one after another: corners of the solid, then of openings, then bores
+/// and letters.
 class PartBuilder {
   public:
     PartBuilder(const PrintPart& part, Vec3d block_mm)
-        : part_(part), block_(block_mm), block_steps_(steps_of(block_mm)) {}
+        : part_(part), block_(block_mm), block_steps_(block_steps(block_mm)) {}
 
-    void add_foam(std::vector<PartBore>& bores) {
+    void add_foam(std::vector<PartBore>& bores, std::span<const SunkLetters> letters) {
         const SolidCorners corners(part_.runs);
         for (const Vec3i p : corners.points()) points.push_back(in_mm(vec_cast<double>(p)));
         std::vector<FaceOpening> openings;
@@ -66,6 +70,12 @@ class PartBuilder {
             bore.opening.first_vertex = static_cast<std::uint32_t>(points.size());
             add_corners(bore.opening);
             openings.push_back(bore.opening);
+        }
+        first_letters_ = static_cast<std::uint32_t>(points.size());
+        for (const SunkLetters& sunk : letters) {
+            openings.push_back(opening_of(sunk));
+            openings.back().first_vertex = static_cast<std::uint32_t>(points.size());
+            add_corners(openings.back());
         }
         add_faces(part_.runs, corners, openings, block_steps_, triangles);
     }
@@ -79,6 +89,20 @@ class PartBuilder {
             }
         snug::add_bore({bore.opening.first_vertex, mouth, mouth + kBoreSides}, bore.opening.axis, bore.after,
                        triangles);
+    }
+
+    /// The letters that were given with the foam, the how manieth they were.
+    void add_letters(const SunkLetters& letters, std::size_t place) {
+        const SunkFaces faces = sunk_faces(letters, first_letters_ + static_cast<std::uint32_t>(4 * place),
+                                           static_cast<std::uint32_t>(points.size()));
+        for (const SunkPoint& point : faces.points) {
+            Vec3d at =
+                in_mm({static_cast<double>(letters.level), static_cast<double>(point.at.y) / block_steps_.y,
+                       static_cast<double>(point.at.z) / block_steps_.z});
+            if (point.floor) at.x -= letters.depth_mm;
+            points.push_back(at);
+        }
+        triangles.insert(triangles.end(), faces.triangles.begin(), faces.triangles.end());
     }
 
     std::vector<Vec3d> points;
@@ -104,6 +128,7 @@ class PartBuilder {
     const PrintPart& part_;
     Vec3d block_;
     Vec3i block_steps_;
+    std::uint32_t first_letters_ = 0;  // the first vertex of their rectangles, four each
 };
 
 Solid moved_to_corner(const std::vector<Vec3d>& points, std::vector<Triangle> triangles) {
@@ -117,8 +142,14 @@ Solid moved_to_corner(const std::vector<Vec3d>& points, std::vector<Triangle> tr
 
 }  // namespace
 
+Vec3i block_steps(Vec3d block_mm) {
+    Vec3i steps;
+    for (int axis = 0; axis < 3; ++axis) steps[axis] = static_cast<int>(in_steps(block_mm[axis]));
+    return steps;
+}
+
 Solid part_solid(const PrintLayout& layout, int index, std::span<const Bore> bores, Vec3d block_mm,
-                 const PrintOptions& options, PrintPose pose) {
+                 const PrintOptions& options, PrintPose pose, std::span<const SunkLetters> letters) {
     const PrintPart& part = layout.parts[static_cast<std::size_t>(index)];
     const double radius = bore_corner_radius_mm(options), depth = bore_depth_mm(options);
     std::vector<PartBore> own;
@@ -127,8 +158,9 @@ Solid part_solid(const PrintLayout& layout, int index, std::span<const Bore> bor
         if (bore.after == index) own.push_back(part_bore(bore, part, true, block_mm, radius));
     }
     PartBuilder builder(part, block_mm);
-    builder.add_foam(own);
+    builder.add_foam(own, letters);
     for (const PartBore& bore : own) builder.add_bore(bore, radius, depth);
+    for (std::size_t i = 0; i < letters.size(); ++i) builder.add_letters(letters[i], i);
     for (Vec3d& p : builder.points) p = on_bed(p, pose);
     if (pose.lid)
         for (Triangle& t : builder.triangles) std::swap(t[1], t[2]);

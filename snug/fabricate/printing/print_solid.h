@@ -6,6 +6,7 @@
 #include "snug/design/print_options.h"
 #include "snug/fabricate/printing/print_joints.h"
 #include "snug/fabricate/printing/print_parts.h"
+#include "snug/fabricate/printing/sunk_letters.h"
 #include "snug/solid/solid.h"
 
 namespace snug {
@@ -26,11 +27,16 @@ template <class T>
     return pose.turned ? Vec3<T>{-seen.y, seen.x, seen.z} : seen;
 }
 
-/// The part with its bores (of all that are given, those that touch it), as closed and outward as
-/// snug/solid/solid.h says, from the origin into the positive octant, z upwards, in mm. No booleans: the
-/// cut faces are triangulated around the bores.
+/// Of the lattice of a part's openings, that a block counts along each axis: of a block of any size a whole
+/// number.
+[[nodiscard]] Vec3i block_steps(Vec3d block_mm);
+
+/// The part with its bores (of all that are given, those that touch it) and the letters in its top, as closed
+/// and outward as snug/solid/solid.h says, from the origin into the positive octant, z upwards, in mm. No
+/// booleans: the faces are triangulated around bores and letters.
 [[nodiscard]] Solid part_solid(const PrintLayout& layout, int part, std::span<const Bore> bores,
-                               Vec3d block_mm, const PrintOptions& options, PrintPose pose);
+                               Vec3d block_mm, const PrintOptions& options, PrintPose pose,
+                               std::span<const SunkLetters> letters = {});
 
 /// A loose dowel, lying: layers across a standing one would let it shear.
 [[nodiscard]] Solid dowel_solid(const PrintOptions& options);

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "snug/fabricate/sheets/liner_slits.h"
 #include "snug/fabricate/sheets/sheet_engraving.h"
 #include "snug/fabricate/sheets/sheet_outlines.h"
 #include "snug/polygon/polygon.h"
@@ -56,6 +57,7 @@ CutPiece cut_piece(const SheetStack& stack, const SheetPiece& piece, const Dowel
     made.engraved = std::move(words.lines);
     made.numbered = words.numbered;
     made.marked = outline_above(stack, piece);
+    made.slit = liner_slits(stack, piece, options.liner_slit_mm);
     return made;
 }
 

@@ -17,11 +17,12 @@ struct CutPiece {
     std::vector<CircleItem> circles;        ///< dowel holes
     std::vector<Vec2d> outer;               ///< closed line around the piece
     std::vector<std::vector<Vec2d>> engraved, marked;
-    bool numbered = false;  ///< false: no room for its number
+    std::vector<std::vector<Vec2d>> slit;  ///< by a knife, not through
+    bool numbered = false;                 ///< false: no room for its number
 };
 
 /// The piece with its cuts grown by half the kerf, its dowel holes, number, the outline of the sheet above,
-/// and those of the items' labels that stand on it.
+/// the slits for a liner, and those of the items' labels that stand on it.
 [[nodiscard]] CutPiece cut_piece(const SheetStack& stack, const SheetPiece& piece, const DowelHoles& dowels,
                                  const SheetOptions& options, std::span<const ItemLabel> labels = {});
 

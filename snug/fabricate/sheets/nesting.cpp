@@ -1,6 +1,7 @@
 #include "snug/fabricate/sheets/nesting.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -126,6 +127,7 @@ class Nester {
     bool find_host(std::size_t piece, std::vector<std::pair<std::size_t, Offcuts>>& hosts, long long& work) {
         for (auto& host : hosts) {
             if (work >= kMostOffcutWork) return false;
+            if (pieces_[host.first].color != pieces_[piece].color) continue;
             const auto room = host.second.room_for(*pieces_[piece].mask, pieces_[piece].cells, work);
             if (!room) continue;
             host.second.take(*pieces_[piece].mask, *room);
@@ -139,11 +141,12 @@ class Nester {
     /// None where a piece is larger than the stock lying this way.
     [[nodiscard]] std::optional<Nesting> packed(Vec2d stock) const {
         const Vec2d area{stock.x - 2 * border_ + gap_, stock.y - 2 * border_ + gap_};
-        std::vector<Skyline> stocks;
-        Nesting nesting{stock, 0, places_, 0};
+        std::array<std::vector<Skyline>, 2> of_color;
+        Nesting nesting{stock, 0, places_, 0, 0};
         for (const std::size_t piece : boxes_) {
             const Vec2d box = size(piece) + Vec2d{gap_, gap_};
             if (box.x > area.x + kRounding || box.y > area.y + kRounding) return {};
+            std::vector<Skyline>& stocks = of_color[static_cast<std::size_t>(pieces_[piece].color)];
             std::optional<Vec2d> spot;
             std::size_t on = 0;
             for (; on < stocks.size() && !spot; ++on) spot = stocks[on].room_for(box);
@@ -157,9 +160,13 @@ class Nester {
             nesting.places[piece].stock = static_cast<int>(on);
             nesting.places[piece].corner = Vec2d{border_, border_} + *spot;
         }
-        nesting.stocks = static_cast<int>(stocks.size());
-        for (const Skyline& sheet : stocks)
-            nesting.used_mm2 += stock.x * (sheet.highest() - gap_ + 2 * border_);
+        nesting.first_color_stocks = static_cast<int>(of_color[0].size());
+        nesting.stocks = nesting.first_color_stocks + static_cast<int>(of_color[1].size());
+        for (const std::size_t piece : boxes_)
+            if (pieces_[piece].color == 1) nesting.places[piece].stock += nesting.first_color_stocks;
+        for (const std::vector<Skyline>& stocks : of_color)
+            for (const Skyline& sheet : stocks)
+                nesting.used_mm2 += stock.x * (sheet.highest() - gap_ + 2 * border_);
         return nesting;
     }
 

@@ -17,6 +17,7 @@ struct PieceToNest {
     std::string name;  ///< for messages
     const Mask* mask = nullptr;
     int cells = 0;
+    int color = 0;  ///< of the foam that it is cut from, 0 or 1
 };
 
 struct PiecePlace {
@@ -30,11 +31,13 @@ struct Nesting {
     int stocks = 0;
     std::vector<PiecePlace> places;  ///< one for each piece
     double used_mm2 = 0;             ///< of stock, up to the lowest piece on each
+    int first_color_stocks = 0;      ///< those after them are of the second colour
 };
 
 /// Small pieces go into the offcuts of larger ones, cell by cell; what is left is packed by bounding boxes
 /// (skyline, bottom left), first fit. Cuts of different pieces stay the spacing apart. Without `in_offcuts`
-/// by bounding boxes only. Fails (kind usage) with the stock that would do where a piece is too large.
+/// by bounding boxes only. Those of the second colour come on sheets of their own, after the others. Fails
+/// (kind usage) with the stock that would do where a piece is too large.
 [[nodiscard]] Result<Nesting> nest(std::span<const PieceToNest> pieces, Vec2d cell_mm,
                                    const SheetOptions& options, bool in_offcuts = true);
 

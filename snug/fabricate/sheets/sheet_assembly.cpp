@@ -8,6 +8,7 @@
 #include "snug/base/text.h"
 #include "snug/drawing/page_builder.h"
 #include "snug/drawing/svg.h"
+#include "snug/fabricate/sheets/sheet_drawing.h"
 #include "snug/fabricate/sheets/sheet_engraving.h"
 #include "snug/fabricate/sheets/sheet_findings.h"
 #include "snug/words/pieces.h"
@@ -84,6 +85,7 @@ std::vector<Message> steps(const SheetAssembly& half, const SheetOptions& option
                                                   {"mm", number(options.dowel_mm)},
                                                   {"first", first},
                                                   {"last", stack.sheet_name(half.dowels.sheets - 1)}}));
+    if (options.second_color && stack.count > 1) steps.push_back(say("sheets.colors", {{"sheet", last}}));
     if (stack.count == 2) steps.push_back(say("sheets.glue_one", {{"sheet", last}}));
     if (stack.count > 2)
         steps.push_back(say("sheets.glue_all", {{"first", stack.sheet_name(1)}, {"last", last}}));
@@ -95,6 +97,9 @@ std::vector<Message> steps(const SheetAssembly& half, const SheetOptions& option
     else if (!loose.empty())
         steps.push_back(
             say("sheets.glue_loose", {{"islands", listed(loose, kMostIslands)}, {"first", first}}));
+    if (options.liner_slit_mm > 0)
+        steps.push_back(say("sheets.slit",
+                            {{"sheet", last}, {"layer", kSlitLayer}, {"mm", number(options.liner_slit_mm)}}));
     steps.push_back(stack.piece.highest()
                         ? say("sheets.lid_done")
                         : say(of_piece("sheets.lower_done", "sheets.middle_done", ""), {{"first", first}}));

@@ -10,36 +10,48 @@ namespace {
 using Lines = std::vector<std::vector<Vec2d>>;
 
 constexpr double kLineWidth = 0.1;  // mm
-enum Layer { kEngrave, kMark, kInner, kOuter };
 
-const std::vector<DrawingLayer>& layers() {
-    static const std::vector<DrawingLayer> all{{"engrave", {0, 150, 0}},
-                                               {"mark", {0, 170, 200}},
-                                               {"cut-inner", {0, 0, 255}},
-                                               {"cut-outer", {255, 0, 0}}};
-    return all;
-}
+/// What is done to the foam, in the order of work.
+class SheetLayers {
+  public:
+    explicit SheetLayers(bool slits) {
+        layers_ = {{"engrave", {0, 150, 0}}, {"mark", {0, 170, 200}}};
+        if (slits) layers_.push_back({kSlitLayer, {170, 0, 200}});
+        layers_.push_back({"cut-inner", {0, 0, 255}});
+        layers_.push_back({"cut-outer", {255, 0, 0}});
+    }
+    [[nodiscard]] const std::vector<DrawingLayer>& all() const { return layers_; }
+    [[nodiscard]] int engrave() const { return 0; }
+    [[nodiscard]] int mark() const { return 1; }
+    [[nodiscard]] int slit() const { return 2; }
+    [[nodiscard]] int inner() const { return static_cast<int>(layers_.size()) - 2; }
+    [[nodiscard]] int outer() const { return static_cast<int>(layers_.size()) - 1; }
+    [[nodiscard]] Pen pen(int layer) const {
+        return {layers_[static_cast<std::size_t>(layer)].color, kLineWidth, {}};
+    }
 
-Pen pen(Layer layer) {
-    return {layers()[static_cast<std::size_t>(layer)].color, kLineWidth, {}};
-}
+  private:
+    std::vector<DrawingLayer> layers_;
+};
 
-void add_lines(Drawing& drawing, Layer layer, const Lines& lines, Vec2d corner, bool closed) {
+void add_lines(Drawing& drawing, const SheetLayers& layers, int layer, const Lines& lines, Vec2d corner,
+               bool closed = false) {
     if (lines.empty()) return;
     Lines moved = lines;
     for (auto& line : moved)
         for (Vec2d& p : line) p = p + corner;
-    drawing.items.push_back({layer, PathItem{std::move(moved), closed, {}, pen(layer)}});
+    drawing.items.push_back({layer, PathItem{std::move(moved), closed, {}, layers.pen(layer)}});
 }
 
-void add_cuts(Drawing& drawing, const CutPiece& piece, const PiecePlace& place) {
+void add_cuts(Drawing& drawing, const SheetLayers& layers, const CutPiece& piece, const PiecePlace& place) {
     for (CircleItem circle : piece.circles) {
         circle.centre = circle.centre + place.corner;
-        circle.pen = pen(kInner);
-        drawing.items.push_back({kInner, circle});
+        circle.pen = layers.pen(layers.inner());
+        drawing.items.push_back({layers.inner(), circle});
     }
-    add_lines(drawing, kInner, piece.inner, place.corner, true);
-    add_lines(drawing, place.host >= 0 ? kInner : kOuter, {piece.outer}, place.corner, true);
+    add_lines(drawing, layers, layers.inner(), piece.inner, place.corner, true);
+    add_lines(drawing, layers, place.host >= 0 ? layers.inner() : layers.outer(), {piece.outer}, place.corner,
+              true);
 }
 
 double area(const CutPiece& piece) {
@@ -71,13 +83,17 @@ Drawing stock_drawing(std::span<const CutPiece> pieces, const Nesting& nesting, 
     drawing.title = text(title, language);
     drawing.language = language;
     drawing.size_mm = nesting.stock_mm;
-    drawing.layers = layers();
     const std::vector<std::size_t> order = in_cutting_order(pieces, nesting, stock);
+    const SheetLayers layers(
+        std::any_of(order.begin(), order.end(), [&](std::size_t i) { return !pieces[i].slit.empty(); }));
+    drawing.layers = layers.all();
     for (const std::size_t i : order) {
-        add_lines(drawing, kEngrave, pieces[i].engraved, nesting.places[i].corner, false);
-        add_lines(drawing, kMark, pieces[i].marked, nesting.places[i].corner, false);
+        const Vec2d corner = nesting.places[i].corner;
+        add_lines(drawing, layers, layers.engrave(), pieces[i].engraved, corner);
+        add_lines(drawing, layers, layers.mark(), pieces[i].marked, corner);
+        add_lines(drawing, layers, layers.slit(), pieces[i].slit, corner);
     }
-    for (const std::size_t i : order) add_cuts(drawing, pieces[i], nesting.places[i]);
+    for (const std::size_t i : order) add_cuts(drawing, layers, pieces[i], nesting.places[i]);
     std::stable_sort(drawing.items.begin(), drawing.items.end(),
                      [](const DrawingItem& a, const DrawingItem& b) { return a.layer < b.layer; });
     return drawing;

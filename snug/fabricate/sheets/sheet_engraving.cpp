@@ -139,10 +139,8 @@ Engraving engraving(const SheetStack& stack, const SheetPiece& piece, const std:
     for (const Vec2d hole : holes) free.take(hole - reach, hole + reach);
     Engraving made;
     for (const ItemLabel& label : labels) {
-        Lines lines = stroke_text(label.strokes, {}, label.height_mm);
-        const Extent box = extent(lines);
-        const Vec2d corner{piece.column * stack.cell_mm.x, piece.row * stack.cell_mm.y};
-        move(lines, label.middle - corner - (box.low + box.high) * 0.5);
+        Lines lines = label_lines(label);
+        move(lines, Vec2d{-piece.column * stack.cell_mm.x, -piece.row * stack.cell_mm.y});
         const Extent there = extent(lines);
         free.take(there.low - Vec2d{kAround, kAround}, there.high + Vec2d{kAround, kAround});
         append(made.lines, std::move(lines));

@@ -120,6 +120,16 @@ ScaleCheck scale_check(const AllPieces& all, const Nesting& nesting, const Sheet
     return check;
 }
 
+/// What to buy.
+Message stock_text(const Nesting& nesting, double thick_mm) {
+    const std::string size =
+        number(nesting.stock_mm.x) + " x " + number(nesting.stock_mm.y) + " x " + number(thick_mm, 3);
+    const int second = nesting.stocks - nesting.first_color_stocks;
+    if (second == 0) return say("figure.stock_of", {{"sheets", nesting.stocks}, {"size", size}});
+    return say("figure.stock_of/colors",
+               {{"sheets", nesting.first_color_stocks}, {"others", second}, {"size", size}});
+}
+
 void add_figures(WorkshopPack& pack, const Stacks& stacks, const AllPieces& all, const Nesting& nesting) {
     int sheets = 0;
     for (const SheetStack& stack : stacks.halves) sheets += stack.count;
@@ -132,10 +142,7 @@ void add_figures(WorkshopPack& pack, const Stacks& stacks, const AllPieces& all,
     pack.figures = {
         {say("figure.sheets"), say("figure.sheets_of", {{"sheets", sheets}, {"mm", number(thick, 3)}})},
         {say("figure.pieces"), as_it_is(grouped(all.pieces.size()))},
-        {say("figure.stock"),
-         say("figure.stock_of", {{"sheets", nesting.stocks},
-                                 {"size", number(nesting.stock_mm.x) + " x " + number(nesting.stock_mm.y) +
-                                              " x " + number(thick, 3)}})},
+        {say("figure.stock"), stock_text(nesting, thick)},
         {say("figure.foam_in_pieces"),
          say("figure.foam_of_stock", {{"litres", number(foam * thick / 1e6, 2)},
                                       {"percent", number(100 * foam / std::max(stock, 1e-9), 0)}})},
@@ -148,10 +155,14 @@ void add_figures(WorkshopPack& pack, const Stacks& stacks, const AllPieces& all,
 void add_stock_files(WorkshopPack& pack, const AllPieces& all, const Nesting& nesting,
                      const FoamDesign& design, const SheetMeasure& measure, const SheetOptions& options) {
     for (int stock = 0; stock < nesting.stocks; ++stock) {
-        const Message title = say("sheets.stock_title", {{"name", design.object_name},
-                                                         {"sheet", std::to_string(stock + 1)},
-                                                         {"sheets", std::to_string(nesting.stocks)},
-                                                         {"mm", number(measure.thickness_mm, 3)}});
+        const bool colors = nesting.first_color_stocks < nesting.stocks;
+        const char* const code = !colors                              ? "sheets.stock_title"
+                                 : stock < nesting.first_color_stocks ? "sheets.stock_title/upper"
+                                                                      : "sheets.stock_title/below";
+        const Message title = say(code, {{"name", design.object_name},
+                                         {"sheet", std::to_string(stock + 1)},
+                                         {"sheets", std::to_string(nesting.stocks)},
+                                         {"mm", number(measure.thickness_mm, 3)}});
         add_drawing(pack, stock_name(stock), stock_drawing(all.cuts, nesting, stock, title, design.language),
                     options);
     }
@@ -165,7 +176,11 @@ Result<WorkshopPack> sheets_pack(const FoamDesign& design, const SheetOptions& o
     if (!stacks) return tl::unexpected(stacks.error());
     const AllPieces all = all_pieces(*stacks, options, design.labels);
     std::vector<PieceToNest> to_nest;
-    for (const SheetPiece* piece : all.pieces) to_nest.push_back({piece->name, &piece->mask, piece->cells});
+    for (std::size_t i = 0; i < all.pieces.size(); ++i) {
+        const SheetPiece& piece = *all.pieces[i];
+        const bool uppermost = piece.sheet == all.stacks[i]->count - 1;
+        to_nest.push_back({piece.name, &piece.mask, piece.cells, options.second_color && !uppermost ? 1 : 0});
+    }
     const auto nesting = nest(to_nest, stacks->halves.front().cell_mm, options);
     if (!nesting) return tl::unexpected(nesting.error());
 

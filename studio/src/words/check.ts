@@ -40,6 +40,7 @@ export const check = words({
       no_lift: ['No room for lift slots', '持ち上げ口の場所がない'],
       no_label: ['No room for a label', '名前を書く場所がない'],
       label_letters: ['Letters that cannot be engraved', '刻めない文字がある'],
+      label_cut: ['A label on a joint', '継ぎ目にかかるラベル'],
       no_notches: ['No room for notches', '指かけの場所がありません'],
       cut_missed: ['The plane cuts nothing', '平面は何も切っていない'],
       nothing_dropped: ['No part was left out', '除かれた部品はない'],

@@ -140,6 +140,17 @@ export const fields = {
       name: ['Kerf', '切り幅'],
       tip: ['Width that a cut takes away; 0 where the cutter makes up for it', '切断で失われる幅。カッターが補正するなら 0。'],
     },
+    'workshop.sheets.liner_slit_mm': {
+      name: ['Liner’s slit', '内張りの切れ目'],
+      tip: [
+        'So far from each cavity a slit, not cut through, for the edges of a liner; 10 or more, 0: none',
+        '内張りの端を差し込む切れ目（貫通しない）の、くぼみからの距離。10 以上、0 ならなし。',
+      ],
+    },
+    'workshop.sheets.second_color': {
+      name: ['Second colour below the uppermost sheet', 'いちばん上のシートの下を二色目にする'],
+      tip: ['An empty place is seen at once', '空いている場所がひと目でわかります'],
+    },
     'workshop.print.bed_mm': {
       name: ['Bed', 'ベッド'],
       tip: ['What your printer can print at once', 'プリンターが一度に作れる大きさ'],

@@ -55,9 +55,12 @@ TEST(Nesting, CutsKeepTheSpacingAndTheMargin) {
         for (int i = random.integer(1, 40); i > 0; --i)
             masks.push_back(full(random.integer(1, 8), random.integer(1, 8)));
         std::vector<PieceToNest> pieces;
-        for (const Mask& mask : masks) pieces.push_back({"piece", &mask, mask.width * mask.height});
+        for (const Mask& mask : masks)
+            pieces.push_back({"piece", &mask, mask.width * mask.height, random.integer(0, 1)});
         const auto nesting = nest(pieces, cell, options, false);
         ASSERT_TRUE(nesting);
+        for (std::size_t i = 0; i < pieces.size(); ++i)
+            EXPECT_EQ(nesting->places[i].stock < nesting->first_color_stocks, pieces[i].color == 0);
         const double gap = options.spacing_mm + options.kerf_mm, border = options.margin_mm + options.kerf_mm;
         const auto end = [&](std::size_t i) {
             return nesting->places[i].corner + Vec2d{masks[i].width * cell.x, masks[i].height * cell.y};

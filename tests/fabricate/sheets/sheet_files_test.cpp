@@ -134,6 +134,8 @@ TEST_F(SheetFiles, GiveRandomFoamsBack) {
         if (seed > 16 && random.chance(0.3) &&
             std::max(highest(foam, Half::lower), highest(foam, Half::lid)) > 1)
             options.thickness_mm = foam.space.block_mm.x * 2;
+        options.second_color = random.chance(0.3);
+        if (random.chance(0.3)) options.liner_slit_mm = random.between(10, 30);
         if (seed > 16 && !sheets_pack(foam.design(), options)) continue;  // no foam is left
         add(foam, options);
     }

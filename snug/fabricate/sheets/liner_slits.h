@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "snug/base/vec2.h"
+#include "snug/fabricate/sheets/sheet_stack.h"
+
+namespace snug {
+
+/// Where a knife slits the uppermost sheet, not through it, for the edges of a liner that is tucked in: lines
+/// around the cavities, at this distance from them along rows and along columns, wherever the sheet's own
+/// foam has room for them. Cavities that are nearer to each other share one. mm from the mask's corner; empty
+/// for every other sheet.
+[[nodiscard]] std::vector<std::vector<Vec2d>> liner_slits(const SheetStack& stack, const SheetPiece& piece,
+                                                          double away_mm);
+
+}  // namespace snug
