@@ -29,9 +29,11 @@ SAMPLE_CASES = [
     ("camera", ["--for", "sponge", "--case", "425x284x155:45", "--preset", "slit-10", "--language", "ja"]),
     ("vase", ["--for", "sheets", "--blocks", "auto", "--clearance", "1,2,2,0,1,3", "--notches", "60x30", "--language", "ja"]),
     ("vase", ["--for", "bricks", "--longest", "120", "--language", "ja"]),
-    ("camera", ["--for", "mill", "--longest", "90", "--flute", "100", "--language", "ja"]),
+    ("camera", ["--for", "mill", "--longest", "90", "--flute", "100", "--open", "0.7", "--language", "ja"]),
+    ("figurine", ["--for", "print", "--blocks", "auto", "--open", "0.5"]),
     ("torus", ["--for", "mould", "--language", "ja"]),
-    ("camera", ["--for", "sheets", "--blocks", "auto", "--open", "0.6", "--notches", "60x30", "--lift", "60x20"]),
+    ("camera", ["--for", "sheets", "--blocks", "auto", "--open", "0.6", "--notches", "60x30", "--lift", "60x20",
+                "--liner-slit", "12", "--second-color"]),
     ("vase", ["--for", "sponge", "--case", "400x300x200", "--open", "40", "--clearance", "1,2,2,0,1,3", "--language", "ja"]),
     ("figurine", ["--blocks", "90x54x54", "--block-size", "5x5x7.3", "--cut-on-touch", "--parting", "40"]),
 ]
