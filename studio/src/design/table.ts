@@ -165,6 +165,10 @@ export interface Design {
       dowels: number;
       /** Sheets: least foam between a dowel hole and an edge (mm). */
       dowel_edge_mm: number;
+      /** Sheets: so far from each cavity a blind slit that the edges of a liner are tucked into (mm). */
+      liner_slit_mm: number;
+      /** Sheets: the uppermost sheet in another colour than those below it, so that an empty place is seen. */
+      second_color: boolean;
       /** Whether sheets are written as SVG. */
       svg: boolean;
       /** Whether sheets are written as DXF. */
@@ -303,6 +307,8 @@ export type OptionPath =
   | 'workshop.sheets.dowel_mm'
   | 'workshop.sheets.dowels'
   | 'workshop.sheets.dowel_edge_mm'
+  | 'workshop.sheets.liner_slit_mm'
+  | 'workshop.sheets.second_color'
   | 'workshop.sheets.svg'
   | 'workshop.sheets.dxf'
   | 'workshop.print.bed_mm'
