@@ -14,6 +14,7 @@
 #include "snug/samples/samples.h"
 #include "snug/words/words.h"
 
+#include "tests/support/cases.h"
 #include "tests/support/random.h"
 #include "tests/support/shapes.h"
 
@@ -87,7 +88,7 @@ Design random_climb_design(Random& random) {
 
 TEST(GreedyClimb, IsNeverWorseThanTheStartKeepsTheWallsAndSaysWhatTheMethodSays) {
     int better = 0;
-    for (int seed = 0; seed < 60; ++seed) {
+    for (int seed = 0; seed < test::cases(60, 12); ++seed) {
         SCOPED_TRACE(seed);
         Random random(static_cast<std::uint64_t>(seed));
         const Mesh mesh = random_soup(random);
@@ -109,7 +110,7 @@ TEST(GreedyClimb, IsNeverWorseThanTheStartKeepsTheWallsAndSaysWhatTheMethodSays)
             EXPECT_GE(end.wall_mm[side], std::min(wanted[side], start.wall_mm[side])) << "side " << side;
         better += end.cut_blocks < start.cut_blocks;
     }
-    EXPECT_GT(better, 30);
+    EXPECT_GT(better, test::cases(60, 12) / 2);
 }
 
 TEST(GreedyClimb, TakesTheBestOfTheSixNeighboursAndHalvesTheStepOnlyWhereNoneIsBetter) {
@@ -141,7 +142,7 @@ TEST(GreedyClimb, TakesTheBestOfTheSixNeighboursAndHalvesTheStepOnlyWhereNoneIsB
 
 TEST(GreedyClimb, KeepsAWantedWallThatAFreeClimbGivesUp) {
     int given_up = 0, improved_all_the_same = 0;
-    for (int seed = 0; seed < 150; ++seed) {
+    for (int seed = 0; seed < test::cases(150, 30); ++seed) {
         SCOPED_TRACE(seed);
         Random random(static_cast<std::uint64_t>(seed) + 1000);
         const Mesh mesh = random_soup(random);
@@ -162,7 +163,7 @@ TEST(GreedyClimb, KeepsAWantedWallThatAFreeClimbGivesUp) {
             EXPECT_GE(wall, thinnest);
         improved_all_the_same += kept->cut_blocks < start.cut_blocks;
     }
-    EXPECT_GT(given_up, 3);
+    EXPECT_GT(given_up, test::cases(150, 30) / 50);
     EXPECT_GT(improved_all_the_same, 1);
 }
 

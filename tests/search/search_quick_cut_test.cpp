@@ -10,6 +10,7 @@
 #include "snug/search/turn.h"
 #include "snug/space/available.h"
 
+#include "tests/support/cases.h"
 #include "tests/support/random.h"
 #include "tests/support/search_designs.h"
 #include "tests/support/shapes.h"
@@ -25,7 +26,7 @@ TEST(QuickCut, IsJustBelowWhatTheExactKernelCountsAtEveryOffsetItNames) {
         const PreparedSurface surface = prepare_surface(mesh);
         const SurfacePoints points = surface_points(mesh, 1.0);
         Random random(1);
-        for (int i = 0; i < 12; ++i) {
+        for (int i = 0; i < test::cases(12, 4); ++i) {
             SCOPED_TRACE(testing::Message() << name << " " << i);
             Design design = test::roomy_design(mesh, {15, random.chance(0.5) ? 15.0 : 11.0, 22});
             // Clearances that are half a fine column each way are counted as they are.

@@ -9,6 +9,7 @@
 #include "snug/fabricate/mill/gcode.h"
 #include "snug/samples/samples.h"
 
+#include "tests/support/cases.h"
 #include "tests/support/milled.h"
 
 // Pieces between two layers, milled from both sides: what stands after both programs, against the blocks and
@@ -146,9 +147,9 @@ int right_columns(const Standing& standing, const MilledKit& kit, Piece piece) {
 
 TEST(MillLayersTest, BothSidesOfEveryPieceLeaveRoomForTheItemsAboveAndBelow) {
     bool pinned = false;
-    for (std::uint64_t seed = 0; seed < 4; ++seed) {
+    for (int seed = 0; seed < test::cases(4, 2); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
-        Random random(400 + seed);
+        Random random(400 + static_cast<std::uint64_t>(seed));
         const MilledKit kit = random_kit(random, seed % 2 == 0);
         ASSERT_TRUE(kit.packing.foams);
         MillOptions options;
