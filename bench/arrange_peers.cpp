@@ -4,16 +4,15 @@
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
-#include <libnest2d/libnest2d.hpp>
 #include <limits>
 #include <utility>
 
 #include "snug/polygon/cell_loops.h"
 
+#include "bench/libnest2d_peer.h"
+
 namespace snug::bench {
 namespace {
-
-constexpr libnest2d::Coord kCell = 1000000;  // of its lattice, a column's side
 
 using Clock = std::chrono::steady_clock;
 
@@ -32,7 +31,7 @@ const BitMask& least_mask(const MaskProblem& problem, const MaskPiece& piece) {
 }
 
 /// The largest outline of a mask, grown so that the gap is kept where these do not meet.
-libnest2d::Item outline_of(const BitMask& own, MaskGap gap) {
+PeerOutline outline_of(const BitMask& own, MaskGap gap) {
     const BitMask mask = grown(own, gap);
     Mask cells(mask.columns(), mask.rows());
     for (const MaskRun& run : runs_of(mask))
@@ -45,35 +44,20 @@ libnest2d::Item outline_of(const BitMask& own, MaskGap gap) {
             const CellPoint a = loop[i], b = loop[(i + 1) % loop.size()];
             area += 1.0 * a.x * b.y - 1.0 * b.x * a.y;
         }
-        if (std::abs(area) > most) {
-            most = std::abs(area);
-            largest = loop;
-            if (area > 0) std::reverse(largest.begin(), largest.end());
-        }
+        if (std::fabs(area) <= most) continue;
+        most = std::fabs(area);
+        largest = loop;
     }
-    ClipperLib::Path path;
-    for (const CellPoint point : largest) path.emplace_back(point.x * kCell, point.y * kCell);
-    path.push_back(path.front());
-    return libnest2d::Item(std::move(path));
+    PeerOutline outline;
+    for (const CellPoint point : largest) outline.push_back({1.0 * point.x, 1.0 * point.y});
+    return outline;
 }
 
-/// Whether it lays all pieces into a room. A tenth of a cell is left around, since what touches is refused.
-bool nests(std::vector<libnest2d::Item> items, int rows, int columns, bool turned) {
-    using namespace libnest2d;
-    NestConfig<> config;
-    config.placer_config.rotations = {0.0};
-    if (turned) config.placer_config.rotations = {0.0, Pi / 2, Pi, 3 * Pi / 2};
-    config.placer_config.parallel = false;
-    const Box bin(columns * kCell + kCell / 10, rows * kCell + kCell / 10);
-    return nest(items, bin, 0, config) == 1 &&
-           std::all_of(items.begin(), items.end(), [](const Item& item) { return item.binId() == 0; });
-}
-
-std::vector<libnest2d::Item> outlines(const MaskProblem& problem) {
-    std::vector<libnest2d::Item> items;
+std::vector<PeerOutline> outlines(const MaskProblem& problem) {
+    std::vector<PeerOutline> all;
     for (const MaskPiece& piece : problem.pieces)
-        items.push_back(outline_of(least_mask(problem, piece), problem.gap));
-    return items;
+        all.push_back(outline_of(least_mask(problem, piece), problem.gap));
+    return all;
 }
 
 }  // namespace
@@ -131,8 +115,8 @@ std::optional<long long> nested_price(const MaskProblem& problem, const RoomTask
         const std::size_t middle = (low + high) / 2;
         bool any = false;
         for (std::size_t i = middle; i < std::min(high, middle + 6) && !any; ++i) {
-            any = nests(items, rooms[i].second.first + problem.gap.rows,
-                        rooms[i].second.second + problem.gap.columns, true);
+            any = libnest2d_holds(items, rooms[i].second.second + problem.gap.columns,
+                                  rooms[i].second.first + problem.gap.rows, 4);
             if (any) best = std::min(best.value_or(rooms[i].first), rooms[i].first);
         }
         any ? high = middle : low = middle + 1;
@@ -142,26 +126,14 @@ std::optional<long long> nested_price(const MaskProblem& problem, const RoomTask
 
 std::optional<double> nested_strip(const std::vector<std::vector<Vec2d>>& polygons, double height,
                                    double most, bool half_turns, double seconds) {
-    using namespace libnest2d;
-    const double scale = 1e8 / most;
-    std::vector<Item> items;
+    std::vector<PeerOutline> items;
     for (const auto& polygon : polygons) {
-        ClipperLib::Path path;
-        for (const Vec2d point : polygon)
-            path.emplace_back(std::llround(point.x * scale), std::llround(point.y * scale));
-        if (ClipperLib::Orientation(path)) std::reverse(path.begin(), path.end());
-        path.push_back(path.front());
-        items.emplace_back(std::move(path));
+        PeerOutline outline;
+        for (const Vec2d point : polygon) outline.push_back({point.x, point.y});
+        items.push_back(std::move(outline));
     }
     const auto holds = [&](double length) {
-        NestConfig<> config;
-        config.placer_config.rotations = {0.0};
-        if (half_turns) config.placer_config.rotations = {0.0, Pi};
-        config.placer_config.parallel = false;
-        std::vector<Item> laid = items;
-        const Box bin(std::llround(length * scale), std::llround(height * scale));
-        return nest(laid, bin, 0, config) == 1 &&
-               std::all_of(laid.begin(), laid.end(), [](const Item& item) { return item.binId() == 0; });
+        return libnest2d_holds(items, length, height, half_turns ? 2 : 1);
     };
     const auto begun = Clock::now();
     if (!holds(most)) return {};

@@ -48,7 +48,8 @@ Design kit_design(int items, Vec3d block_mm, double wall_mm) {
     design.space.blocks.reset();
     design.space.wall_mm = equal_walls(wall_mm);
     design.items.clear();
-    for (int i = 0; i < items; ++i) design.items.push_back({.object = i});
+    design.items.resize(static_cast<std::size_t>(items));
+    for (int i = 0; i < items; ++i) design.items[static_cast<std::size_t>(i)].object = i;
     return design;
 }
 

@@ -20,8 +20,6 @@ namespace {
 constexpr int kMostOpenLayers = 4;        // that are tried where their number is left open
 constexpr long long kBilled = 1LL << 40;  // half kilograms that a carrier bills count before blocks
 
-const ArrangeWatch kNobody;
-
 /// The layers that are asked for: so many, or, where that is left open, one to a few.
 std::vector<int> layer_counts(const Design& design) {
     if (design.search.layers == 1) return {layers_of(design)};
@@ -40,6 +38,17 @@ long long price_of(Vec3i blocks, const Design& design, Vec3d block_mm) {
     for (int axis = 0; axis < 3; ++axis) cm3 *= std::ceil(blocks[axis] * block_mm[axis] / 10 - 1e-9);
     return static_cast<long long>(std::ceil(2 * cm3 / design.search.billed_divisor - 1e-9)) * kBilled +
            volume;
+}
+
+/// Room for hands beside what is packed, on both sides of its narrower way, as one item has it.
+void widen_for_notches(const NotchOptions& notches, MaskGap packed, Vec3d block_mm, BlockWalls& walls) {
+    const Box3d room{{}, {0, packed.rows * block_mm.y, packed.columns * block_mm.z}};
+    const Box3d wide = with_room_for_notches(room, block_mm, notches);
+    for (const int axis : {1, 2}) {
+        const int blocks = static_cast<int>(std::lround((room.min[axis] - wide.min[axis]) / block_mm[axis]));
+        walls.side[static_cast<std::size_t>(2 * axis)] += blocks;
+        walls.side[static_cast<std::size_t>(2 * axis) + 1] += blocks;
+    }
 }
 
 /// No layer below the uppermost may be empty; they are renumbered without the empty ones.
@@ -117,6 +126,8 @@ Arranger::Found Arranger::found_in_room(const PackedMasks& packed, const std::ve
     found.layout = packed.layout;
     found.heights = heights;
     found.walls = block_walls(design_.space, masks_->block_mm);
+    if (design_.fit.notches)
+        widen_for_notches(*design_.fit.notches, {packed.rows, packed.columns}, masks_->block_mm, found.walls);
     found.room = {packed.rows, packed.columns, heights, {}};
     found.levels = layer_levels(heights, found.walls);
     found.space = {{height_of_layers(heights, found.walls), packed.rows + found.walls.along(1),
@@ -302,61 +313,6 @@ Result<Arranger::Found> Arranger::in_space(const PackedSpace& space, bool explai
     return tl::unexpected(does_not_fit(*masks, *last));
 }
 
-/// The most that go in together: those that clash most are left out, one after the other.
-Error Arranger::does_not_fit(const ItemMasks& masks, const GivenRoom& given) {
-    std::vector<std::size_t> in;
-    std::vector<Message> left;
-    const auto leave_out = [&](std::size_t at) {
-        left.push_back(as_it_is(masks.items[in[at]].name));
-        in.erase(in.begin() + static_cast<std::ptrdiff_t>(at));
-    };
-    for (std::size_t i = 0; i < masks.items.size(); ++i) in.push_back(i);
-    bool fit = false;
-    while (!in.empty() && !fit) {
-        MaskProblem some{masks.problem.shapes, {}, masks.problem.gap};
-        for (const std::size_t i : in) some.pieces.push_back(masks.problem.pieces[i]);
-        std::size_t alone = in.size();
-        for (std::size_t i = 0; i < in.size(); ++i) {
-            MaskPacker one({masks.problem.shapes, {some.pieces[i]}, {}}, design_.search.seed);
-            if (given.room.rows < 1 || given.room.columns < 1 || !one.each_fits(given.room)) alone = i;
-        }
-        if (alone < in.size()) {
-            leave_out(alone);
-            continue;
-        }
-        MaskPacker packer(std::move(some), design_.search.seed);
-        MaskLayout layout = packer.laid_in_order(given.room, 0);
-        fit = in.size() < masks.items.size() && packer.separate(given.room, layout, 60, work_ / 20);
-        if (fit) break;
-        std::size_t worst = 0;
-        for (std::size_t i = 0; i < in.size(); ++i)
-            if (!masks.locked[in[i]] &&
-                packer.clashes(given.room, layout, i) >= packer.clashes(given.room, layout, worst))
-                worst = i;
-        leave_out(worst);
-    }
-    return {ErrorKind::does_not_fit, say("arrange.does_not_fit", {{"items", masks.items.size()},
-                                                                  {"fit", in.size()},
-                                                                  {"left", left},
-                                                                  {"space", dimensions(given.space.size())},
-                                                                  {"holds", what_holds_all()}})};
-}
-
-/// The space that would hold all, in a sentence of its own; none where that was not found.
-std::vector<Message> Arranger::what_holds_all() {
-    if (masks_->any_locked()) return {};
-    Design free = design_;
-    free.case_options.inside_mm.reset();
-    free.space.wall_mm = wanted_wall_mm(design_.space);
-    free.space.block_mm = masks_->block_mm;
-    free.space.blocks.reset();
-    Arranger other(objects_, free, locked_, work_ / 8, kNobody);
-    other.masks_ = masks_;
-    const auto found = other.in_free_space();
-    if (!found) return {};
-    return {say("arrange.holds", {{"blocks", dimensions(vec_cast<double>(found->space.blocks), 0)}})};
-}
-
 Result<Arrangement> Arranger::run(Design& design, bool explain) {
     std::optional<PackedSpace> space;
     if (given()) {
@@ -373,6 +329,8 @@ Result<Arrangement> Arranger::run(Design& design, bool explain) {
     auto found = space ? in_space(*space, explain) : in_free_space();
     if (!found) return tl::unexpected(found.error());
     design = written(*masks_, *found);
+    // Such as parting levels that were chosen for another number of layers.
+    if (const auto problem = problem_of(design)) return fail(ErrorKind::usage, problem->message);
     Arrangement result;
     result.seed = design_.search.seed;
     result.work = done_;
