@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "snug/base/side.h"
 #include "snug/space/available.h"
@@ -16,11 +18,16 @@ bool has(const Grid<Run>& available, int j, int k, int first, int end) {
 }
 
 /// Whether a way, its first level, row and column there, has all blocks that it cuts, and all of its walls.
-bool stands_inside(const ItemWay& way, Vec3i at, const BlockWalls& walls, const Grid<Run>& available) {
+/// `whole`: where it is not known which levels it cuts, all of its layer.
+bool stands_inside(const ItemWay& way, Vec3i at, const std::optional<Run>& whole, const BlockWalls& walls,
+                   const Grid<Run>& available) {
     for (const MaskRun& run : runs_of(way.mask))
         for (int k = run.first; k < run.end; ++k) {
             const Run cut = way.cut(run.row, k);
-            const int first = at.x + cut.first, end = at.x + cut.end, row = at.y + run.row, column = at.z + k;
+            const int first = whole ? whole->first : at.x + cut.first,
+                      end = whole ? whole->end : at.x + cut.end;
+            const int row = at.y + run.row, column = at.z + k;
+            if (first >= end) continue;
             if (!has(available, row, column, first - walls.side[kFloor], end + walls.side[kRoof]))
                 return false;
             for (int j = row - walls.side[kBack]; j <= row + walls.side[kFront]; ++j)
@@ -31,19 +38,26 @@ bool stands_inside(const ItemWay& way, Vec3i at, const BlockWalls& walls, const 
     return true;
 }
 
-std::vector<BitMask> refused_places(const GivenRoom& given, const ItemMasks& masks,
+std::vector<BitMask> refused_places(const GivenRoom& given, const ItemMasks& masks, bool tray,
                                     const Grid<Run>& available) {
+    const auto block = [](int level) { return static_cast<std::int16_t>(level); };
     std::vector<BitMask> refused;
     for (const ItemWay& way : masks.ways) {
         BitMask own(std::max(1, given.room.rows), std::max(1, given.room.columns));
-        for (int j = 0; j + way.mask.rows() <= given.room.rows; ++j)
-            for (int k = 0; k + way.mask.columns() <= given.room.columns; ++k)
-                for (const LayerLevels& level : given.levels)
+        for (const LayerLevels& level : given.levels) {
+            std::optional<Run> whole;
+            if (tray)
+                whole = Run{block(given.walls.side[kFloor]), block(given.space.blocks.x)};
+            else if (way.halves_differ)
+                whole = Run{block(level.first), block(level.first + level.height)};
+            for (int j = 0; j + way.mask.rows() <= given.room.rows; ++j)
+                for (int k = 0; k + way.mask.columns() <= given.room.columns; ++k)
                     if (!stands_inside(way,
                                        {level.first_of(way.height), j + given.walls.side[kBack],
                                         k + given.walls.side[kLeft]},
-                                       given.walls, available))
+                                       whole, given.walls, available))
                         own.set(j, k);
+        }
         refused.push_back(std::move(own));
     }
     return refused;
@@ -66,7 +80,7 @@ GivenRoom given_room(const PackedSpace& given, const ItemMasks& masks, const Des
         for (LayerLevels& level : result.levels) level.height = 0;
     }
     if (!fills_box(given.available, blocks.x))
-        result.room.refused = refused_places(result, masks, given.available);
+        result.room.refused = refused_places(result, masks, design.space.open.has_value(), given.available);
     return result;
 }
 

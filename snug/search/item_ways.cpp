@@ -19,6 +19,7 @@ namespace snug {
 namespace {
 
 constexpr int kPlacesAcross = 4, kLevels = 8;  // offsets within a block along y and z, and along x
+constexpr double kUncut = 0.0101;              // mm that a room may reach into blocks without cutting them
 constexpr std::uint64_t kSpreadTurns = 400;    // of all rotations, looked at by their boxes
 constexpr std::size_t kFreeTurns = 16;         // of these, laid on the blocks
 
@@ -37,26 +38,45 @@ DesignSpace space_around(const Box3d& grown_box, Vec3d block_mm) {
     return space;
 }
 
-/// What is cut, from its first level, row and column, which `first` is told; none where nothing is.
-std::optional<ItemWay> trimmed(const BlockMap& cut, Vec3i& first) {
+bool reached(const ObjectDepths& depths, int j, int k) {
+    return !depths.lower.depths(j, k).none() || (depths.upper && !depths.upper->depths(j, k).none());
+}
+
+/// What is reached and cut, from its first level, row and column, which `first` is told; none where nothing
+/// is. Columns count that the surface reaches, and blocks that the item's room does: squeezed it may cut none
+/// of them, as its level has it, and must not leave the space.
+std::optional<ItemWay> trimmed(const ObjectDepths& depths, const DesignSpace& space, const Box3d& room,
+                               Vec3i& first) {
+    const BlockMap cut = cut_by_either(half_cuts(depths, space));
     Vec3i low{1 << 30, 1 << 30, 1 << 30}, high{-1, -1, -1};
     for (int j = 0; j < cut.ny(); ++j)
         for (int k = 0; k < cut.nz(); ++k) {
+            if (!reached(depths, j, k)) continue;
+            low = {low.x, std::min(low.y, j), std::min(low.z, k)};
+            high = {high.x, std::max(high.y, j), std::max(high.z, k)};
             const CutRun run = cut(j, k);
             if (run.none()) continue;
-            low = {std::min<int>(low.x, run.first), std::min(low.y, j), std::min(low.z, k)};
-            high = {std::max<int>(high.x, run.end), std::max(high.y, j), std::max(high.z, k)};
+            low.x = std::min<int>(low.x, run.first);
+            high.x = std::max<int>(high.x, run.end);
         }
     if (high.x < 0) return {};
+    for (int axis = 0; axis < 3; ++axis) {
+        const double block = space.block_mm[axis], begin = space.face(axis, 0);
+        const auto lowest = static_cast<int>(std::floor((room.min[axis] + kUncut - begin) / block));
+        const auto end = static_cast<int>(std::ceil((room.max[axis] - kUncut - begin) / block));
+        low[axis] = std::min(low[axis], lowest);
+        high[axis] = std::max(high[axis], axis == 0 ? end : end - 1);
+    }
     ItemWay way;
     way.mask = BitMask(high.y - low.y + 1, high.z - low.z + 1);
     way.cut = Grid<Run>(way.mask.rows(), way.mask.columns());
     way.height = high.x - low.x;
-    for (int j = 0; j < way.mask.rows(); ++j)
-        for (int k = 0; k < way.mask.columns(); ++k) {
+    way.halves_differ = depths.upper.has_value();
+    for (int j = std::max(0, -low.y); j < std::min(way.mask.rows(), cut.ny() - low.y); ++j)
+        for (int k = std::max(0, -low.z); k < std::min(way.mask.columns(), cut.nz() - low.z); ++k) {
+            if (reached(depths, low.y + j, low.z + k)) way.mask.set(j, k);
             const CutRun run = cut(low.y + j, low.z + k);
             if (run.none()) continue;
-            way.mask.set(j, k);
             way.cut(j, k) = {static_cast<std::int16_t>(run.first - low.x),
                              static_cast<std::int16_t>(run.end - low.x)};
             way.cut_blocks += run.blocks();
@@ -84,7 +104,10 @@ std::optional<ItemWay> at_best_level(const PreparedSurface& surface, const Place
         raise(raised.lower, mm);
         if (raised.upper) raise(*raised.upper, mm);
         Vec3i first;
-        auto way = trimmed(cut_by_either(half_cuts(raised, space)), first);
+        Box3d room = grown(placement.bounds, cut.whole_clearance_mm());
+        room.min.x += mm;
+        room.max.x += mm;
+        auto way = trimmed(raised, space, room, first);
         if (!way) continue;
         way->offset_mm = offset + Vec3d{mm, 0, 0} - corner(space, first);
         if (!best || std::tuple(way->height, way->cut_blocks) < std::tuple(best->height, best->cut_blocks))
@@ -214,9 +237,8 @@ Result<LockedWay> locked_way(const Object& object, const CutOptions& cut, const 
     const auto placement = place(object, rotation_deg, offset_mm);
     if (!placement) return tl::unexpected(placement.error());
     LockedWay locked;
-    auto way =
-        trimmed(cut_by_either(half_cuts(object_depths(*object.prepared, *placement, space, cut), space)),
-                locked.first);
+    const ObjectDepths depths = object_depths(*object.prepared, *placement, space, cut);
+    auto way = trimmed(depths, space, grown(placement->bounds, cut.whole_clearance_mm()), locked.first);
     if (way) locked.way = std::move(*way);
     locked.way.rotation_deg = rotation_deg;
     locked.way.offset_mm = offset_mm - corner(space, locked.first);

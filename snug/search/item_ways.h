@@ -19,9 +19,10 @@ struct ItemWay {
     Vec3d rotation_deg;
     /// From the corner of the first level, row and column that it cuts to the item's offset. mm.
     Vec3d offset_mm;
-    BitMask mask;    ///< the columns that it cuts, from its first row and column
-    Grid<Run> cut;   ///< in each of them, from its first level; no run where it cuts nothing
-    int height = 0;  ///< blocks from the lowest level that it cuts to the highest
+    BitMask mask;   ///< the columns that it reaches, from its first row and column
+    Grid<Run> cut;  ///< in each of them, from its first level; squeezed, it may cut nothing there
+    bool halves_differ = false;  ///< they keep away differently, and meet where they part
+    int height = 0;              ///< blocks from the lowest level that it cuts to the highest
     long long cut_blocks = 0;
 };
 

@@ -24,7 +24,7 @@ namespace snug {
 
 /// One way to lay a piece.
 struct MaskShape {
-    BitMask mask;          ///< with something in its first and last row and in its first and last column
+    BitMask mask;          ///< all of its rows and columns must lie in the room, also empty ones
     int height = 0;        ///< that the room must have, in whatever the rooms count
     long long weight = 0;  ///< of layouts that need the same room the least sum of these is best
 };

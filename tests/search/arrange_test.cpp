@@ -73,7 +73,8 @@ KitToArrange random_kit_to_arrange(Random& random) {
     if (random.chance(0.2)) design.space.open = random.between(0.3, 1);
     if (random.chance(0.3)) {
         design.case_options.inside_mm = Vec3d{300, 420, 425};
-        design.case_options.lid_mm = random.between(40, 150);
+        // Higher than the wall, or halves that keep away differently would meet within it.
+        design.case_options.lid_mm = random.between(90, 150);
         design.case_options.corner_radius_mm = random.between(0, 60);
         design.case_options.base_mm = CrossSection{random.between(380, 420), random.between(380, 425)};
     }
