@@ -91,7 +91,8 @@ Result<Arrangement> arrange_in_known_case(std::span<Object> objects, Design& des
         Design tried = design;
         apply(known[i], tried.case_options);
         if (snug::problem_of(tried.case_options)) continue;
-        Arranger arranger(objects, tried, locked_items(tried, all), work / 8, watch);
+        Arranger arranger(objects, tried, locked_items(tried, all),
+                          std::min(work / 8, usual_arranging_work(design) / 4), watch);
         Design arranged;
         auto found = arranger.run(arranged, false);
         if (!found && found.error().kind == ErrorKind::does_not_fit) continue;

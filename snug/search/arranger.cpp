@@ -224,7 +224,9 @@ Result<Arranger::Found> Arranger::in_free_space() {
 
 std::optional<Arranger::Found> Arranger::in_room(const ItemMasks& masks, const GivenRoom& given,
                                                  MaskPacker& packer, long long until) {
-    if (given.room.rows < 1 || given.room.columns < 1 || !packer.each_fits(given.room)) return {};
+    if (given.room.rows < 1 || given.room.columns < 1 || !packer.each_fits(given.room) ||
+        !may_hold(masks.problem, given.room))
+        return {};
     MaskLayout layout = packer.laid_in_order(given.room, 0), best = layout;
     long long least = std::numeric_limits<long long>::max();
     for (int patience = 20; packer.work() < until && !packer.cancelled();
@@ -240,7 +242,6 @@ std::optional<Arranger::Found> Arranger::in_room(const ItemMasks& masks, const G
         layout = anew ? packer.laid_in_order(given.room, 0.8) : best;
         for (int i = anew ? 0 : 1 + packer.numbers().below(3); i > 0; --i) packer.disturb(given.room, layout);
     }
-    (void)masks;
     return {};
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <span>
 #include <utility>
@@ -43,6 +44,10 @@ class Arranger {
                                                MaskPacker& packer, long long until);
     [[nodiscard]] Error does_not_fit(const ItemMasks& masks, const GivenRoom& given);
     [[nodiscard]] std::vector<Message> what_holds_all();
+    /// For the explanation alone, which is no longer asked whether to go on.
+    [[nodiscard]] long long explaining_work() const {
+        return std::min(work_, usual_arranging_work(design_)) / 8;
+    }
     [[nodiscard]] std::vector<std::vector<int>> all_heights(int most) const;
     [[nodiscard]] RoomTask task_for(const std::vector<int>& heights) const;
     [[nodiscard]] Found found_in_room(const PackedMasks& packed, const std::vector<int>& heights) const;

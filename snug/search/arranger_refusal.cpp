@@ -33,7 +33,7 @@ Error Arranger::does_not_fit(const ItemMasks& masks, const GivenRoom& given) {
         }
         MaskPacker packer(std::move(some), design_.search.seed);
         MaskLayout layout = packer.laid_in_order(given.room, 0);
-        fit = in.size() < masks.items.size() && packer.separate(given.room, layout, 60, work_ / 20);
+        fit = in.size() < masks.items.size() && packer.separate(given.room, layout, 60, explaining_work() / 2);
         if (fit) break;
         std::size_t worst = 0;
         for (std::size_t i = 0; i < in.size(); ++i)
@@ -58,7 +58,7 @@ std::vector<Message> Arranger::what_holds_all() {
     free.space.block_mm = masks_->block_mm;
     free.space.blocks.reset();
     const ArrangeWatch nobody;
-    Arranger other(objects_, free, locked_, work_ / 8, nobody);
+    Arranger other(objects_, free, locked_, explaining_work(), nobody);
     other.masks_ = masks_;
     const auto found = other.in_free_space();
     if (!found) return {};

@@ -257,6 +257,12 @@ std::optional<PackedMasks> shortest_strip(MaskPacker& packer, int columns, long 
     return best;
 }
 
+bool may_hold(const MaskProblem& problem, const MaskRoom& room) {
+    RoomTask task;
+    task.heights = room.heights;
+    return LeastRoom(problem, task).may_hold(room.rows, room.columns);
+}
+
 long long least_price(const MaskProblem& problem, const RoomTask& task) {
     const LeastRoom least(problem, task);
     long long price = std::numeric_limits<long long>::max();

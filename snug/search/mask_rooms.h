@@ -40,6 +40,9 @@ struct RoomTask {
 [[nodiscard]] std::optional<PackedMasks> shortest_strip(MaskPacker& packer, int columns, long long work,
                                                         const BetterPacking& better = {});
 
+/// Whether a room could hold the pieces, by what they take together and each by itself.
+[[nodiscard]] bool may_hold(const MaskProblem& problem, const MaskRoom& room);
+
 /// No room of less price holds the pieces: together they take so many columns, each grown by the gap, and
 /// each must go in by itself.
 [[nodiscard]] long long least_price(const MaskProblem& problem, const RoomTask& task);

@@ -156,19 +156,23 @@ TEST(Arrange, KeepsWallsAndWhatIsBetweenWhateverLiesThere) {
     EXPECT_LT(refused, kits / 4);
 }
 
-/// Blocks are sponges of the usual size; objects a third of their samples' size.
+/// Of the samples, one after the other.
 KitToArrange sample_kit(int items) {
+    static const std::vector<Object> samples = [] {
+        std::vector<Object> objects;
+        for (const std::string_view name : {"camera", "torus", "vase"}) {
+            Design design;
+            design.object.units = Unit::mm;
+            objects.push_back(prepare(sample(name).value(), design).value());
+        }
+        return objects;
+    }();
     KitToArrange kit;
+    kit.objects = samples;
     kit.design.object.units = Unit::mm;
     kit.design.space.blocks.reset();
-    for (const std::string_view name : {"vase", "camera", "torus", "figurine"})
-        kit.objects.push_back(prepare(sample(name).value(), kit.design).value());
-    kit.design.items.clear();
-    for (int i = 0; i < items; ++i) {
-        ItemOptions item;
-        item.object = i % 4;
-        kit.design.items.push_back(item);
-    }
+    kit.design.items.assign(static_cast<std::size_t>(items), {});
+    for (int i = 0; i < items; ++i) kit.design.items[static_cast<std::size_t>(i)].object = i % 3;
     return kit;
 }
 

@@ -149,7 +149,7 @@ RoomTask task_with_walls(Random& random, long long work) {
 
 TEST(MaskRooms, OfTwoPiecesAreTheLeastThatExist) {
     Random random(3);
-    for (int i = 0; i < test::cases(40, 8); ++i) {
+    for (int i = 0; i < test::cases(24, 6); ++i) {
         const MaskProblem problem =
             random_problem(random, 2, 4, 6, {random.integer(0, 1), random.integer(0, 2)});
         const RoomTask task = task_with_walls(random, 1'500'000);
