@@ -2,9 +2,9 @@
 // against the least that is known and against peers, nesting instances against what is published. JSON on
 // the standard output, lines for people beside it.
 //
-// Usage: snug_arrange_times [--seconds S] [--reference S] [--strip S] [two] [kits] [strips]
+// Usage: snug_arrange_times [--seconds S] [--reference S] [--strip S] [two] [kits] [many] [strips]
 // --seconds: of a kit (10); --reference: of each of two other seeds that tell the least (60; 600 is the
-// whole bench); --strip: of an instance (60).
+// whole bench); --strip: of an instance, and of a hundred items (60).
 
 #include <algorithm>
 #include <chrono>
@@ -15,6 +15,7 @@
 #include <fstream>
 #include <limits>
 #include <string>
+#include <sys/resource.h>
 #include <tbb/global_control.h>
 #include <utility>
 #include <vector>
@@ -183,6 +184,34 @@ Json one_kit(const std::vector<NamedMesh>& meshes, int count, double seconds, do
     return row;
 }
 
+/// A hundred items of twenty kinds: the bench objects, and some of them half as large.
+Json many_items(const std::vector<NamedMesh>& meshes, double seconds) {
+    constexpr std::size_t kKinds = 20, kItems = 100;
+    std::vector<NamedMesh> kinds;
+    for (std::size_t i = 0; i < kKinds; ++i) {
+        kinds.push_back(meshes[i % meshes.size()]);
+        if (i >= meshes.size()) kinds.back().mesh = scaled(std::move(kinds.back().mesh), 0.5);
+    }
+    std::vector<std::size_t> which(kKinds);
+    for (std::size_t i = 0; i < kKinds; ++i) which[i] = i;
+    std::vector<Object> objects = objects_of(kinds, which);
+    Design design = kit_design(kItems, {15, 15, 15}, 50);
+    for (std::size_t i = 0; i < kItems; ++i) design.items[i].object = static_cast<int>(i % kKinds);
+    const Course course = arranged_for(seconds, objects, design, 1);
+    rusage used{};
+    getrusage(RUSAGE_SELF, &used);
+    const double block = 15.0 * 15 * 15, blocks = course.after(seconds) / block;
+    Json row{{"items", kItems},
+             {"kinds", kKinds},
+             {"placed", std::isfinite(blocks)},
+             {"first_s", course.better.empty() ? Json(nullptr) : Json(course.better.front().first)},
+             {"blocks", std::isfinite(blocks) ? Json(blocks) : Json(nullptr)},
+             {"lower_bound_blocks", course.lower_bound_mm3 / block},
+             {"peak_mb", static_cast<double>(used.ru_maxrss) / 1024}};
+    std::fprintf(stderr, "many: %s\n", row.dump().c_str());
+    return row;
+}
+
 Json one_strip(const NestingInstance& instance, int cells, double seconds) {
     const double cell = instance.strip_height / cells;
     const MaskProblem problem = masks_of(instance, cell);
@@ -238,9 +267,10 @@ int run(int count, char** arguments) {
     };
     const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
     Json report;
-    if (wanted("two") || wanted("kits")) {
+    if (wanted("two") || wanted("kits") || wanted("many")) {
         const std::vector<NamedMesh> meshes = search_objects();
         if (wanted("two")) report["two"] = two_items(meshes);
+        if (wanted("many")) report["many"] = many_items(meshes, strip);
         if (wanted("kits"))
             for (const int items : {5, 10})
                 report["kits"].push_back(one_kit(meshes, items, seconds, reference));

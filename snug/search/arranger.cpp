@@ -30,16 +30,6 @@ std::vector<int> layer_counts(const Design& design) {
     return counts;
 }
 
-/// What a space of so many blocks costs, by the design's goal.
-long long price_of(Vec3i blocks, const Design& design, Vec3d block_mm) {
-    const long long volume = 1LL * blocks.x * blocks.y * blocks.z;
-    if (design.search.case_goal == CaseGoal::volume) return volume;
-    double cm3 = 1;
-    for (int axis = 0; axis < 3; ++axis) cm3 *= std::ceil(blocks[axis] * block_mm[axis] / 10 - 1e-9);
-    return static_cast<long long>(std::ceil(2 * cm3 / design.search.billed_divisor - 1e-9)) * kBilled +
-           volume;
-}
-
 /// Room for hands beside what is packed, on both sides of its narrower way, as one item has it.
 void widen_for_notches(const NotchOptions& notches, MaskGap packed, Vec3d block_mm, BlockWalls& walls) {
     const Box3d room{{}, {0, packed.rows * block_mm.y, packed.columns * block_mm.z}};
@@ -67,6 +57,15 @@ void drop_empty_layers(MaskLayout& layout, int layers) {
 
 }  // namespace
 
+long long space_price(Vec3i blocks, const Design& design, Vec3d block_mm) {
+    const long long volume = 1LL * blocks.x * blocks.y * blocks.z;
+    if (design.search.case_goal == CaseGoal::volume) return volume;
+    double cm3 = 1;
+    for (int axis = 0; axis < 3; ++axis) cm3 *= std::ceil(blocks[axis] * block_mm[axis] / 10 - 1e-9);
+    return static_cast<long long>(std::ceil(2 * cm3 / design.search.billed_divisor - 1e-9)) * kBilled +
+           volume;
+}
+
 PackingWatch Arranger::packing_watch() {
     return [this](long long work) {
         const double share = static_cast<double>(done_ + work) / static_cast<double>(work_);
@@ -88,7 +87,7 @@ RoomTask Arranger::task_for(const std::vector<int>& heights) const {
     RoomTask task;
     const int x = height_of_layers(heights, walls), y = walls.along(1), z = walls.along(2);
     task.price = [this, x, y, z](int rows, int columns) {
-        return price_of({x, rows + y, columns + z}, design_, masks_->block_mm);
+        return space_price({x, rows + y, columns + z}, design_, masks_->block_mm);
     };
     int rows = 0, columns = 0;  // more than all beside each other need none
     for (const MaskPiece& piece : masks_->problem.pieces) {
@@ -217,6 +216,7 @@ Result<Arranger::Found> Arranger::in_free_space() {
         look(choices[i], rank + 1 == order.size() ? work_ : packer.work() + (work_ - packer.work()) / 2);
     }
     done_ = packer.work();
+    if (!best && cancelled_) return fail(ErrorKind::cancelled, say("cancelled"));
     if (!best) return fail(ErrorKind::usage, say("arrange.too_large"));
     settle(*masks_, *best, packer);
     return *best;
@@ -243,45 +243,6 @@ std::optional<Arranger::Found> Arranger::in_room(const ItemMasks& masks, const G
         for (int i = anew ? 0 : 1 + packer.numbers().below(3); i > 0; --i) packer.disturb(given.room, layout);
     }
     return {};
-}
-
-/// Rooms by their price, until one holds all: how it lies among locked items depends on its size.
-Result<Arranger::Found> Arranger::around_locked() {
-    const BlockWalls walls = block_walls(design_.space, masks_->block_mm);
-    Box3d stay;
-    for (std::size_t i = 0; i < masks_->items.size(); ++i)
-        if (locked_[i]) stay.include(room_of(masks_->items[i]));
-    const Vec3i least = vec_cast<int>(fitted_blocks(stay, masks_->block_mm, wanted_wall_mm(design_.space)));
-    const auto choices = all_heights(kMostBlocks);
-    const std::vector<int> heights = choices.empty() ? std::vector<int>{1} : choices.front();
-    const RoomTask task = task_for(heights);
-    std::vector<std::pair<long long, Vec3i>> spaces;
-    const int x = std::max(least.x, height_of_layers(heights, walls));
-    for (int y = std::max(least.y, walls.along(1) + 1); y <= least.y + task.most_rows + walls.along(1); ++y)
-        for (int z = std::max(least.z, walls.along(2) + 1); z <= least.z + task.most_columns + walls.along(2);
-             ++z)
-            spaces.push_back({price_of({x, y, z}, design_, masks_->block_mm), {x, y, z}});
-    std::sort(spaces.begin(), spaces.end(), [](const auto& a, const auto& b) {
-        return std::tuple(a.first, a.second.y) < std::tuple(b.first, b.second.y);
-    });
-    const Design own = design_;
-    for (const auto& [price, blocks] : spaces) {
-        const DesignSpace space{blocks, masks_->block_mm};
-        auto masks = with_locked(*masks_, objects_, space, walls);
-        if (!masks) return tl::unexpected(masks.error());
-        std::vector<int> inner = heights;
-        inner.back() += blocks.x - height_of_layers(heights, walls);
-        const GivenRoom given = given_room({space, {}, all_blocks(blocks)}, *masks, own, inner);
-        MaskPacker packer(masks->problem, design_.search.seed, packing_watch());
-        auto found = in_room(*masks, given, packer, work_ / 50);
-        done_ += packer.work();
-        if (cancelled_) return fail(ErrorKind::cancelled, say("cancelled"));
-        if (!found) continue;
-        settle(*masks, *found, packer);
-        masks_ = std::move(*masks);
-        return *found;
-    }
-    return fail(ErrorKind::usage, say("arrange.too_large"));
 }
 
 Result<Arranger::Found> Arranger::in_space(const PackedSpace& space, bool explain) {

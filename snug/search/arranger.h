@@ -15,6 +15,9 @@
 
 namespace snug {
 
+/// What a space of so many blocks costs, by the design's goal: less is better.
+[[nodiscard]] long long space_price(Vec3i blocks, const Design& design, Vec3d block_mm);
+
 /// One arrangement: what arrange.h promises, step by step.
 class Arranger {
   public:
@@ -39,6 +42,8 @@ class Arranger {
     [[nodiscard]] bool given() const { return design_.case_options.inside_mm || design_.space.blocks; }
     [[nodiscard]] Result<Found> in_free_space();
     [[nodiscard]] Result<Found> around_locked();
+    /// That could hold all, the least price first.
+    [[nodiscard]] std::vector<Vec3i> spaces_around_locked(const std::vector<int>& heights) const;
     [[nodiscard]] Result<Found> in_space(const PackedSpace& space, bool explain);
     [[nodiscard]] std::optional<Found> in_room(const ItemMasks& masks, const GivenRoom& given,
                                                MaskPacker& packer, long long until);

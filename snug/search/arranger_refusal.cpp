@@ -33,7 +33,8 @@ Error Arranger::does_not_fit(const ItemMasks& masks, const GivenRoom& given) {
         }
         MaskPacker packer(std::move(some), design_.search.seed);
         MaskLayout layout = packer.laid_in_order(given.room, 0);
-        fit = in.size() < masks.items.size() && packer.separate(given.room, layout, 60, explaining_work() / 2);
+        fit =
+            in.size() < masks.items.size() && packer.separate(given.room, layout, 60, explaining_work() / 2);
         if (fit) break;
         std::size_t worst = 0;
         for (std::size_t i = 0; i < in.size(); ++i)

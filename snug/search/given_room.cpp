@@ -70,6 +70,9 @@ GivenRoom given_room(const PackedSpace& given, const ItemMasks& masks, const Des
     GivenRoom result{given.space, block_walls(design.space, given.space.block_mm), {}, {}};
     const Vec3i blocks = given.space.blocks;
     result.levels = layer_levels(heights, result.walls);
+    // What is left stands half below them.
+    const int left = blocks.x - height_of_layers(heights, result.walls);
+    for (LayerLevels& level : result.levels) level.first += std::max(0, left / 2);
     if (given.fitted_case && given.fitted_case->lid_level && !design.space.open)
         result.levels.back().parting = *given.fitted_case->lid_level;
     result.room.rows = blocks.y - result.walls.along(1);

@@ -43,13 +43,31 @@ void add_choices(const std::vector<int>& heights, std::size_t from, int layers, 
     }
 }
 
+/// Where every item has a layer of its own: each as high as what lies there must be.
+std::vector<int> own_heights(const ItemMasks& masks, int layers) {
+    std::vector<int> heights(static_cast<std::size_t>(layers), 1);
+    for (const MaskPiece& piece : masks.problem.pieces) {
+        int least = 1 << 20;
+        for (const int shape : piece.shapes)
+            least = std::min(least, masks.problem.shapes[static_cast<std::size_t>(shape)].height);
+        int& here = heights[static_cast<std::size_t>(piece.bin)];
+        if (!piece.shapes.empty()) here = std::max(here, least);
+    }
+    return heights;
+}
+
 }  // namespace
 
 std::vector<std::vector<int>> layer_heights(const ItemMasks& masks, int layers, const BlockWalls& walls,
                                             int most) {
+    std::vector<std::vector<int>> choices;
+    if (layers > 1 && masks.problem.pieces.front().bin >= 0) {
+        choices.push_back(own_heights(masks, layers));
+        if (height_of_layers(choices.front(), walls) > most) choices.clear();
+        return choices;
+    }
     int least_highest = 1;
     const std::vector<int> heights = heights_of(masks, least_highest);
-    std::vector<std::vector<int>> choices;
     std::vector<int> begun;
     add_choices(heights, 0, layers, least_highest, begun, choices);
     std::erase_if(choices, [&](const auto& each) { return height_of_layers(each, walls) > most; });

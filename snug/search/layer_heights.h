@@ -8,8 +8,8 @@ namespace snug {
 
 /// Heights of so many layers, the highest first, that let each item lie in one of them: every choice that no
 /// other makes needless, by what the ways of the items are high. `most`: blocks along x with walls and the
-/// foam between layers; the lowest stacks first, at most some dozens. One layer of a given space is as high
-/// as the space.
+/// foam between layers; the lowest stacks first, at most some dozens. Where items have layers of their own
+/// the one choice that is lowest, the lowest layer's height first.
 [[nodiscard]] std::vector<std::vector<int>> layer_heights(const ItemMasks& masks, int layers,
                                                           const BlockWalls& walls, int most);
 
