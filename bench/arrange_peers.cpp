@@ -96,30 +96,24 @@ long long shelf_price(const MaskProblem& problem, const RoomTask& task) {
     return least;
 }
 
-std::optional<long long> nested_price(const MaskProblem& problem, const RoomTask& task, long long most,
-                                      double seconds) {
+std::optional<long long> nested_price(const MaskProblem& problem, const RoomTask& task, double seconds) {
     const auto items = outlines(problem);
     std::optional<long long> best;
     const auto begun = Clock::now();
-    std::vector<std::pair<long long, std::pair<int, int>>> rooms;
-    for (int rows = 1; rows <= task.most_rows; ++rows)
-        for (int columns = 1; columns <= task.most_columns; ++columns)
-            if (const long long price = task.price(rows, columns); price <= most && columns <= 3 * rows &&
-                                                                   rows <= 3 * columns &&
-                                                                   price >= least_price(problem, task))
-                rooms.push_back({price, {rows, columns}});
-    std::sort(rooms.begin(), rooms.end());
-    // It goes into larger rooms more often: half the distance at a time, then one after the other.
-    std::size_t low = 0, high = rooms.size();
-    while (low < high && seconds_since(begun) < seconds) {
-        const std::size_t middle = (low + high) / 2;
-        bool any = false;
-        for (std::size_t i = middle; i < std::min(high, middle + 6) && !any; ++i) {
-            any = libnest2d_holds(items, rooms[i].second.second + problem.gap.columns,
-                                  rooms[i].second.first + problem.gap.rows, 4);
-            if (any) best = std::min(best.value_or(rooms[i].first), rooms[i].first);
-        }
-        any ? high = middle : low = middle + 1;
+    for (int rows = 1; rows <= task.most_rows && seconds_since(begun) < seconds; ++rows) {
+        const auto holds = [&](int columns) {
+            return libnest2d_holds(items, columns + problem.gap.columns, rows + problem.gap.rows, 4);
+        };
+        int low = 1, high = task.most_columns;
+        // What costs more than the best is not looked at.
+        while (high > low && best && task.price(rows, high) >= *best) --high;
+        if (!may_hold(problem, {rows, high, task.heights, {}}) || !holds(high)) continue;
+        while (low < high)
+            if (const int middle = (low + high) / 2; holds(middle))
+                high = middle;
+            else
+                low = middle + 1;
+        best = std::min(best.value_or(task.price(rows, high)), task.price(rows, high));
     }
     return best;
 }

@@ -15,10 +15,10 @@ namespace snug::bench {
 /// round: the least price. What makers of trays call automatic.
 [[nodiscard]] long long shelf_price(const MaskProblem& problem, const RoomTask& task);
 
-/// libnest2d on the masks' outlines, with its own turns, in the rooms of least price that it fills: from
-/// `most` downward until it fails or the time is over. None where it lays them all in none of them.
+/// libnest2d on the masks' outlines, with its own turns: for every number of rows the fewest columns that it
+/// fills, by bisection, and of these the least price. None where it lays them all in none of them.
 [[nodiscard]] std::optional<long long> nested_price(const MaskProblem& problem, const RoomTask& task,
-                                                    long long most, double seconds);
+                                                    double seconds);
 /// libnest2d on polygons themselves: the length of a strip of this height that it needs, to a thousandth of
 /// `most`, where it begins. `half_turns`: they may lie upside down.
 [[nodiscard]] std::optional<double> nested_strip(const std::vector<std::vector<Vec2d>>& polygons,

@@ -172,8 +172,9 @@ Json one_kit(const std::vector<NamedMesh>& meshes, int count, double seconds, do
         return 1LL * high * (rows + walls.along(1)) * (columns + walls.along(2));
     };
     task.most_rows = task.most_columns = 120;
+    task.heights = {4096};
     const long long shelves = shelf_price(masks->problem, task);
-    const auto nested = nested_price(masks->problem, task, shelves * 5 / 4, 120);
+    const auto nested = nested_price(masks->problem, task, 120);
     Json row{{"items", count},
              {"least_blocks", least / block},
              {"lower_bound_blocks", bound / block},
