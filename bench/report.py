@@ -10,6 +10,7 @@ import re
 import sys
 from pathlib import Path
 
+import arrange_table
 import search_table
 
 FOLDER, OUT = Path(sys.argv[1]), Path(sys.argv[2])
@@ -197,6 +198,9 @@ def main():
                   "start, the paper's greedy climb, Snug after so much of the processor's time (medians of "
                   "the seeds, and how far above the least), and the least that any search ever found "
                   "(`bench/least_placements.json`).", search_table.table(search)]
+    arranged = load("arrange.json")
+    if arranged:
+        parts += arrange_table.parts(arranged)
     if packs:
         parts += ["## Packs for the workshop", "The camera, in the library: drawings, solids and their files, without PDF "
                   "and zip. Bricks in blocks of one brick, without the linear programme; the mill with a cutter of 6 mm, in "

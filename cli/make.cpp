@@ -61,6 +61,16 @@ std::vector<Argument> arguments_of(MakeArguments& a) {
     const std::vector<Argument> rest{
         {"--optimize", "", help("help.make.optimize"), &a.search.optimize},
         {"--fit-case", "", help("help.make.fit_case"), &a.search.fit_case},
+        {"--arrange", "", help("help.make.arrange"), &a.search.arrange},
+        {"--no-arrange",
+         "",
+         help("help.make.no_arrange"),
+         &a.search.no_arrange,
+         false,
+         {},
+         {},
+         {"--arrange"}},
+        {"--known-case", "", help("help.make.known_case"), &a.search.known_case},
         {"--search-seconds", "S", help("help.make.seconds"), &a.search.seconds, false, {{0.01, 86400}}},
         {"--no-stream", "", help("help.make.no_stream"), &a.no_stream},
         {"--stream", "", help("help.make.stream"), &a.stream, false, {}, {}, {"--no-stream"}},
@@ -166,11 +176,21 @@ Tools tools_for(const Task& task, const MakeArguments& arguments, StatusLine& st
     Tools tools;
     tools.solve_lp = clp_solver();
     tools.language = arguments.language;
-    if (searched.asked())
+    if (searched.searches(task.project.design))
         tools.search = [&](Object& object, Design& design) -> Result<SearchReport> {
             auto found = search(object, design, searched, status);
             if (!found) return fail(found.error().kind, in_its_file(task, found.error()));
             return found;
+        };
+    if (searched.arranges(task.project.design))
+        tools.arrange = [&](std::span<Object> objects, Design& design) -> Result<Arrangement> {
+            std::vector<KnownCase> cases;
+            if (searched.known_case) {
+                auto known = known_cases(arguments.language);
+                if (!known) return tl::unexpected(known.error());
+                cases = std::move(*known);
+            }
+            return arrange(objects, design, searched, cases, status);
         };
     tools.progress = [&status](Stage stage) {
         if (stage == Stage::workshop) status.show(say("status.workshop"));

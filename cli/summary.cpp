@@ -30,6 +30,13 @@ Message blocks_of(const DesignSpace& space) {
                                   {"size", dimensions(space.size())}});
 }
 
+Message arranged_text(const Arrangement& arrangement) {
+    std::vector<Message> least;
+    if (arrangement.lower_bound_mm3)
+        least.push_back(say("summary.at_least", {{"litres", litres(*arrangement.lower_bound_mm3)}}));
+    return say("summary.arranged_in", {{"litres", litres(arrangement.volume_mm3)}, {"least", least}});
+}
+
 const char* label_of(Severity severity) {
     return severity == Severity::danger    ? "severity.danger"
            : severity == Severity::warning ? "severity.warning"
@@ -131,6 +138,7 @@ std::string summary(std::span<const Object> objects, const Project& project, con
         lines.add("summary.object", say("summary.named", {{"name", one_line(listed_name(object, project))},
                                                           {"what", object_text(objects[object])}}));
     lines.add("summary.space", blocks_of(packing.space));
+    if (made.arrangement) lines.add("summary.arranged", arranged_text(*made.arrangement));
     if (packing.fitted_case) {
         lines.add("summary.case", case_text(*packing.fitted_case));
         std::string label = lines.worded("summary.fillers");

@@ -265,11 +265,19 @@ Result<Made> make(std::span<Object> objects, Project& project, const Tools& tool
         made.search = std::move(*found);
     }
 
+    if (tools.arrange && design.items.size() > 1) {
+        auto found = tools.arrange(objects, design);
+        if (!found) return tl::unexpected(found.error());
+        made.arrangement = *found;
+    }
+
     auto packing = pack(objects, design, told(tools, Stage::cut));
     if (!packing) return tl::unexpected(packing.error());
     made.packing = std::move(*packing);
     for (Object& object : objects) take_stand_in(object);
-    if (made.search && !objects.front().whole()) note_stand_in(made.packing);
+    const bool whole =
+        std::all_of(objects.begin(), objects.end(), [](const Object& each) { return each.whole(); });
+    if ((made.search || made.arrangement) && !whole) note_stand_in(made.packing);
     if (!made.packing.foams) return made;
 
     if (design.workshop.work != Workshop::none) {

@@ -15,6 +15,7 @@
 #include "snug/fabricate/processes.h"
 #include "snug/object/object.h"
 #include "snug/object/prepare.h"
+#include "snug/search/arrange.h"
 #include "snug/words/words.h"
 
 // The whole method, from objects to everything that a person gets (Fukusato and Kita, Computational Design
@@ -28,7 +29,7 @@
 //                   --foam--> the run of blocks that each column loses                   (section 3.2)
 //                             and the two foams that stay                                (section 3.3)
 //                   --check-> walls, pieces, and what a person must know
-//   make():  --search-------> first a better placement or case, if one is wanted
+//   make():  --search-------> first a better placement or case, or how several items lie, if it is wanted
 //            pack()
 //            --fabricate----> what a way of working takes to the workshop
 //            --check--------> gaps, and what the items lie on
@@ -42,9 +43,12 @@ enum class Stage { cut, workshop, gaps };
 
 /// What only some builds have, and whom long work tells. All of it may be left out.
 struct Tools {
-    /// Looks for a better placement or case and writes it into the design, see search_design(). None: the
-    /// design stays.
+    /// Looks for a better placement or case of one object and writes it into the design, see search_design().
+    /// None: the design stays.
     std::function<Result<SearchReport>(Object&, Design&)> search;
+    /// Arranges several items and writes where they lie into the design, see arrange(). None: they lie as
+    /// place_items() has it.
+    std::function<Result<Arrangement>(std::span<Object>, Design&)> arrange;
     LpSolver solve_lp;  ///< none: the bricks' strength is not checked, and the pack says so
     Language language = Language::english;  ///< of everything that is written or drawn for people
     /// Is asked when one begins; what it gives is told how far that stage is.

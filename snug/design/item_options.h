@@ -6,14 +6,14 @@
 #include "snug/base/vec.h"
 #include "snug/design/clearance.h"
 #include "snug/design/option.h"
+#include "snug/design/search_options.h"
 
 namespace snug {
 
 constexpr int kMostItems = 1000;
-constexpr int kMostLayers = 20;
-
 /// How an item is given a place on the command line, for sentences that advise it.
 constexpr const char* kPlacedItem = "lens.stl:move=0x40x0";
+constexpr const char* kLockedItem = "lens.stl:move=0x40x0,lock=yes";
 
 /// An object as it lies in the case. What it leaves open is as the design has it for all.
 struct ItemOptions {
@@ -26,6 +26,7 @@ struct ItemOptions {
         offset_mm;  ///< from the middle of the space; none: beside the others, see place_items()
     std::optional<Clearance> clearance_mm;
     std::optional<double> mass_kg;
+    bool lock = false;  ///< an arrangement leaves it where it is
     friend bool operator==(const ItemOptions&, const ItemOptions&) = default;
 };
 
@@ -94,6 +95,12 @@ void visit_options(Visit& visit, ItemOptions& item) {
                                 .usual = {"the design's", "全体の設定"},
                                 .scope = Scope::item,
                                 .word = "mass"});
+    visit.option(item.lock,
+                 {.json = "lock",
+                  .label = {"the lock", "固定"},
+                  .help = {"An arrangement leaves it where it is", "並べるときも、この場所に残します"},
+                  .scope = Scope::item,
+                  .word = "lock"});
 }
 
 }  // namespace snug

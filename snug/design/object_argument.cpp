@@ -1,6 +1,7 @@
 #include "snug/design/object_argument.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -13,7 +14,8 @@
 namespace snug {
 namespace {
 
-constexpr std::string_view kCount = "count", kUpright = "upright", kCap = "cap";
+constexpr std::string_view kCount = "count", kUpright = "upright";
+constexpr std::string_view kSwitches[] = {"cap", "lock"};  // need no value
 
 template <class Options>
 OptionList list_of(Options& options) {
@@ -29,9 +31,13 @@ bool is_word(std::string_view text) {
     });
 }
 
+bool is_switch(std::string_view text) {
+    return std::find(std::begin(kSwitches), std::end(kSwitches), text) != std::end(kSwitches);
+}
+
 bool begins_a_choice(std::string_view text) {
     const std::size_t equals = text.find('=');
-    return equals == std::string_view::npos ? text == kCap : is_word(text.substr(0, equals));
+    return equals == std::string_view::npos ? is_switch(text) : is_word(text.substr(0, equals));
 }
 
 /// "a=1,b=2x3"; empty where it is something else. What begins no choice belongs to the one before, comma
@@ -191,7 +197,7 @@ ObjectArgument object_argument(std::string_view text) {
     auto choices = choices_of(text.substr(colon + 1));
     // "C:name" is a file of another system.
     const bool any = std::any_of(choices.begin(), choices.end(), [](const auto& each) {
-        return !each.second.empty() || each.first == "cap";
+        return !each.second.empty() || is_switch(each.first);
     });
     if (!any) return {std::string(text), {}};
     return {std::string(text.substr(0, colon)), std::move(choices)};

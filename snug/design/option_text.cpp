@@ -56,7 +56,10 @@ struct Taking {
     const OptionRow& row;
 
     bool operator()(std::monostate) const { return false; }
-    bool operator()(bool* value) const { return *value = true; }
+    bool operator()(bool* value) const {
+        *value = text != "no";
+        return true;
+    }
     bool operator()(int* value) const { return number(typed_integer(text), *value); }
     bool operator()(double* value) const { return number(typed_number(text), *value); }
     bool operator()(std::uint32_t* value) const {

@@ -39,13 +39,30 @@ struct Names<CaseGoal> {
     static constexpr std::string_view list[] = {"volume", "billed-weight"};
 };
 
-/// How the best placement and the smallest case are searched.
+/// Which rotations an arrangement may give an item, beside the one that it has.
+enum class Turns {
+    none,
+    upright,  ///< quarter turns about the upright axis
+    quarter,  ///< all quarter turns
+    any,
+};
+template <>
+struct Names<Turns> {
+    static constexpr std::string_view list[] = {"none", "upright", "quarter", "any"};
+};
+
+constexpr int kMostLayers = 20;
+
+/// How the best placement, the smallest case and the best arrangement are searched.
 struct SearchOptions {
     std::array<double, kObjectives> weight{1, 0, 0, 0, 0};  ///< of each objective, 0 to 1000; not all 0
     std::optional<Upright> upright;                         ///< this axis of the object stays along +x
     CaseGoal case_goal = CaseGoal::volume;
     double billed_divisor = 5000;  ///< cm3 that are billed as a kilogram, 100 to 100,000
     std::uint32_t seed = 1;
+    Turns turns = Turns::upright;  ///< of arranged items
+    /// In how many layers they are arranged; 1: each in that of its own; none: in whichever are best.
+    std::optional<int> layers = 1;
     friend bool operator==(const SearchOptions&, const SearchOptions&) = default;
 };
 
@@ -95,6 +112,24 @@ void visit_options(Visit& visit, SearchOptions& search) {
                                .label = {"the seed", "乱数の種"},
                                .help = {"Another search; the same seed finds the same",
                                         "別の探索をします。同じ値なら同じ結果になります"}});
+    visit.option(
+        search.turns,
+        {.json = "turns",
+         .flag = "--turns",
+         .label = {"how arranged items may be turned", "並べるときの回し方"},
+         .help = {"With --arrange: how items may be turned from how they are given",
+                  "--arrange で、指定の向きからどのように回してよいか：none（回さない）、upright（縦軸まわり"
+                  "の 90 度ごと）、quarter（すべての 90 度ごと）、any（自由）"}});
+    visit.option(search.layers, {.json = "layers",
+                                 .flag = "--layers",
+                                 .takes = "N|auto",
+                                 .range = {1, kMostLayers},
+                                 .step = 1,
+                                 .label = {"the number of layers", "段の数"},
+                                 .help = {"With --arrange: over how many layers the items are spread",
+                                          "--arrange で、いくつの段に分けて置くか"},
+                                 .usual = {"1, or as the items have them", "1、または各々の段の指定どおり"},
+                                 .none = "auto"});
 }
 
 /// What is out of range; none where all is well.

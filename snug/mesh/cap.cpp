@@ -11,7 +11,7 @@ using Loop = std::vector<std::uint32_t>;
 using Points = std::vector<Vec3d>;
 
 // In shares of a loop's size, the square root of the area that it encloses.
-constexpr double kFlat = 1e-6;       // a height that rounding to float alone makes
+constexpr double kFlatHeight = 1e-6;  // a height that rounding to float alone makes
 constexpr double kNearlyFlat = 0.5;  // the largest extent along its normal of a loop that a base may have had
 constexpr double kNear = 0.1;        // how far beyond the loop the object's end may lie to be the base's, too
 
@@ -150,7 +150,7 @@ Mesh capped(const Mesh& mesh, const std::vector<Loop>& loops) {
         add_fan(result, loop, shape.middle);
         if (shape.size <= 0 || shape.heights.extent() > kNearlyFlat * shape.size) continue;
         const Heights base = heights_of_base(mesh, shape, length(object_size));
-        if (base.extent() > kFlat * shape.size) add_prism(result, shape, base);
+        if (base.extent() > kFlatHeight * shape.size) add_prism(result, shape, base);
     }
     result.cap_vertices = result.vertices.size() - mesh.vertices.size();
     return result;

@@ -12,7 +12,7 @@
 namespace snug {
 namespace {
 
-constexpr std::size_t kMostVertices = std::numeric_limits<std::uint32_t>::max() - 1;
+constexpr std::size_t kMostRawVertices = std::numeric_limits<std::uint32_t>::max() - 1;
 constexpr double kFarAway = 4;  // times the longest side: from there on floats would lose detail
 
 /// Numbers the vertices that triangles use in the order of the file and drops the others.
@@ -99,7 +99,7 @@ Result<Mesh> finish(RawMeshOf<T> raw) {
     if (raw.read.faces == 0 && raw.vertices.empty()) return fail(ErrorKind::input, say("mesh.no_triangles"));
     if (raw.read.faces == 0)
         return fail(ErrorKind::input, say("mesh.cloud", {{"points", raw.vertices.size()}}));
-    if (raw.vertices.size() > kMostVertices) return fail(ErrorKind::input, say("mesh.too_many_vertices"));
+    if (raw.vertices.size() > kMostRawVertices) return fail(ErrorKind::input, say("mesh.too_many_vertices"));
     drop_unused(raw);
     auto box = box_of(raw.vertices);
     if (!box) {
@@ -114,7 +114,7 @@ Result<Mesh> finish(RawMeshOf<T> raw) {
 template <class T>
 Result<Mesh> finish_cloud(RawMeshOf<T> raw) {
     if (raw.vertices.empty()) return fail(ErrorKind::input, say("cloud.no_points"));
-    if (raw.vertices.size() > kMostVertices) return fail(ErrorKind::input, say("cloud.too_many"));
+    if (raw.vertices.size() > kMostRawVertices) return fail(ErrorKind::input, say("cloud.too_many"));
     const std::size_t points = raw.vertices.size();
     auto box = box_of(raw.vertices);
     if (!box) {

@@ -15,8 +15,8 @@ constexpr std::size_t kKeysATask = std::size_t{1} << 15;  // that one task treat
 /// A place on the curve above the number of a triangle.
 using Key = std::uint64_t;
 constexpr int kPlaceShift = 32;
-constexpr int kBitsPerAxis = 10;
-constexpr double kCellsPerAxis = 1 << kBitsPerAxis;
+constexpr int kCurveBits = 10;
+constexpr double kCellsPerAxis = 1 << kCurveBits;
 
 template <class Work>
 void for_each_chunk(std::size_t count, Work work) {
@@ -62,7 +62,7 @@ std::vector<Key> sorted(std::vector<Key> keys) {
     constexpr std::size_t kDigits = std::size_t{1} << kDigitBits;
     std::vector<Key> other(keys.size());
     std::vector<std::array<std::uint32_t, kDigits>> places((keys.size() + kKeysATask - 1) / kKeysATask);
-    for (int shift = kPlaceShift; shift < kPlaceShift + 3 * kBitsPerAxis; shift += kDigitBits) {
+    for (int shift = kPlaceShift; shift < kPlaceShift + 3 * kCurveBits; shift += kDigitBits) {
         const auto digit = [shift](Key key) {
             return static_cast<std::size_t>(key >> shift) & (kDigits - 1);
         };

@@ -33,7 +33,7 @@ double median_of(std::vector<double> values) {
 }
 
 /// Not below the value, so that rounding leaves nothing uncovered.
-float rounded_up(double value) {
+float radius_rounded_up(double value) {
     const auto rounded = static_cast<float>(value);
     return static_cast<double>(rounded) < value
                ? std::nextafter(rounded, std::numeric_limits<float>::infinity())
@@ -49,7 +49,7 @@ Result<PointRadii> point_radii(const Mesh& cloud, const CloudPlaces& places, dou
 
     PointRadii radii;
     if (fixed > 0) {
-        radii.radius.assign(cloud.vertices.size(), rounded_up(fixed));
+        radii.radius.assign(cloud.vertices.size(), radius_rounded_up(fixed));
         radii.median = fixed;
         return radii;
     }
@@ -60,7 +60,7 @@ Result<PointRadii> point_radii(const Mesh& cloud, const CloudPlaces& places, dou
     for (std::size_t v = 0; v < cloud.vertices.size(); ++v) {
         const std::uint32_t place = places.of_vertex(v);
         radii.shortened += spacing[place] > most;
-        radii.radius.push_back(rounded_up(std::min(spacing[place], most)));
+        radii.radius.push_back(radius_rounded_up(std::min(spacing[place], most)));
     }
     return radii;
 }

@@ -45,6 +45,15 @@ constexpr Wording kWordsOfHelp[] = {
      "最も良い回転と位置を探します。Ctrl-C を押すと、それまでの最良を使います"},
     {"help.make.fit_case", "Choose the smallest block counts that hold the object and its walls (50)",
      "対象物と壁（50）が入る最少のブロック数を選びます"},
+    {"help.make.arrange",
+     "Arrange several items in the smallest space, or in the case or blocks that are given; by itself where "
+     "some "
+     "have no place (move=)",
+     "複数のものを、最小の空間、または指定のケースやブロックの中に並べます。場所の決まっていないものがあれば、"
+     "指定がなくても並べます"},
+    {"help.make.no_arrange", "Let items without a place stand in a row", "場所のないものを一列に置きます"},
+    {"help.make.known_case", "Arrange several items in the smallest of the known cases (`snug cases`)",
+     "複数のものを、登録されたケース（`snug cases`）のうち最小のものに並べます"},
     {"help.make.seconds",
      "Search this long instead of a fixed amount of work; results then depend on the machine",
      "決まった量の代わりにこの秒数だけ探します。結果は計算機によって変わります"},

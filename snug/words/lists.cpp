@@ -19,6 +19,8 @@ constexpr Wording kWordsOfLists[] = {
     {"status.thinning_file", "Thinning {file}", "{file} を間引き中"},
     {"status.searching", "Searching {percent} %: {blocks} blocks cut",
      "探索中 {percent} %：切り取り {blocks} ブロック"},
+    {"status.arranging", "Arranging {percent} %{best}", "並べています {percent} %{best}"},
+    {"status.litres", ": {litres} litres", "：{litres} リットル"},
     {"status.fitting", "Fitting the case {percent} %", "ケースを合わせています {percent} %"},
     {"inspect.size", "Size", "大きさ"},
     {"inspect.size_stated", "{size} mm; the file states its unit", "{size} mm（ファイルに単位の記載あり）"},

@@ -40,6 +40,49 @@ constexpr Wording kWordsOfSpace[] = {
      "ています。ブロックを小さくするか、ケースを大きくしてください。"},
     {"workshop.no_foams", "the object leaves the design space, so there are no foams",
      "対象物が設計空間に収まらないため、フォームがありません。"},
+    {"arrange.locked_nowhere", "{name} is locked and has no place to stay at: give it one ({example})",
+     "{name} は固定されていますが、場所が決まっていません。場所を指定してください（{example}）。"},
+    {"arrange.locked_meet",
+     "{one} and {other} are both locked, and less than {between} mm of foam would stand between them: move "
+     "one "
+     "of them, or unlock it",
+     "{one} と {other} はどちらも固定されていて、間のフォームが {between} mm "
+     "に足りません。どちらかを動かすか、"
+     "固定を外してください。"},
+    {"arrange.locked_outside",
+     "{name} is locked where it leaves the space of {space} mm: move it, or make the space larger",
+     "{name} は、空間 {space} mm からはみ出る位置に固定されています。動かすか、空間を大きくしてください。"},
+    {"arrange.layers",
+     "{layers} layers are asked for, and there {items|is|are} {items} {items|item|items}: no layer may be "
+     "empty, so "
+     "ask for {items} at most (--layers)",
+     "{layers} 段が指定されていますが、置くものは {items} 個です。空の段は作れないため、--layers は {items} "
+     "以下に"
+     "してください。"},
+    {"arrange.cuts_nothing",
+     "{name} cuts no block wherever it lies, so nothing says how much room it needs: choose smaller blocks "
+     "or a "
+     "larger clearance, or place it yourself",
+     "{name} "
+     "はどこに置いてもブロックを切り抜かず、必要な場所が決まりません。ブロックを小さくするか、すきまを大きく"
+     "するか、自分で場所を指定してください。"},
+    {"arrange.does_not_fit",
+     "the {items} items do not go into {space} mm together, as far as was looked: {fit} of them do, without "
+     "{left&}{holds}",
+     "調べたかぎり、{items} 個すべては {space} mm に収まりません。収まるのは {fit} 個で、{left,} "
+     "が残ります{holds}。"},
+    {"arrange.holds", "; {blocks} blocks would hold all of them, with their walls",
+     "（{blocks} ブロックあれば、壁も含めてすべて収まります）"},
+    {"arrange.too_large",
+     "the items and their walls need more than 4096 blocks on an axis: choose larger blocks",
+     "置くものと壁に、1 軸 4096 個を超えるブロックが必要です。ブロックを大きくしてください。"},
+    {"arrange.no_known_case",
+     "none of the {cases} known cases holds the items together, as far as was looked: let the space be "
+     "fitted to "
+     "them (--blocks auto) to see what they need",
+     "調べたかぎり、登録されている {cases} 個のケースのどれにも、すべてのものは収まりません。--blocks auto "
+     "で必要な"
+     "大きさを確かめてください。"},
     {"fit.too_long", "{mm} mm along {axis}", "{axis} 方向に {mm} mm"},
     {"fit.too_long_too", " and {mm} mm along {axis}", "、{axis} 方向に {mm} mm"},
     {"fit.one_axis_upright", " (one axis is kept upright)", "（1 軸を上に保っています）"},

@@ -33,7 +33,8 @@ class ItemsTest(unittest.TestCase):
         (self.work / "tetra.off").write_text(TETRAHEDRON)
 
     def make(self, *arguments, out=None):
-        return snug("make", *arguments, "-o", out or self.out, cwd=self.work)
+        """In a row, where items have no places: cli_arrange_test.py arranges them."""
+        return snug("make", *arguments, "--no-arrange", "-o", out or self.out, cwd=self.work)
 
     def report(self, out=None):
         return json.loads(((out or self.out) / "report.json").read_text())

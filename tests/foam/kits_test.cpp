@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,6 +13,7 @@
 #include "tests/support/broken_foams.h"
 #include "tests/support/brute_force.h"
 #include "tests/support/cases.h"
+#include "tests/support/cut_columns.h"
 #include "tests/support/fit_designs.h"
 #include "tests/support/random.h"
 #include "tests/support/random_design.h"
@@ -25,6 +25,9 @@ namespace snug {
 namespace {
 
 using test::Blocks;
+using test::Columns;
+using test::columns_of;
+using test::distance;
 using test::Random;
 
 struct Kit {
@@ -96,36 +99,6 @@ void include(Blocks& all, const Blocks& more, Vec3i n) {
         for (int j = 0; j < n.y; ++j)
             for (int k = 0; k < n.z; ++k)
                 if (more.cut(i, j, k)) all.set_cut(i, j, k);
-}
-
-using Columns = std::map<std::pair<int, int>, Run>;  // what is cut of each
-
-Columns columns_of(const Blocks& cut, Vec3i n) {
-    Columns columns;
-    for (int i = 0; i < n.x; ++i)
-        for (int j = 0; j < n.y; ++j)
-            for (int k = 0; k < n.z; ++k)
-                if (cut.cut(i, j, k)) {
-                    Run& run =
-                        columns.try_emplace({j, k}, Run{static_cast<std::int16_t>(i), 0}).first->second;
-                    run = {std::min(run.first, static_cast<std::int16_t>(i)),
-                           std::max(run.end, static_cast<std::int16_t>(i + 1))};
-                }
-    return columns;
-}
-
-/// Of items of different layers the lower one's, `a`, up to the other's along x as well.
-double distance(const Columns& a, const Columns& b, Vec3d block, bool one_layer) {
-    const auto apart = [](int i, int j, double size) { return std::max(0, std::abs(i - j) - 1) * size; };
-    double least = 1e9;
-    for (const auto& [at, one] : a)
-        for (const auto& [place, other] : b) {
-            double mm =
-                std::max(apart(at.first, place.first, block.y), apart(at.second, place.second, block.z));
-            if (!one_layer) mm = std::max(mm, (other.first - one.end) * block.x);
-            least = std::min(least, mm);
-        }
-    return least;
 }
 
 bool said_to_be_near(const Packing& packing, const std::string& one, const std::string& other) {

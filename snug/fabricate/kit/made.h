@@ -5,6 +5,7 @@
 #include "snug/check/measure_fit.h"
 #include "snug/check/packing.h"
 #include "snug/fabricate/kit/workshop_pack.h"
+#include "snug/search/arrange.h"
 #include "snug/search/search_design.h"
 #include "snug/words/words.h"
 
@@ -12,8 +13,9 @@ namespace snug {
 
 /// Everything that was made of an object and a design, and found out about it.
 struct Made {
-    std::optional<SearchReport> search;  ///< none where nothing was searched
-    Packing packing;                     ///< without foams where the object leaves its space
+    std::optional<SearchReport> search;      ///< none where nothing was searched
+    std::optional<Arrangement> arrangement;  ///< none where nothing was arranged
+    Packing packing;                         ///< without foams where the object leaves its space
     MeasuredFit fit;
     std::optional<WorkshopPack> pack;       ///< none where the design asks for none
     Language language = Language::english;  ///< in which its pack is, and its report and preview shall be

@@ -245,6 +245,15 @@ Json search_json(const SearchReport& search) {
             {"cancelled", search.cancelled}};
 }
 
+Json arrangement_json(const Arrangement& arrangement) {
+    return {{"seed", arrangement.seed},
+            {"work", arrangement.work},
+            {"volume_mm3", volume(arrangement.volume_mm3)},
+            {"lower_bound_mm3", volume(arrangement.lower_bound_mm3)},
+            {"cut_blocks", arrangement.cut_blocks},
+            {"cancelled", arrangement.cancelled}};
+}
+
 Json or_null(const std::optional<double>& value, double digits) {
     return value ? Json(rounded(*value, digits)) : Json(nullptr);
 }
@@ -295,6 +304,7 @@ std::string report_json(std::span<const Object> objects, const Project& project,
         json["case"] = case_json(*packing.fitted_case, level, packing.fit);
     }
     if (made.search) json["search"] = search_json(*made.search);
+    if (made.arrangement) json["arrangement"] = arrangement_json(*made.arrangement);
     json["findings"] = findings_json(packing.findings, made.language);
     if (made.pack) json["workshop"] = workshop_json(*made.pack, made.language);
     const Timing& timing = packing.timing;
@@ -302,6 +312,7 @@ std::string report_json(std::span<const Object> objects, const Project& project,
         {"read", rounded(timing.read, 1e3)},           {"depth_map", rounded(timing.depth_map, 1e3)},
         {"block_map", rounded(timing.block_map, 1e3)}, {"foam_pair", rounded(timing.foam_pair, 1e3)},
         {"solids", rounded(timing.solids, 1e3)},       {"write", rounded(timing.write, 1e3)}};
+    if (made.arrangement) json["timing_ms"]["arrangement"] = rounded(made.arrangement->ms, 1e3);
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

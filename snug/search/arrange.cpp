@@ -1,0 +1,107 @@
+#include "snug/search/arrange.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <utility>
+
+#include "snug/base/stopwatch.h"
+#include "snug/base/text.h"
+#include "snug/object/prepare.h"
+#include "snug/search/arranger.h"
+
+namespace snug {
+namespace {
+
+/// What the words call the first item that the choice is true of.
+std::string name_of(const ItemOptions& item, std::span<const Object> objects) {
+    if (!item.name.empty()) return item.name;
+    const auto object = static_cast<std::size_t>(item.object);
+    return object < objects.size() ? objects[object].name : std::string();
+}
+
+std::optional<Error> problem_of(const Design& design, std::span<const Object> objects) {
+    for (const ItemOptions& item : design.items)
+        if (item.lock && !item.offset_mm)
+            return Error{ErrorKind::usage, say("arrange.locked_nowhere",
+                                               {{"name", name_of(item, objects)}, {"example", kLockedItem}})};
+    const auto items = static_cast<int>(design.items.size());
+    const int layers = design.search.layers.value_or(1);
+    if (layers > items)
+        return Error{ErrorKind::usage, say("arrange.layers", {{"layers", layers}, {"items", items}})};
+    return {};
+}
+
+Result<void> prepare_all(std::span<Object> objects, const ArrangeWatch& watch) {
+    const Progress progress = [&](double) { return !watch.go_on || watch.go_on(0, {}); };
+    for (Object& object : objects) {
+        if (auto done = mark_stand_in(object, progress); !done) return done;
+        prepare_for_many(object);
+    }
+    return {};
+}
+
+std::vector<bool> locked_items(const Design& design, bool all) {
+    std::vector<bool> locked;
+    for (const ItemOptions& item : design.items) locked.push_back(item.lock || (!all && item.offset_mm));
+    return locked;
+}
+
+}  // namespace
+
+long long usual_arranging_work(const Design& design) {
+    constexpr long long kOfEach = 200'000'000, kMost = 5'000'000'000;
+    return std::min(kMost, kOfEach * static_cast<long long>(design.items.size()));
+}
+
+bool wants_arrangement(const Design& design) {
+    return design.items.size() > 1 && std::any_of(design.items.begin(), design.items.end(),
+                                                  [](const ItemOptions& item) { return !item.offset_mm; });
+}
+
+Result<Arrangement> arrange(std::span<Object> objects, Design& design, bool all, long long work,
+                            const ArrangeWatch& watch) {
+    Stopwatch stopwatch;
+    if (const auto error = problem_of(design, objects)) return tl::unexpected(*error);
+    if (auto done = prepare_all(objects, watch); !done) return tl::unexpected(done.error());
+    Arranger arranger(objects, design, locked_items(design, all), work, watch);
+    Design arranged;
+    auto found = arranger.run(arranged, true);
+    if (!found) return found;
+    design = std::move(arranged);
+    found->ms = stopwatch.lap();
+    return found;
+}
+
+Result<Arrangement> arrange_in_known_case(std::span<Object> objects, Design& design, bool all,
+                                          const std::vector<KnownCase>& known, long long work,
+                                          const ArrangeWatch& watch) {
+    Stopwatch stopwatch;
+    if (const auto error = problem_of(design, objects)) return tl::unexpected(*error);
+    if (auto done = prepare_all(objects, watch); !done) return tl::unexpected(done.error());
+    const auto mass = mass_kg(design);
+    std::vector<std::pair<double, std::size_t>> by_price;
+    for (std::size_t i = 0; i < known.size(); ++i) {
+        if (mass && known[i].most_kg && *mass + known[i].tare_kg.value_or(0) > *known[i].most_kg) continue;
+        const Vec3d inside = known[i].inside_mm;
+        by_price.emplace_back(inside.x * inside.y * inside.z, i);
+    }
+    std::sort(by_price.begin(), by_price.end());
+    for (const auto& [volume, i] : by_price) {
+        Design tried = design;
+        apply(known[i], tried.case_options);
+        if (snug::problem_of(tried.case_options)) continue;
+        Arranger arranger(objects, tried, locked_items(tried, all),
+                          std::min(work / 8, usual_arranging_work(design) / 4), watch);
+        Design arranged;
+        auto found = arranger.run(arranged, false);
+        if (!found && found.error().kind == ErrorKind::does_not_fit) continue;
+        if (!found) return found;
+        design = std::move(arranged);
+        found->ms = stopwatch.lap();
+        return found;
+    }
+    return fail(ErrorKind::does_not_fit, say("arrange.no_known_case", {{"cases", by_price.size()}}));
+}
+
+}  // namespace snug

@@ -1,0 +1,248 @@
+#include "snug/search/item_ways.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <tuple>
+#include <utility>
+
+#include "snug/base/parallel.h"
+#include "snug/foam/object_cut.h"
+#include "snug/search/extreme_points.h"
+#include "snug/search/frames.h"
+#include "snug/search/turn.h"
+#include "snug/space/place_object.h"
+
+namespace snug {
+namespace {
+
+constexpr int kPlacesAcross = 4, kLevels = 8;  // offsets within a block along y and z, and along x
+constexpr double kUncut = 0.0101;              // mm that a room may reach into blocks without cutting them
+constexpr std::uint64_t kSpreadTurns = 400;    // of all rotations, looked at by their boxes
+constexpr std::size_t kFreeTurns = 16;         // of these, laid on the blocks
+
+void shift(Placement& placement, Vec3d by) {
+    placement.shift = placement.shift + by;
+    placement.bounds = {placement.bounds.min + by, placement.bounds.max + by};
+}
+
+/// Blocks around the middle that hold the item wherever it lies within a block of the middle.
+DesignSpace space_around(const Box3d& grown_box, Vec3d block_mm) {
+    DesignSpace space{{}, block_mm};
+    for (int axis = 0; axis < 3; ++axis) {
+        const double half = std::max(grown_box.max[axis], -grown_box.min[axis]);
+        space.blocks[axis] = 2 * (static_cast<int>(std::ceil(half / block_mm[axis])) + 2);
+    }
+    return space;
+}
+
+bool reached(const ObjectDepths& depths, int j, int k) {
+    return !depths.lower.depths(j, k).none() || (depths.upper && !depths.upper->depths(j, k).none());
+}
+
+/// What is reached and cut, from its first level, row and column, which `first` is told; none where nothing
+/// is. Columns count that the surface reaches, and blocks that the item's room does: squeezed it may cut none
+/// of them, as its level has it, and must not leave the space.
+std::optional<ItemWay> trimmed(const ObjectDepths& depths, const DesignSpace& space, const Box3d& room,
+                               Vec3i& first) {
+    const BlockMap cut = cut_by_either(half_cuts(depths, space));
+    Vec3i low{1 << 30, 1 << 30, 1 << 30}, high{-1, -1, -1};
+    for (int j = 0; j < cut.ny(); ++j)
+        for (int k = 0; k < cut.nz(); ++k) {
+            if (!reached(depths, j, k)) continue;
+            low = {low.x, std::min(low.y, j), std::min(low.z, k)};
+            high = {high.x, std::max(high.y, j), std::max(high.z, k)};
+            const CutRun run = cut(j, k);
+            if (run.none()) continue;
+            low.x = std::min<int>(low.x, run.first);
+            high.x = std::max<int>(high.x, run.end);
+        }
+    if (high.x < 0) return {};
+    for (int axis = 0; axis < 3; ++axis) {
+        const double block = space.block_mm[axis], begin = space.face(axis, 0);
+        const auto lowest = static_cast<int>(std::floor((room.min[axis] + kUncut - begin) / block));
+        const auto end = static_cast<int>(std::ceil((room.max[axis] - kUncut - begin) / block));
+        low[axis] = std::min(low[axis], lowest);
+        high[axis] = std::max(high[axis], axis == 0 ? end : end - 1);
+    }
+    ItemWay way;
+    way.mask = BitMask(high.y - low.y + 1, high.z - low.z + 1);
+    way.cut = Grid<Run>(way.mask.rows(), way.mask.columns());
+    way.height = high.x - low.x;
+    way.halves_differ = depths.upper.has_value();
+    for (int j = std::max(0, -low.y); j < std::min(way.mask.rows(), cut.ny() - low.y); ++j)
+        for (int k = std::max(0, -low.z); k < std::min(way.mask.columns(), cut.nz() - low.z); ++k) {
+            if (reached(depths, low.y + j, low.z + k)) way.mask.set(j, k);
+            const CutRun run = cut(low.y + j, low.z + k);
+            if (run.none()) continue;
+            way.cut(j, k) = {static_cast<std::int16_t>(run.first - low.x),
+                             static_cast<std::int16_t>(run.end - low.x)};
+            way.cut_blocks += run.blocks();
+        }
+    first = low;
+    return way;
+}
+
+Vec3d corner(const DesignSpace& space, Vec3i at) {
+    return {space.face(0, at.x), space.face(1, at.y), space.face(2, at.z)};
+}
+
+void raise(HalfDepths& half, double mm) {
+    for (DepthRange& range : half.depths) range = {range.lowest + mm, range.highest + mm};
+}
+
+/// Of the levels within a block the one that needs the least height, and cuts least.
+std::optional<ItemWay> at_best_level(const PreparedSurface& surface, const Placement& placement, Vec3d offset,
+                                     const DesignSpace& space, const CutOptions& cut) {
+    const ObjectDepths depths = object_depths(surface, placement, space, cut);
+    std::optional<ItemWay> best;
+    for (int level = 0; level < kLevels; ++level) {
+        const double mm = space.block_mm.x * level / kLevels;
+        ObjectDepths raised = depths;
+        raise(raised.lower, mm);
+        if (raised.upper) raise(*raised.upper, mm);
+        Vec3i first;
+        Box3d room = grown(placement.bounds, cut.whole_clearance_mm());
+        room.min.x += mm;
+        room.max.x += mm;
+        auto way = trimmed(raised, space, room, first);
+        if (!way) continue;
+        way->offset_mm = offset + Vec3d{mm, 0, 0} - corner(space, first);
+        if (!best || std::tuple(way->height, way->cut_blocks) < std::tuple(best->height, best->cut_blocks))
+            best = std::move(way);
+    }
+    return best;
+}
+
+/// Of one rotation, in every place of a lattice within a block, whose first lays the box by a block's face.
+std::vector<ItemWay> laid_everywhere(const PreparedSurface& surface, const Placement& middle,
+                                     const CutOptions& cut, Vec3d block_mm) {
+    const Box3d room = grown(middle.bounds, cut.whole_clearance_mm());
+    const DesignSpace space = space_around(room, block_mm);
+    Vec3d flush;  // shifts the room's corner to the next corner of a block
+    for (int axis = 0; axis < 3; ++axis)
+        flush[axis] = std::ceil(room.min[axis] / block_mm[axis]) * block_mm[axis] - room.min[axis];
+    std::vector<std::optional<ItemWay>> found(kPlacesAcross * kPlacesAcross);
+    parallel_for(found.size(), [&](std::size_t i) {
+        const int place = static_cast<int>(i);
+        const Vec3d offset = flush + Vec3d{0, block_mm.y * (place / kPlacesAcross) / kPlacesAcross,
+                                           block_mm.z * (place % kPlacesAcross) / kPlacesAcross};
+        Placement placement = middle;
+        shift(placement, offset);
+        found[i] = at_best_level(surface, placement, offset, space, cut);
+    });
+    std::vector<ItemWay> ways;
+    for (auto& way : found)
+        if (way) ways.push_back(std::move(*way));
+    return ways;
+}
+
+/// What cuts fewest columns and then blocks first; of what is as wide and as high one way alone, and none
+/// that is wider both ways without cutting less.
+std::vector<ItemWay> the_few_best(std::vector<ItemWay> ways) {
+    std::stable_sort(ways.begin(), ways.end(), [](const ItemWay& a, const ItemWay& b) {
+        return std::tuple(a.height, a.mask.count(), a.cut_blocks) <
+               std::tuple(b.height, b.mask.count(), b.cut_blocks);
+    });
+    std::vector<ItemWay> best;
+    for (ItemWay& way : ways) {
+        const bool no_better = std::any_of(best.begin(), best.end(), [&](const ItemWay& other) {
+            return other.mask.rows() <= way.mask.rows() && other.mask.columns() <= way.mask.columns() &&
+                   other.mask.count() <= way.mask.count();
+        });
+        if (!no_better) best.push_back(std::move(way));
+    }
+    return best;
+}
+
+void add_quarter_turns(const Turn& given, bool all_ways, std::vector<Turn>& turns) {
+    const std::array<Turn, 6> lays{Turn{},
+                                   turn_about({0, 1, 0}, 180),
+                                   turn_about({0, 1, 0}, 90),
+                                   turn_about({0, 1, 0}, -90),
+                                   turn_about({0, 0, 1}, 90),
+                                   turn_about({0, 0, 1}, -90)};
+    for (std::size_t lay = 0; lay < (all_ways ? lays.size() : 1); ++lay)
+        for (int quarter = 0; quarter < 4; ++quarter)
+            turns.push_back(turn_about({1, 0, 0}, 90 * quarter) * lays[lay] * given);
+}
+
+/// Of rotations spread over all those whose box is smallest.
+void add_free_turns(const Object& object, const AllowedTurns& allowed, std::uint64_t seed,
+                    std::vector<Turn>& turns) {
+    const ExtremePoints points(object.mesh);
+    std::vector<Turn> spread = suggested_turns(object.mesh);
+    for (std::uint64_t i = 0; i < kSpreadTurns; ++i) spread.push_back(allowed.spread(i, seed));
+    std::vector<std::pair<double, std::size_t>> by_volume;
+    for (std::size_t i = 0; i < spread.size(); ++i) {
+        const Vec3d lengths = points.lengths(rotation_of(spread[i]));
+        if (allowed.allows(spread[i])) by_volume.emplace_back(lengths.x * lengths.y * lengths.z, i);
+    }
+    std::sort(by_volume.begin(), by_volume.end());
+    for (std::size_t i = 0; i < std::min(kFreeTurns, by_volume.size()); ++i)
+        turns.push_back(spread[by_volume[i].second]);
+}
+
+}  // namespace
+
+std::vector<Vec3d> allowed_rotations(const Object& object, Vec3d given_deg, const SearchOptions& options) {
+    const AllowedTurns allowed(options.upright);
+    Turn given = turn_of(rotation_from_euler(given_deg));
+    std::vector<Vec3d> rotations;
+    if (allowed.allows(given))
+        rotations.push_back(given_deg);
+    else
+        given = allowed.spread(0, 0);
+    std::vector<Turn> turns;
+    if (options.turns == Turns::none)
+        turns.push_back(given);
+    else
+        add_quarter_turns(given, options.turns != Turns::upright, turns);
+    if (options.turns == Turns::any) add_free_turns(object, allowed, options.seed, turns);
+    std::vector<Turn> taken;
+    if (!rotations.empty()) taken.push_back(given);
+    for (const Turn& turn : turns) {
+        const bool known = std::any_of(taken.begin(), taken.end(),
+                                       [&](const Turn& other) { return closeness(turn, other) > 1 - 1e-9; });
+        if (known || !allowed.allows(turn)) continue;
+        taken.push_back(turn);
+        rotations.push_back(euler_of(rotation_of(turn)));
+    }
+    return rotations;
+}
+
+Result<std::vector<ItemWay>> ways_to_lay(const Object& object, const CutOptions& cut, Vec3d block_mm,
+                                         const std::vector<Vec3d>& rotations_deg, std::size_t most) {
+    std::vector<std::vector<ItemWay>> of_each;
+    for (const Vec3d rotation : rotations_deg) {
+        const auto placement = place(object, rotation, {});
+        if (!placement) return tl::unexpected(placement.error());
+        of_each.push_back(the_few_best(laid_everywhere(*object.prepared, *placement, cut, block_mm)));
+        for (ItemWay& way : of_each.back()) way.rotation_deg = rotation;
+    }
+    // The best of each rotation first, then the second of each.
+    std::vector<ItemWay> ways;
+    for (std::size_t rank = 0, before = 1; before != ways.size() || rank == 0; ++rank) {
+        before = ways.size();
+        for (auto& own : of_each)
+            if (rank < own.size() && ways.size() < most) ways.push_back(std::move(own[rank]));
+    }
+    return ways;
+}
+
+Result<LockedWay> locked_way(const Object& object, const CutOptions& cut, const DesignSpace& space,
+                             Vec3d rotation_deg, Vec3d offset_mm) {
+    const auto placement = place(object, rotation_deg, offset_mm);
+    if (!placement) return tl::unexpected(placement.error());
+    LockedWay locked;
+    const ObjectDepths depths = object_depths(*object.prepared, *placement, space, cut);
+    auto way = trimmed(depths, space, grown(placement->bounds, cut.whole_clearance_mm()), locked.first);
+    if (way) locked.way = std::move(*way);
+    locked.way.rotation_deg = rotation_deg;
+    locked.way.offset_mm = offset_mm - corner(space, locked.first);
+    return locked;
+}
+
+}  // namespace snug
