@@ -8,6 +8,7 @@
 #include "snug/samples/samples.h"
 
 #include "bench/measure_times.h"
+#include "bench/refine.h"
 
 // How long the packs for the workshop take, in the library: drawings, solids and their files, without PDF and
 // zip.
@@ -66,6 +67,38 @@ json pack_time(const Design& chosen) {
             {"pages", pages}};
 }
 
+/// Five items of about 100,000 triangles in the default space, each by itself against a wall of it; one is moved
+/// and all are packed again, as while somebody drags it.
+json moved_item_time() {
+    constexpr int kMoves = 31, kItems = 5;
+    Design design;
+    design.object.units = Unit::mm;
+    design.object.longest_mm = 90;
+    std::vector<Object> objects;
+    design.items.clear();
+    std::size_t triangles = 0;
+    for (int i = 0; i < kItems; ++i) {
+        Mesh mesh = *sample(i % 2 == 0 ? "vase" : "figurine");
+        while (mesh.triangles.size() < 100'000) mesh = refined(mesh);
+        triangles = std::max(triangles, mesh.triangles.size());
+        objects.push_back(*prepare(std::move(mesh), design));
+        objects.back().edition = static_cast<std::uint64_t>(i) + 1;
+        prepare_for_many(objects.back());
+        ItemOptions item;
+        item.object = i;
+        item.offset_mm = Vec3d{0, i % 2 == 0 ? -60.0 : 60.0, 75.0 * (i - 2)};
+        design.items.push_back(item);
+    }
+    KeptDepths kept;
+    if (!pack(objects, design, {}, &kept)) return {};
+    std::vector<double> times;
+    for (int move = 0; move < kMoves; ++move) {
+        design.items[2].offset_mm->y += move % 2 == 0 ? 1.37 : -1.21;
+        times.push_back(time_of([&] { (void)pack(objects, design, {}, &kept); }));
+    }
+    return {{"moved", "one of five"}, {"triangles", triangles}, {"time", summary(times)}};
+}
+
 }  // namespace
 }  // namespace snug::bench
 
@@ -78,6 +111,7 @@ int main() {
     report.push_back(bench::pack_time(bench::other_blocks(Workshop::bricks, {30, 18, 18}, {9.6, 8, 8})));
     report.push_back(bench::pack_time(bench::other_blocks(Workshop::mill, {30, 18, 18}, {15, 15, 22})));
     report.push_back(bench::pack_time(bench::other_blocks(Workshop::mill, {60, 450, 400}, {5, 1, 1})));
+    report.push_back(bench::moved_item_time());
     std::puts(report.dump(1).c_str());
     return 0;
 }

@@ -14,8 +14,6 @@ export interface ObjectUse {
 export interface Moment {
   readonly design: Design;
   readonly objects: readonly ObjectUse[];
-  /** Items that no hand moves, by their numbers. */
-  readonly locked: readonly number[];
 }
 
 const AXES = [0, 1, 2] as const;
@@ -23,7 +21,7 @@ const same = (a: unknown, b: unknown) => JSON.stringify(a) === JSON.stringify(b)
 const sum = (a: Triple, b: Triple, times = 1) => AXES.map((axis) => a[axis] + times * b[axis]) as Triple;
 
 export function momentOf(design: Design, id: string | null): Moment {
-  return {design, objects: id === null ? [] : [{id, own: null}], locked: []};
+  return {design, objects: id === null ? [] : [{id, own: null}]};
 }
 
 /** Which objects are there, as one text. */
@@ -136,7 +134,7 @@ export function duplicated(moment: Moment, item: number, defaults: Design, lying
   const wide = spread(moment, defaults);
   const bounds = lying[item]?.bounds;
   const offset_mm = besideAll(wide, wide.design.items[item]!.layer, bounds ? sum(bounds.max, bounds.min, -1) : null, lying);
-  return withItems(wide, [...wide.design.items, {...wide.design.items[item]!, offset_mm}]);
+  return withItems(wide, [...wide.design.items, {...wide.design.items[item]!, offset_mm, lock: false}]);
 }
 
 /** A place for one more in a layer; none while all lie in their row. */
@@ -154,7 +152,7 @@ function besideAll({design}: Moment, layer: number, size_mm: Triple | null, lyin
 
 /** Without an item, and without its object where it was the last of it. */
 export function withoutItem(moment: Moment, item: number): Moment {
-  const {design, objects, locked} = moment;
+  const {design, objects} = moment;
   const gone = design.items[item];
   const left = design.items.filter((_, i) => i !== item);
   if (!gone || left.length === 0) return moment;
@@ -163,14 +161,18 @@ export function withoutItem(moment: Moment, item: number): Moment {
   const others: Moment = {
     design: withFittingParting({...design, items: closedUp(items)}),
     objects: last ? objects.filter((_, i) => i !== gone.object) : objects,
-    locked: locked.filter((i) => i !== item).map((i) => (i > item ? i - 1 : i)),
   };
   return items.length === 1 ? alone(others) : others;
 }
 
-export function withLock(moment: Moment, item: number, on: boolean): Moment {
-  const others = moment.locked.filter((i) => i !== item);
-  return {...moment, locked: on ? [...others, item].sort((a, b) => a - b) : others};
+/** Whether no hand moves an item. */
+export function isLocked({design}: Moment, item: number): boolean {
+  return design.items[item]?.lock ?? false;
+}
+
+export function withLock(moment: Moment, item: number, lock: boolean): Moment {
+  const items = moment.design.items.map((one, i) => (i === item ? {...one, lock} : one));
+  return {...moment, design: {...moment.design, items}};
 }
 
 /** What was chosen for one item alone becomes its own, before others join it. */
@@ -212,7 +214,7 @@ function alone(moment: Moment): Moment {
       ...design,
       object: objects[0]?.own ?? design.object,
       placement: {rotation_deg: item.rotation_deg ?? placement.rotation_deg, offset_mm: offset},
-      items: [{...item, rotation_deg: null, offset_mm: null, clearance_mm: null, mass_kg: null}],
+      items: [{...item, rotation_deg: null, offset_mm: null, clearance_mm: null, mass_kg: null, lock: false}],
       cut: {...design.cut, clearance_mm},
       workshop: {...design.workshop, mass_kg: item.mass_kg ?? design.workshop.mass_kg},
     },

@@ -49,7 +49,7 @@ function useProject(studio: Studio, project: Project): void {
   const ids = here.flatMap((info) => info?.id ?? []);
   if (new Set(ids).size === project.objects.length) {
     const objects = project.objects.map(({own}, i) => ({id: ids[i]!, own}));
-    return studio.becomes({design: project.design, objects, locked: []}, 'project');
+    return studio.becomes({design: project.design, objects}, 'project');
   }
   waiting = {project, files: project.objects.map(() => null)};
   askForMissing(studio);

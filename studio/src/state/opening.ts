@@ -79,7 +79,7 @@ export class Opening {
         uses.push({id: info.id, own});
         infos.push(info);
       }
-      return this.#show({design, objects: uses, locked: []}, infos, 0, reading);
+      return this.#show({design, objects: uses}, infos, 0, reading);
     });
   }
 
