@@ -60,6 +60,8 @@ export interface Design {
     clearance_mm: number | number[] | null;
     /** Its own mass (kg). */
     mass_kg: number | null;
+    /** An arrangement leaves it where it is. */
+    lock: boolean;
   }[];
   cut: {
     /** Grow the object by this on every side: one number, or X,Y,Z, or six: X,Y,Z for the lower foam, then for the upper; negative squeezes it, down to -0.4 of the smallest side of a block (mm). */
@@ -134,6 +136,10 @@ export interface Design {
     billed_divisor: number;
     /** Another search; the same seed finds the same. */
     seed: number;
+    /** With --arrange: how items may be turned from how they are given. */
+    turns: 'none' | 'upright' | 'quarter' | 'any';
+    /** With --arrange: over how many layers the items are spread. */
+    layers: number | 'auto';
   };
   workshop: {
     /** Also make what the workshop needs; takes the usual foam of that way of working unless --preset names one. */
@@ -264,6 +270,7 @@ export type OptionPath =
   | 'items.0.offset_mm'
   | 'items.0.clearance_mm'
   | 'items.0.mass_kg'
+  | 'items.0.lock'
   | 'cut.clearance_mm'
   | 'cut.liner_mm'
   | 'cut.cut_on_touch'
@@ -293,6 +300,8 @@ export type OptionPath =
   | 'search.case'
   | 'search.billed_divisor'
   | 'search.seed'
+  | 'search.turns'
+  | 'search.layers'
   | 'workshop.for'
   | 'workshop.paper'
   | 'workshop.price_per_litre'
