@@ -51,7 +51,7 @@ class ArrangeTest(unittest.TestCase):
         self.assertIn("arrangement", report["timing_ms"])
 
     def test_without_places_they_are_arranged_and_the_project_keeps_it(self):
-        kit = ("vase.stl:longest=150", "torus.stl:longest=90,count=2", "--blocks", "auto")
+        kit = ("vase.stl:longest=150", "torus.stl:longest=90,count=3", "--blocks", "auto")
         one = self.report(*kit, "--threads", 1, out="one")
         self.report(*kit, "--threads", 2, out="two")
         self.expect_sound(one)
