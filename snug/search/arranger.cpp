@@ -18,7 +18,9 @@ namespace snug {
 namespace {
 
 constexpr int kMostOpenLayers = 4;        // that are tried where their number is left open
-constexpr long long kBilled = 1LL << 40;  // half kilograms that a carrier bills count before blocks
+constexpr long long kLongest = 1 << 8;    // of equal volumes the least stretched is best
+constexpr long long kLike = 1LL << 46;    // a hundredth longer than another space counts before blocks
+constexpr long long kBilled = 1LL << 46;  // half kilograms that a carrier bills count before blocks
 
 /// The layers that are asked for: so many, or, where that is left open, one to a few.
 std::vector<int> layer_counts(const Design& design) {
@@ -58,12 +60,14 @@ void drop_empty_layers(MaskLayout& layout, int layers) {
 }  // namespace
 
 long long space_price(Vec3i blocks, const Design& design, Vec3d block_mm) {
-    const long long volume = 1LL * blocks.x * blocks.y * blocks.z;
-    if (design.search.case_goal == CaseGoal::volume) return volume;
+    const Vec3d size{blocks.x * block_mm.x, blocks.y * block_mm.y, blocks.z * block_mm.z};
+    const double share = std::max({size.x, size.y, size.z}) / (size.x + size.y + size.z);
+    const long long price =
+        1LL * blocks.x * blocks.y * blocks.z * kLongest + static_cast<long long>(share * (kLongest - 1));
+    if (design.search.case_goal == CaseGoal::volume) return price;
     double cm3 = 1;
-    for (int axis = 0; axis < 3; ++axis) cm3 *= std::ceil(blocks[axis] * block_mm[axis] / 10 - 1e-9);
-    return static_cast<long long>(std::ceil(2 * cm3 / design.search.billed_divisor - 1e-9)) * kBilled +
-           volume;
+    for (int axis = 0; axis < 3; ++axis) cm3 *= std::ceil(size[axis] / 10 - 1e-9);
+    return static_cast<long long>(std::ceil(2 * cm3 / design.search.billed_divisor - 1e-9)) * kBilled + price;
 }
 
 PackingWatch Arranger::packing_watch() {
@@ -87,7 +91,10 @@ RoomTask Arranger::task_for(const std::vector<int>& heights) const {
     RoomTask task;
     const int x = height_of_layers(heights, walls), y = walls.along(1), z = walls.along(2);
     task.price = [this, x, y, z](int rows, int columns) {
-        return space_price({x, rows + y, columns + z}, design_, masks_->block_mm);
+        const Vec3i blocks{x, rows + y, columns + z};
+        const long long price = space_price(blocks, design_, masks_->block_mm);
+        if (!like_) return price;
+        return price + kLike * std::max(100LL * blocks.y / like_->y, 100LL * blocks.z / like_->z);
     };
     int rows = 0, columns = 0;  // more than all beside each other need none
     for (const MaskPiece& piece : masks_->problem.pieces) {

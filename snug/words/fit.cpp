@@ -106,8 +106,12 @@ constexpr Wording kWordsOfFit[] = {
     {"search.tray",
      "a search looks for foams that close, and this is a tray (--open): place its items yourself",
      "探索は閉じるフォームを対象とします。トレイ（--open）では、置き方を自分で決めてください"},
-    {"search.one_item", "a search takes one object, and here lie {items}: place them yourself ({example})",
-     "探索できる対象物は一つだけですが、ここには {items} 個あります。自分で置いてください"
+    {"search.one_item",
+     "a search takes one object, and here lie {items}: have them arranged (--arrange), or place them "
+     "yourself "
+     "({example})",
+     "探索できる対象物は一つだけですが、ここには {items} 個あります。--arrange "
+     "で並べるか、自分で置いてください"
      "（{example}）。"},
     {"with_clearance", " with its clearance", "すきまを含めて "},
     {"open",
