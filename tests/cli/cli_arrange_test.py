@@ -66,6 +66,8 @@ class ArrangeTest(unittest.TestCase):
         row = self.report(*kit, "--no-arrange", out="row")
         self.assertNotIn("arrangement", row)
         self.assertLess(self.volume(one), self.volume(row))
+        shutil.copy(self.work / "row" / "project.snug.json", self.work)
+        self.assertEqual(self.report("project.snug.json", out="again")["foam"], row["foam"])
 
     def test_locked_items_stay_and_layers_are_spread(self):
         locked = self.report("vase.stl:move=0x40x0,lock=yes", "camera.stl", "--blocks", "auto", "--search-seconds", 0.2)
