@@ -20,7 +20,7 @@ def two_table(rows):
 
 def kits_table(rows):
     def over(row, key):
-        return " / ".join(f"{100 * seed[key]:.1f}" for seed in row["seeds"])
+        return " / ".join("–" if seed[key] is None else f"{100 * seed[key]:.1f}" for seed in row["seeds"])
     return table(["items", "least known, blocks", "no less than", "over the least after 1 s, %", "after all, %", "shelves of boxes",
                   "libnest2d"],
                  [[row["items"], or_dash(row["least_blocks"]), or_dash(row["lower_bound_blocks"]),

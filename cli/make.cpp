@@ -182,7 +182,7 @@ Tools tools_for(const Task& task, const MakeArguments& arguments, StatusLine& st
             if (!found) return fail(found.error().kind, in_its_file(task, found.error()));
             return found;
         };
-    if (searched.arranges(task.project.design))
+    if (searched.arranges(task.project.design, task.expected.empty()))
         tools.arrange = [&](std::span<Object> objects, Design& design) -> Result<Arrangement> {
             std::vector<KnownCase> cases;
             if (searched.known_case) {

@@ -18,9 +18,9 @@ bool SearchArguments::searches(const Design& design) const {
     return optimize || (fit_case && design.items.size() == 1);
 }
 
-bool SearchArguments::arranges(const Design& design) const {
+bool SearchArguments::arranges(const Design& design, bool typed) const {
     if (design.items.size() < 2 || no_arrange) return false;
-    return arrange || fit_case || known_case || wants_arrangement(design);
+    return arrange || fit_case || known_case || (typed && wants_arrangement(design));
 }
 
 Result<SearchReport> search(Object& object, Design& design, const SearchArguments& arguments,

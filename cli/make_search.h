@@ -22,7 +22,8 @@ struct SearchArguments {
 
     /// Of one item the best placement and case; of several where each lies.
     [[nodiscard]] bool searches(const Design& design) const;
-    [[nodiscard]] bool arranges(const Design& design) const;
+    /// By itself only items that are `typed`: a project gives what it gave before.
+    [[nodiscard]] bool arranges(const Design& design, bool typed) const;
 };
 
 /// Searches from the design's placement and writes what was found into the design. Ctrl-C ends the search and

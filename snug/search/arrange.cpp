@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cstddef>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "snug/base/stopwatch.h"
 #include "snug/base/text.h"
 #include "snug/object/prepare.h"
 #include "snug/search/arranger.h"
+#include "snug/search/rank_cases.h"
 
 namespace snug {
 namespace {
@@ -47,6 +49,23 @@ std::vector<bool> locked_items(const Design& design, bool all) {
     return locked;
 }
 
+/// Those that may be as heavy, by volume or, where that is what counts, by what a carrier bills.
+std::vector<std::size_t> cheapest_first(const std::vector<KnownCase>& known, const Design& design) {
+    const Cargo cargo{{}, mass_kg(design), design.search.billed_divisor};
+    std::vector<std::tuple<double, double, std::size_t>> priced;
+    for (std::size_t i = 0; i < known.size(); ++i) {
+        const KnownCase& one = known[i];
+        if (cargo.mass_kg && one.most_kg && *cargo.mass_kg + one.tare_kg.value_or(0) > *one.most_kg) continue;
+        const bool billed = design.search.case_goal == CaseGoal::billed_weight;
+        priced.emplace_back(billed ? billed_kg(one, cargo).value_or(0) : 0,
+                            one.inside_mm.x * one.inside_mm.y * one.inside_mm.z, i);
+    }
+    std::sort(priced.begin(), priced.end());
+    std::vector<std::size_t> order;
+    for (const auto& each : priced) order.push_back(std::get<2>(each));
+    return order;
+}
+
 }  // namespace
 
 long long usual_arranging_work(const Design& design) {
@@ -79,15 +98,8 @@ Result<Arrangement> arrange_in_known_case(std::span<Object> objects, Design& des
     Stopwatch stopwatch;
     if (const auto error = problem_of(design, objects)) return tl::unexpected(*error);
     if (auto done = prepare_all(objects, watch); !done) return tl::unexpected(done.error());
-    const auto mass = mass_kg(design);
-    std::vector<std::pair<double, std::size_t>> by_price;
-    for (std::size_t i = 0; i < known.size(); ++i) {
-        if (mass && known[i].most_kg && *mass + known[i].tare_kg.value_or(0) > *known[i].most_kg) continue;
-        const Vec3d inside = known[i].inside_mm;
-        by_price.emplace_back(inside.x * inside.y * inside.z, i);
-    }
-    std::sort(by_price.begin(), by_price.end());
-    for (const auto& [volume, i] : by_price) {
+    const std::vector<std::size_t> by_price = cheapest_first(known, design);
+    for (const std::size_t i : by_price) {
         Design tried = design;
         apply(known[i], tried.case_options);
         if (snug::problem_of(tried.case_options)) continue;

@@ -17,8 +17,11 @@
 namespace snug {
 namespace {
 
-constexpr int kMostOpenLayers = 4;        // that are tried where their number is left open
-constexpr long long kBilled = 1LL << 40;  // half kilograms that a carrier bills count before blocks
+constexpr int kMostOpenLayers = 4;             // that are tried where their number is left open
+constexpr long long kFirstSlice = 10'000'000;  // of the work, for one choice of heights among several
+constexpr long long kLongest = 1 << 8;         // of equal volumes the least stretched is best
+constexpr long long kLike = 1LL << 46;         // a hundredth longer than another space counts before blocks
+constexpr long long kBilled = 1LL << 46;       // half kilograms that a carrier bills count before blocks
 
 /// The layers that are asked for: so many, or, where that is left open, one to a few.
 std::vector<int> layer_counts(const Design& design) {
@@ -58,12 +61,14 @@ void drop_empty_layers(MaskLayout& layout, int layers) {
 }  // namespace
 
 long long space_price(Vec3i blocks, const Design& design, Vec3d block_mm) {
-    const long long volume = 1LL * blocks.x * blocks.y * blocks.z;
-    if (design.search.case_goal == CaseGoal::volume) return volume;
+    const Vec3d size{blocks.x * block_mm.x, blocks.y * block_mm.y, blocks.z * block_mm.z};
+    const double share = std::max({size.x, size.y, size.z}) / (size.x + size.y + size.z);
+    const long long price =
+        1LL * blocks.x * blocks.y * blocks.z * kLongest + static_cast<long long>(share * (kLongest - 1));
+    if (design.search.case_goal == CaseGoal::volume) return price;
     double cm3 = 1;
-    for (int axis = 0; axis < 3; ++axis) cm3 *= std::ceil(blocks[axis] * block_mm[axis] / 10 - 1e-9);
-    return static_cast<long long>(std::ceil(2 * cm3 / design.search.billed_divisor - 1e-9)) * kBilled +
-           volume;
+    for (int axis = 0; axis < 3; ++axis) cm3 *= std::ceil(size[axis] / 10 - 1e-9);
+    return static_cast<long long>(std::ceil(2 * cm3 / design.search.billed_divisor - 1e-9)) * kBilled + price;
 }
 
 PackingWatch Arranger::packing_watch() {
@@ -87,7 +92,10 @@ RoomTask Arranger::task_for(const std::vector<int>& heights) const {
     RoomTask task;
     const int x = height_of_layers(heights, walls), y = walls.along(1), z = walls.along(2);
     task.price = [this, x, y, z](int rows, int columns) {
-        return space_price({x, rows + y, columns + z}, design_, masks_->block_mm);
+        const Vec3i blocks{x, rows + y, columns + z};
+        const long long price = space_price(blocks, design_, masks_->block_mm);
+        if (!like_) return price;
+        return price + kLike * std::max(100LL * blocks.y / like_->y, 100LL * blocks.z / like_->z);
     };
     int rows = 0, columns = 0;  // more than all beside each other need none
     for (const MaskPiece& piece : masks_->problem.pieces) {
@@ -202,18 +210,19 @@ Result<Arranger::Found> Arranger::in_free_space() {
         price = packed->price;
         best = found_in_room(*packed, heights);
     };
-    // Those that promise most have all the time that the others leave.
     std::vector<std::pair<long long, std::size_t>> order;
     for (std::size_t i = 0; i < choices.size(); ++i)
         order.emplace_back(least_price(masks_->problem, task_for(choices[i])), i);
     std::sort(order.begin(), order.end());
-    const long long share = work_ / 2 / static_cast<long long>(std::max<std::size_t>(1, choices.size()));
-    for (const auto& [least, i] : order)
-        if (choices.size() > 1 && (price < 0 || least < price)) look(choices[i], packer.work() + share);
-    for (std::size_t rank = 0; rank < order.size() && packer.work() < work_ && !cancelled_; ++rank) {
-        const auto& [least, i] = order[rank];
-        if (price >= 0 && least >= price) continue;
-        look(choices[i], rank + 1 == order.size() ? work_ : packer.work() + (work_ - packer.work()) / 2);
+    // Ever longer by turns, as long as more than one may still be better than the best.
+    for (long long slice = kFirstSlice; packer.work() < work_ && !cancelled_; slice *= 2) {
+        if (price >= 0) std::erase_if(order, [&](const auto& each) { return each.first >= price; });
+        if (order.empty()) break;
+        const bool alone = order.size() == 1;
+        for (const auto& [least, i] : order)
+            if (price < 0 || least < price)
+                look(choices[i], alone ? work_ : std::min(work_, packer.work() + slice));
+        if (alone) break;
     }
     done_ = packer.work();
     if (!best && cancelled_) return fail(ErrorKind::cancelled, say("cancelled"));
@@ -250,16 +259,22 @@ Result<Arranger::Found> Arranger::in_space(const PackedSpace& space, bool explai
     auto masks = with_locked(*masks_, objects_, space.space, walls);
     if (!masks) return tl::unexpected(masks.error());
     MaskPacker packer(masks->problem, design_.search.seed, packing_watch());
-    std::optional<GivenRoom> last;
-    const auto counts = layer_counts(design_);
-    for (const int layers : counts) {
-        std::vector<std::vector<int>> choices{{space.space.blocks.x - walls.along(0)}};
-        if (layers > 1) choices = layer_heights(*masks, layers, walls, space.space.blocks.x);
-        const long long share =
-            work_ / static_cast<long long>(counts.size() * std::max<std::size_t>(1, choices.size()));
+    std::vector<std::vector<int>> choices;
+    for (const int layers : layer_counts(design_)) {
+        if (layers == 1)
+            choices.push_back({space.space.blocks.x - walls.along(0)});
+        else
+            for (auto& heights : layer_heights(*masks, layers, walls, space.space.blocks.x))
+                choices.push_back(std::move(heights));
+    }
+    if (choices.empty()) choices.push_back({space.space.blocks.x - walls.along(0)});
+    long long before = -1;  // where nothing is worth a look no work is done
+    for (long long slice = kFirstSlice; before != packer.work() && packer.work() < work_ && !cancelled_;
+         slice *= 2) {
+        before = packer.work();
         for (const auto& heights : choices) {
-            last = given_room(space, *masks, design_, heights);
-            auto found = in_room(*masks, *last, packer, packer.work() + share);
+            const long long until = choices.size() == 1 ? work_ : std::min(work_, packer.work() + slice);
+            auto found = in_room(*masks, given_room(space, *masks, design_, heights), packer, until);
             done_ = packer.work();
             if (!found) continue;
             found->heights = heights;
@@ -271,8 +286,7 @@ Result<Arranger::Found> Arranger::in_space(const PackedSpace& space, bool explai
     }
     if (cancelled_) return fail(ErrorKind::cancelled, say("cancelled"));
     if (!explain) return fail(ErrorKind::does_not_fit, say("arrange.too_large"));
-    if (!last) last = given_room(space, *masks, design_, {space.space.blocks.x - walls.along(0)});
-    return tl::unexpected(does_not_fit(*masks, *last));
+    return tl::unexpected(does_not_fit(*masks, given_room(space, *masks, design_, choices.back())));
 }
 
 Result<Arrangement> Arranger::run(Design& design, bool explain) {

@@ -48,7 +48,7 @@ class Arranger {
     [[nodiscard]] std::optional<Found> in_room(const ItemMasks& masks, const GivenRoom& given,
                                                MaskPacker& packer, long long until);
     [[nodiscard]] Error does_not_fit(const ItemMasks& masks, const GivenRoom& given);
-    [[nodiscard]] std::vector<Message> what_holds_all();
+    [[nodiscard]] std::vector<Message> what_holds_all(Vec3i given_blocks);
     /// For the explanation alone, which is no longer asked whether to go on.
     [[nodiscard]] long long explaining_work() const {
         return std::min(work_, usual_arranging_work(design_)) / 8;
@@ -70,6 +70,7 @@ class Arranger {
     const ArrangeWatch& watch_;
     std::optional<ItemMasks> masks_;
     std::optional<double> best_mm3_;
+    std::optional<Vec3i> like_;  ///< a space that is to grow as little as may be along y and z, for advice
     bool cancelled_ = false;
 };
 

@@ -43,15 +43,17 @@ Error Arranger::does_not_fit(const ItemMasks& masks, const GivenRoom& given) {
                 worst = i;
         leave_out(worst);
     }
-    return {ErrorKind::does_not_fit, say("arrange.does_not_fit", {{"items", masks.items.size()},
-                                                                  {"fit", in.size()},
-                                                                  {"left", left},
-                                                                  {"space", dimensions(given.space.size())},
-                                                                  {"holds", what_holds_all()}})};
+    return {ErrorKind::does_not_fit,
+            say("arrange.does_not_fit", {{"items", masks.items.size()},
+                                         {"fit", in.size()},
+                                         {"left", left},
+                                         {"space", dimensions(given.space.size())},
+                                         {"holds", what_holds_all(given.space.blocks)}})};
 }
 
-/// The space that would hold all, in a sentence of its own; none where that was not found.
-std::vector<Message> Arranger::what_holds_all() {
+/// The space, as much like the given one as may be, that would hold all, in a sentence of its own; none where
+/// that was not found.
+std::vector<Message> Arranger::what_holds_all(Vec3i given_blocks) {
     if (masks_->any_locked()) return {};
     Design free = design_;
     free.case_options.inside_mm.reset();
@@ -61,6 +63,7 @@ std::vector<Message> Arranger::what_holds_all() {
     const ArrangeWatch nobody;
     Arranger other(objects_, free, locked_, explaining_work(), nobody);
     other.masks_ = masks_;
+    other.like_ = given_blocks;
     const auto found = other.in_free_space();
     if (!found) return {};
     return {say("arrange.holds", {{"blocks", dimensions(vec_cast<double>(found->space.blocks), 0)}})};

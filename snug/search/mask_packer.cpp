@@ -60,9 +60,9 @@ int MaskPacker::clash(const MaskLayout& layout, std::size_t a, std::size_t b) {
 
 long long MaskPacker::clashes(const MaskRoom& room, const MaskLayout& layout, std::size_t piece) {
     const LaidMask& at = layout[piece];
-    const bool refused =
-        !room.refused.empty() && room.refused[static_cast<std::size_t>(at.shape)](at.row, at.column);
-    long long sum = refused && !problem_.pieces[piece].locked ? kRefusedDepth : 0;
+    const bool refused = !problem_.pieces[piece].locked && !room.refused.empty() &&
+                         room.refused[static_cast<std::size_t>(at.shape)](at.row, at.column);
+    long long sum = refused ? kRefusedDepth : 0;
     for (std::size_t other = 0; other < layout.size(); ++other)
         if (other != piece) sum += clash(layout, other, piece);
     return sum;

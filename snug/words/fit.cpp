@@ -112,8 +112,12 @@ constexpr Wording kWordsOfFit[] = {
      "対象物 {number} のものがありますが、対象物は {objects} 個しかありません（0 から数えます）。"},
     {"search.tray", "a search looks for foams that close, and this is a tray: place its items yourself",
      "探索は閉じるフォームを対象とします。トレイでは、置き方を自分で決めてください。"},
-    {"search.one_item", "a search takes one object, and here lie {items}: place them yourself ({example})",
-     "探索できる対象物は一つだけですが、ここには {items} 個あります。自分で置いてください"
+    {"search.one_item",
+     "a search takes one object, and here lie {items}: have them arranged (--arrange), or place them "
+     "yourself "
+     "({example})",
+     "探索できる対象物は一つだけですが、ここには {items} 個あります。--arrange "
+     "で並べるか、自分で置いてください"
      "（{example}）。"},
     {"with_clearance", " with its clearance", "すきまを含めて "},
     {"open",

@@ -51,7 +51,7 @@ class ArrangeTest(unittest.TestCase):
         self.assertIn("arrangement", report["timing_ms"])
 
     def test_without_places_they_are_arranged_and_the_project_keeps_it(self):
-        kit = ("vase.stl", "camera.stl", "torus.stl", "--blocks", "auto")
+        kit = ("vase.stl:longest=150", "torus.stl:longest=90,count=3", "--blocks", "auto")
         one = self.report(*kit, "--threads", 1, out="one")
         self.report(*kit, "--threads", 2, out="two")
         self.expect_sound(one)
@@ -66,6 +66,8 @@ class ArrangeTest(unittest.TestCase):
         row = self.report(*kit, "--no-arrange", out="row")
         self.assertNotIn("arrangement", row)
         self.assertLess(self.volume(one), self.volume(row))
+        shutil.copy(self.work / "row" / "project.snug.json", self.work)
+        self.assertEqual(self.report("project.snug.json", out="again")["foam"], row["foam"])
 
     def test_locked_items_stay_and_layers_are_spread(self):
         locked = self.report("vase.stl:move=0x40x0,lock=yes", "camera.stl", "--blocks", "auto", "--search-seconds", 0.2)
@@ -76,12 +78,12 @@ class ArrangeTest(unittest.TestCase):
         self.assertEqual({item["layer"] for item in layers["items"]}, {1, 2})
 
     def test_the_smallest_known_case_that_holds_them_is_found(self):
-        report = self.report("camera.stl:count=2", "--known-case", "--wall", 20, "--search-seconds", 0.5)
+        report = self.report("camera.stl:count=2", "--known-case", "--wall", 20, "--search-seconds", 0.2)
         self.expect_sound(report)
         self.assertTrue(report["case"]["name"])
 
     def test_what_cannot_be_is_said(self):
-        self.assertIn("of them do, without", self.refused(3, "camera.stl:count=9", "--blocks", "20x12x10", "--search-seconds", 0.2))
+        self.assertIn("of them do, without", self.refused(3, "torus.stl:count=9", "--blocks", "20x12x10", "--search-seconds", 0.2))
         self.assertIn("both locked", self.refused(1, "vase.stl:move=0x0x0,lock", "camera.stl:move=0x5x0,lock",
                                                   "torus.stl", "--blocks", "auto"))
         self.assertIn("no place to stay", self.refused(1, "vase.stl:lock=yes", "camera.stl", "--blocks", "auto"))

@@ -117,8 +117,23 @@ void expect_walls(const Packing& packing, const Design& design) {
         }
 }
 
+/// Arranged once more in the space that it has now, around one item that stays.
+bool stays_where_it_is_locked(KitToArrange& kit, const Design& arranged, std::size_t which) {
+    Design again = arranged;
+    again.items[which].lock = true;
+    ++again.search.seed;
+    const ItemOptions locked = again.items[which];
+    if (!arrange(kit.objects, again, true, 1'000'000)) return false;
+    EXPECT_EQ(again.items[which].offset_mm, locked.offset_mm);
+    EXPECT_EQ(again.items[which].rotation_deg, locked.rotation_deg);
+    const Packing packing = pack(kit.objects, again).value();
+    EXPECT_TRUE(packing.foams);
+    if (packing.foams) expect_room_between(packing, kit);
+    return true;
+}
+
 TEST(Arrange, KeepsWallsAndWhatIsBetweenWhateverLiesThere) {
-    int in_cases = 0, in_layers = 0, trays = 0, refused = 0;
+    int in_cases = 0, in_layers = 0, trays = 0, refused = 0, locked = 0;
     const int kits = test::cases(60, 12);
     for (int seed = 0; seed < kits; ++seed) {
         SCOPED_TRACE(seed);
@@ -146,6 +161,8 @@ TEST(Arrange, KeepsWallsAndWhatIsBetweenWhateverLiesThere) {
         const Packing again = pack(kit.objects, kept).value();
         EXPECT_TRUE(std::equal(packing.layers.begin(), packing.layers.end(), again.layers.begin(),
                                again.layers.end()));
+        if (seed % 3 == 0)
+            locked += stays_where_it_is_locked(kit, arranged, static_cast<std::size_t>(random.integer(0, 1)));
         in_cases += packing.fitted_case.has_value();
         in_layers += packing.foams->layers() > 1;
         trays += packing.foams->open();
@@ -153,6 +170,7 @@ TEST(Arrange, KeepsWallsAndWhatIsBetweenWhateverLiesThere) {
     EXPECT_GT(in_cases, kits / 20);
     EXPECT_GT(in_layers, 0);
     EXPECT_GT(trays, 0);
+    EXPECT_GT(locked, 0);
     EXPECT_LT(refused, kits / 4);
 }
 
