@@ -1,7 +1,9 @@
 #include "snug/search/arrange.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -14,6 +16,8 @@
 
 namespace snug {
 namespace {
+
+constexpr std::array<double, 3> kUsualWalls{50, 25.4, 12.7};  // mm: parcels, makers of trays, thin foam
 
 /// What the words call the first item that the choice is true of.
 std::string name_of(const ItemOptions& item, std::span<const Object> objects) {
@@ -47,6 +51,30 @@ std::vector<bool> locked_items(const Design& design, bool all) {
     std::vector<bool> locked;
     for (const ItemOptions& item : design.items) locked.push_back(item.lock || (!all && item.offset_mm));
     return locked;
+}
+
+/// In a space that is given and asks for no walls of its own: with the thickest of the usual ones that leave
+/// room for all. None where there are none, or a space is not given.
+std::optional<Result<Arrangement>> with_usual_walls(std::span<Object> objects, Design& design,
+                                                    const std::vector<bool>& locked, long long work,
+                                                    const ArrangeWatch& watch) {
+    if (design.space.wall_mm || !(design.case_options.inside_mm || design.space.blocks) ||
+        std::find(locked.begin(), locked.end(), true) != locked.end())
+        return {};
+    for (const double wall : kUsualWalls) {
+        Design walled = design;
+        walled.space.wall_mm = equal_walls(wall);
+        if (walled.space.open) (*walled.space.wall_mm)[kRoof] = 0;
+        Design arranged = walled;
+        auto found = Arranger(objects, walled, locked, work / 8, watch).run(arranged, false);
+        if (!found && found.error().kind == ErrorKind::does_not_fit) continue;
+        if (found) {
+            arranged.space.wall_mm.reset();
+            design = std::move(arranged);
+        }
+        return found;
+    }
+    return {};
 }
 
 /// Those that may be as heavy, by volume or, where that is what counts, by what a carrier bills.
@@ -83,13 +111,15 @@ Result<Arrangement> arrange(std::span<Object> objects, Design& design, bool all,
     Stopwatch stopwatch;
     if (const auto error = problem_of(design, objects)) return tl::unexpected(*error);
     if (auto done = prepare_all(objects, watch); !done) return tl::unexpected(done.error());
-    Arranger arranger(objects, design, locked_items(design, all), work, watch);
-    Design arranged;
-    auto found = arranger.run(arranged, true);
-    if (!found) return found;
-    design = std::move(arranged);
-    found->ms = stopwatch.lap();
-    return found;
+    const std::vector<bool> locked = locked_items(design, all);
+    auto found = with_usual_walls(objects, design, locked, work, watch);
+    Design arranged = design;
+    if (!found) {
+        found = Arranger(objects, design, locked, work, watch).run(arranged, true);
+        if (found && *found) design = std::move(arranged);
+    }
+    if (*found) (*found)->ms = stopwatch.lap();
+    return std::move(*found);
 }
 
 Result<Arrangement> arrange_in_known_case(std::span<Object> objects, Design& design, bool all,

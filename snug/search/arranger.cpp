@@ -157,10 +157,35 @@ void Arranger::put_heaviest_low(const ItemMasks& masks, Found& found) const {
     }
     for (LaidMask& at : found.layout) at.bin = place[static_cast<std::size_t>(at.bin)];
     const auto parting = found.levels.back().parting;
+    const int below = found.levels.front().first - found.walls.side[kFloor];
     if (!design_.space.open) found.room.heights = heights;
     found.heights = heights;
     found.levels = layer_levels(heights, found.walls);
+    for (LayerLevels& level : found.levels) level.first += below;
     found.levels.back().parting = parting;
+}
+
+/// Foam is as thick on both sides of a layer, where blocks are all there.
+void Arranger::centre_layers(const ItemMasks& masks, Found& found) const {
+    if (!found.room.refused.empty() || masks.any_locked()) return;
+    for (int layer = 0; layer < static_cast<int>(found.heights.size()); ++layer) {
+        int first_row = found.room.rows, first_column = found.room.columns, end_row = 0, end_column = 0;
+        for (const LaidMask& at : found.layout) {
+            if (at.bin != layer) continue;
+            const BitMask& mask = masks.ways[static_cast<std::size_t>(at.shape)].mask;
+            first_row = std::min(first_row, at.row);
+            first_column = std::min(first_column, at.column);
+            end_row = std::max(end_row, at.row + mask.rows());
+            end_column = std::max(end_column, at.column + mask.columns());
+        }
+        const int down = (found.room.rows - end_row - first_row) / 2,
+                  right = (found.room.columns - end_column - first_column) / 2;
+        for (LaidMask& at : found.layout) {
+            if (at.bin != layer) continue;
+            at.row += down;
+            at.column += right;
+        }
+    }
 }
 
 void Arranger::settle(const ItemMasks& masks, Found& found, MaskPacker& packer) {
@@ -169,6 +194,7 @@ void Arranger::settle(const ItemMasks& masks, Found& found, MaskPacker& packer) 
         packer.refine(found.room, found.layout, std::ref(cost), packer.work() + work_ / 4);
     }
     put_heaviest_low(masks, found);
+    centre_layers(masks, found);
     drop_empty_layers(found.layout, static_cast<int>(found.heights.size()));
 }
 

@@ -59,6 +59,7 @@ class Arranger {
     [[nodiscard]] std::optional<long long> least_blocks() const;
     void settle(const ItemMasks& masks, Found& found, MaskPacker& packer);
     void put_heaviest_low(const ItemMasks& masks, Found& found) const;
+    void centre_layers(const ItemMasks& masks, Found& found) const;
     [[nodiscard]] Design written(const ItemMasks& masks, const Found& found) const;
     [[nodiscard]] PackingWatch packing_watch();
     void tell(const ItemMasks& masks, const Found& found);

@@ -50,6 +50,17 @@ class ArrangeTest(unittest.TestCase):
         self.assertAlmostEqual(report["arrangement"]["volume_mm3"], self.volume(report), delta=1)
         self.assertIn("arrangement", report["timing_ms"])
 
+    def test_in_a_case_with_room_foam_stands_on_all_sides_of_each_layer(self):
+        kit = ("vase.stl:longest=90,count=6", "--case", "600x400x400", "--preset", "slit-12.7")
+        for layers in (1, 2):
+            report = self.report(*kit, "--layers", layers, out=f"room-{layers}")
+            self.expect_sound(report)
+            walls = report["wall_mm"]
+            self.assertGreaterEqual(min(walls), 50)
+            for low, high, block in zip(walls[::2], walls[1::2], report["design_space"]["block_mm"]):
+                self.assertLessEqual(abs(low - high), 2 * block)
+            self.assertFalse(any(finding["severity"] == "danger" for finding in report["findings"]))
+
     def test_without_places_they_are_arranged_and_the_project_keeps_it(self):
         kit = ("vase.stl:longest=150", "torus.stl:longest=90,count=3", "--blocks", "auto")
         one = self.report(*kit, "--threads", 1, out="one")
