@@ -18,7 +18,7 @@
 namespace snug {
 namespace {
 
-constexpr int kPlacesAcross = 4, kLevels = 8;  // offsets within a block along y and z, and along x
+constexpr int kPlacesAcross = 3, kLevels = 8;  // offsets within a block along y and z, and along x
 constexpr double kUncut = 0.0101;              // mm that a room may reach into blocks without cutting them
 constexpr std::uint64_t kSpreadTurns = 400;    // of all rotations, looked at by their boxes
 constexpr std::size_t kFreeTurns = 16;         // of these, laid on the blocks
