@@ -14,7 +14,7 @@
 namespace snug {
 namespace {
 
-constexpr std::size_t kMostShapes = 320, kLeastWays = 8, kMostWays = 48;
+constexpr std::size_t kFewKinds = 6, kMostShapes = 320, kLeastWays = 8, kMostWays = 48;
 
 /// What decides how an item may lie: items that have it in common share their ways.
 struct Kind {
@@ -43,13 +43,15 @@ Result<void> add_ways(std::span<const Object> objects, const Design& design, std
                       ItemMasks& masks, const Progress& progress) {
     const std::size_t most =
         std::clamp(kMostShapes / std::max<std::size_t>(1, kinds.size()), kLeastWays, kMostWays);
+    // Each place takes a pass over the object: few kinds may take more of the time that there is.
+    const int places = kinds.size() <= kFewKinds ? 4 : 3;
     for (std::size_t i = 0; i < kinds.size(); ++i) {
         if (!go_on(progress, static_cast<double>(i) / static_cast<double>(kinds.size())))
             return fail(ErrorKind::cancelled, say("cancelled"));
         Kind& kind = kinds[i];
         const Object& object = objects[kind.object];
         auto ways = ways_to_lay(object, kind.cut, masks.block_mm,
-                                allowed_rotations(object, kind.rotation_deg, design.search), most);
+                                allowed_rotations(object, kind.rotation_deg, design.search), places, most);
         if (!ways) return tl::unexpected(ways.error());
         for (ItemWay& way : *ways) kind.shapes.push_back(add_shape(masks, std::move(way)));
     }

@@ -18,10 +18,10 @@
 namespace snug {
 namespace {
 
-constexpr int kPlacesAcross = 4, kLevels = 8;  // offsets within a block along y and z, and along x
-constexpr double kUncut = 0.0101;              // mm that a room may reach into blocks without cutting them
-constexpr std::uint64_t kSpreadTurns = 400;    // of all rotations, looked at by their boxes
-constexpr std::size_t kFreeTurns = 16;         // of these, laid on the blocks
+constexpr int kLevels = 8;                   // offsets within a block along x
+constexpr double kUncut = 0.0101;            // mm that a room may reach into blocks without cutting them
+constexpr std::uint64_t kSpreadTurns = 400;  // of all rotations, looked at by their boxes
+constexpr std::size_t kFreeTurns = 16;       // of these, laid on the blocks
 
 void shift(Placement& placement, Vec3d by) {
     placement.shift = placement.shift + by;
@@ -118,17 +118,18 @@ std::optional<ItemWay> at_best_level(const PreparedSurface& surface, const Place
 
 /// Of one rotation, in every place of a lattice within a block, whose first lays the box by a block's face.
 std::vector<ItemWay> laid_everywhere(const PreparedSurface& surface, const Placement& middle,
-                                     const CutOptions& cut, Vec3d block_mm) {
+                                     const CutOptions& cut, Vec3d block_mm, int places) {
     const Box3d room = grown(middle.bounds, cut.whole_clearance_mm());
     const DesignSpace space = space_around(room, block_mm);
     Vec3d flush;  // shifts the room's corner to the next corner of a block
     for (int axis = 0; axis < 3; ++axis)
         flush[axis] = std::ceil(room.min[axis] / block_mm[axis]) * block_mm[axis] - room.min[axis];
-    std::vector<std::optional<ItemWay>> found(kPlacesAcross * kPlacesAcross);
+    std::vector<std::optional<ItemWay>> found(static_cast<std::size_t>(places) *
+                                              static_cast<std::size_t>(places));
     parallel_for(found.size(), [&](std::size_t i) {
         const int place = static_cast<int>(i);
-        const Vec3d offset = flush + Vec3d{0, block_mm.y * (place / kPlacesAcross) / kPlacesAcross,
-                                           block_mm.z * (place % kPlacesAcross) / kPlacesAcross};
+        const Vec3d offset =
+            flush + Vec3d{0, block_mm.y * (place / places) / places, block_mm.z * (place % places) / places};
         Placement placement = middle;
         shift(placement, offset);
         found[i] = at_best_level(surface, placement, offset, space, cut);
@@ -214,12 +215,13 @@ std::vector<Vec3d> allowed_rotations(const Object& object, Vec3d given_deg, cons
 }
 
 Result<std::vector<ItemWay>> ways_to_lay(const Object& object, const CutOptions& cut, Vec3d block_mm,
-                                         const std::vector<Vec3d>& rotations_deg, std::size_t most) {
+                                         const std::vector<Vec3d>& rotations_deg, int places,
+                                         std::size_t most) {
     std::vector<std::vector<ItemWay>> of_each;
     for (const Vec3d rotation : rotations_deg) {
         const auto placement = place(object, rotation, {});
         if (!placement) return tl::unexpected(placement.error());
-        of_each.push_back(the_few_best(laid_everywhere(*object.prepared, *placement, cut, block_mm)));
+        of_each.push_back(the_few_best(laid_everywhere(*object.prepared, *placement, cut, block_mm, places)));
         for (ItemWay& way : of_each.back()) way.rotation_deg = rotation;
     }
     // The best of each rotation first, then the second of each.

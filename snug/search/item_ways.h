@@ -32,13 +32,13 @@ struct ItemWay {
 [[nodiscard]] std::vector<Vec3d> allowed_rotations(const Object& object, Vec3d given_deg,
                                                    const SearchOptions& options);
 
-/// For each rotation the offsets within a block that cut the fewest columns, of these the fewest blocks, and
-/// what is narrower along one axis, however many it cuts: a few. Exact, with the clearance, from the depth
-/// maps. Never more than `most`, spread over the heights. `object`: prepared for many (prepare.h). Empty
-/// where it cuts nothing in any way. Fails as place() does.
+/// For each rotation, of so many `places` within a block along y and along z, those that cut the fewest
+/// columns, of these the fewest blocks, and what is narrower along one axis, however many it cuts: a few.
+/// Exact, with the clearance, from the depth maps. Never more than `most`. `object`: prepared for many
+/// (prepare.h). Empty where it cuts nothing in any way. Fails as place() does.
 [[nodiscard]] Result<std::vector<ItemWay>> ways_to_lay(const Object& object, const CutOptions& cut,
                                                        Vec3d block_mm,
-                                                       const std::vector<Vec3d>& rotations_deg,
+                                                       const std::vector<Vec3d>& rotations_deg, int places,
                                                        std::size_t most);
 
 /// The only way of an item that stays where it is, and where its first level, row and column lie in the
