@@ -67,8 +67,8 @@ json pack_time(const Design& chosen) {
             {"pages", pages}};
 }
 
-/// Five items of about 100,000 triangles in the default space, each by itself against a wall of it; one is moved
-/// and all are packed again, as while somebody drags it.
+/// Five items of about 100,000 triangles in the default space, each by itself against a wall of it; one is
+/// moved and all are packed again, as while somebody drags it.
 json moved_item_time() {
     constexpr int kMoves = 31, kItems = 5;
     Design design;

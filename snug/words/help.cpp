@@ -49,7 +49,8 @@ constexpr Wording kWordsOfHelp[] = {
      "Arrange several items in the smallest space, or in the case or blocks that are given; by itself where "
      "some "
      "have no place (move=)",
-     "複数のものを、最小の空間、または指定のケースやブロックの中に並べます。場所の決まっていないものがあれば、"
+     "複数のものを、最小の空間、または指定のケースやブロックの中に並べます。場所の決まっていないものがあれば"
+     "、"
      "指定がなくても並べます"},
     {"help.make.no_arrange", "Let items without a place stand in a row", "場所のないものを一列に置きます"},
     {"help.make.known_case", "Arrange several items in the smallest of the known cases (`snug cases`)",
