@@ -7,6 +7,7 @@
 #include <fmt/core.h>
 
 #include "snug/base/text.h"
+#include "snug/design/object_argument.h"
 #include "snug/object/prepare.h"
 #include "snug/search/placement_search.h"
 

@@ -122,9 +122,9 @@ std::string file_in_shell(std::string_view name) {
     return in_shell((name.starts_with('-') ? "./" : "") + std::string(name));
 }
 
-/// `made_of`: what the folder is named after.
+/// `made_of`: what the folder is named after. `in_a_row`: what has no place is not arranged by itself.
 std::string line_of(const std::vector<std::string>& objects, std::string_view made_of, const Design& design,
-                    const KnownNames& known, Language language) {
+                    const KnownNames& known, Language language, bool in_a_row = false) {
     std::string line = "snug make";
     for (const std::string& object : objects) line += " " + file_in_shell(object);
     // With "=", since a value may begin with a minus sign.
@@ -132,6 +132,7 @@ std::string line_of(const std::vector<std::string>& objects, std::string_view ma
         line += " " + typed.flag;
         if (!typed.text.empty()) line += "=" + in_shell(typed.text);
     }
+    if (in_a_row) line += " --no-arrange";
     if (language != Language::english) line += " --language=" + std::string(language_name(language));
     return line + " -o " + file_in_shell(std::string(made_of.substr(0, made_of.rfind('.'))) + "-foam");
 }
@@ -153,8 +154,9 @@ std::string command_line(Project project, std::span<const std::string> files, co
     Design& design = project.design;
     if (design.items.size() == 1) return command_line(files.front(), design, known, language);
     const std::vector<std::string> items = typed_items(project, files);
+    const bool in_a_row = wants_arrangement(design);
     design.items = {ItemOptions()};  // they have said all that is theirs
-    return line_of(items, files.front(), design, known, language);
+    return line_of(items, files.front(), design, known, language, in_a_row);
 }
 
 }  // namespace snug

@@ -243,4 +243,9 @@ std::vector<std::string> typed_items(const Project& project, std::span<const std
     return typed;
 }
 
+bool wants_arrangement(const Design& design) {
+    return design.items.size() > 1 && std::any_of(design.items.begin(), design.items.end(),
+                                                  [](const ItemOptions& item) { return !item.offset_mm; });
+}
+
 }  // namespace snug

@@ -35,4 +35,8 @@ struct ObjectArgument {
 [[nodiscard]] std::vector<std::string> typed_items(const Project& project,
                                                    std::span<const std::string> files);
 
+/// Whether an item without a place of its own lies beside others, so that somebody must arrange them, or they
+/// stand in a row.
+[[nodiscard]] bool wants_arrangement(const Design& design);
+
 }  // namespace snug

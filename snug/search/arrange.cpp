@@ -101,11 +101,6 @@ long long usual_arranging_work(const Design& design) {
     return std::min(kMost, kOfEach * static_cast<long long>(design.items.size()));
 }
 
-bool wants_arrangement(const Design& design) {
-    return design.items.size() > 1 && std::any_of(design.items.begin(), design.items.end(),
-                                                  [](const ItemOptions& item) { return !item.offset_mm; });
-}
-
 Result<Arrangement> arrange(std::span<Object> objects, Design& design, bool all, long long work,
                             const ArrangeWatch& watch) {
     Stopwatch stopwatch;

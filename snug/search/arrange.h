@@ -40,9 +40,6 @@ struct ArrangeWatch {
 /// What is usually enough: some tenths of a second for each item, on one core.
 [[nodiscard]] long long usual_arranging_work(const Design& design);
 
-/// Whether an item without a place of its own lies beside others, so that somebody must arrange them.
-[[nodiscard]] bool wants_arrangement(const Design& design);
-
 /// Arranges all items that are not locked and writes where they lie into the design: in its case or its
 /// blocks, or, where it leaves their number open, in the fewest, which it then has. The walls that the design
 /// wants are kept, and `between` among the items. Of equal volumes the one that cuts less is taken, and of
