@@ -30,7 +30,7 @@ test('several files that are opened at once lie beside each other', async () => 
   expect(studio.placed.length).toBe(2);
   expect(studio.findings.filter(({severity}) => severity === 'danger')).toEqual([]);
   const line = await studio.engine.commandLine(studio.commanded!.files, studio.commanded!.design, 'en', studio.commanded!.objects);
-  expect(line).toBe('snug make body.stl lens.stl --blocks=auto -o body-foam');
+  expect(line).toBe('snug make body.stl lens.stl --blocks=auto --no-arrange -o body-foam');
 });
 
 test('a file that joins is selected, and one that is opened takes the place of all', async () => {
