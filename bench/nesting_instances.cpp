@@ -2,14 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <limits>
 
 #include <nlohmann/json.hpp>
 
 #include "snug/polygon/polygon.h"
+
+#include "bench/shared_folder.h"
 
 namespace snug::bench {
 namespace {
@@ -70,14 +70,7 @@ BitMask raster(const std::vector<Vec2d>& polygon, double cell) {
 
 std::vector<NestingInstance> nesting_instances() {
     std::vector<NestingInstance> instances;
-    const char* own = std::getenv("SNUG_NESTING");
-    const std::filesystem::path folder = own ? own : SNUG_SOURCE_DIR "/../shared/nesting";
-    std::vector<std::filesystem::path> files;
-    if (std::filesystem::is_directory(folder))
-        for (const auto& entry : std::filesystem::directory_iterator(folder))
-            if (entry.path().extension() == ".json") files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
-    for (const auto& path : files) {
+    for (const auto& path : shared_files("SNUG_NESTING", "nesting", ".json")) {
         std::ifstream file(path);
         instances.push_back(read(nlohmann::json::parse(file)));
     }

@@ -1,7 +1,6 @@
 #include "bench/objects.h"
 
 #include <cmath>
-#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <optional>
@@ -12,6 +11,7 @@
 #include "snug/samples/samples.h"
 
 #include "bench/refine.h"
+#include "bench/shared_folder.h"
 #include "tests/support/random.h"
 
 namespace snug::bench {
@@ -45,9 +45,7 @@ NamedMesh made(const Source& source) {
 }  // namespace
 
 std::optional<Mesh> shared_model(const std::string& file_name) {
-    const char* models = std::getenv("SNUG_MODELS");
-    const std::string folder = models ? models : SNUG_SOURCE_DIR "/../shared/models";
-    std::ifstream file(folder + "/" + file_name, std::ios::binary);
+    std::ifstream file(shared_folder("SNUG_MODELS", "models") / file_name, std::ios::binary);
     const std::string text((std::istreambuf_iterator<char>(file)), {});
     if (text.empty()) return {};
     auto mesh = read_mesh(std::as_bytes(std::span(text)), file_name);

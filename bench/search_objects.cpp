@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <span>
@@ -13,6 +11,7 @@
 #include "snug/samples/samples.h"
 
 #include "bench/refine.h"
+#include "bench/shared_folder.h"
 
 namespace snug::bench {
 namespace {
@@ -30,13 +29,7 @@ NamedMesh ready(std::string name, Mesh mesh) {
 
 std::vector<NamedMesh> search_objects() {
     std::vector<NamedMesh> objects;
-    const char* models = std::getenv("SNUG_MODELS");
-    const std::filesystem::path folder = models ? models : SNUG_SOURCE_DIR "/../shared/models";
-    std::vector<std::filesystem::path> files;
-    if (std::filesystem::is_directory(folder))
-        for (const auto& entry : std::filesystem::directory_iterator(folder)) files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
-    for (const auto& path : files) {
+    for (const auto& path : shared_files("SNUG_MODELS", "models")) {
         std::ifstream file(path, std::ios::binary);
         const std::string text((std::istreambuf_iterator<char>(file)), {});
         auto mesh = read_mesh(std::as_bytes(std::span(text)), path.string());
