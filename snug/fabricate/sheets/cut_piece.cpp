@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <utility>
 
-#include "snug/fabricate/sheets/liner_slits.h"
 #include "snug/fabricate/sheets/sheet_engraving.h"
 #include "snug/fabricate/sheets/sheet_outlines.h"
 #include "snug/polygon/polygon.h"
@@ -33,10 +32,23 @@ std::vector<ItemLabel> labels_on(const SheetStack& stack, const SheetPiece& piec
     return own;
 }
 
+/// Slits run in foam alone, so that where one begins tells which piece it is on.
+std::vector<std::vector<Vec2d>> slits_on(const SheetPiece& piece, Vec2d corner, Vec2d cell,
+                                         std::span<const std::vector<Vec2d>> slits) {
+    std::vector<std::vector<Vec2d>> own;
+    for (const std::vector<Vec2d>& slit : slits) {
+        if (!in_piece(piece, slit.front() - corner, cell)) continue;
+        own.push_back(slit);
+        for (Vec2d& p : own.back()) p = p - corner;
+    }
+    return own;
+}
+
 }  // namespace
 
 CutPiece cut_piece(const SheetStack& stack, const SheetPiece& piece, const DowelHoles& dowels,
-                   const SheetOptions& options, std::span<const ItemLabel> labels) {
+                   const SheetOptions& options, std::span<const ItemLabel> labels,
+                   std::span<const std::vector<Vec2d>> slits) {
     CutPiece made;
     for (std::size_t i = 0; i < piece.loops.size(); ++i) {
         auto line = offset_outline(piece.loops[i], stack.cell_mm, options.kerf_mm / 2);
@@ -57,7 +69,7 @@ CutPiece cut_piece(const SheetStack& stack, const SheetPiece& piece, const Dowel
     made.engraved = std::move(words.lines);
     made.numbered = words.numbered;
     made.marked = outline_above(stack, piece);
-    made.slit = liner_slits(stack, piece, options.liner_slit_mm);
+    if (piece.sheet == stack.count - 1) made.slit = slits_on(piece, corner, stack.cell_mm, slits);
     return made;
 }
 

@@ -22,9 +22,10 @@ struct CutPiece {
 };
 
 /// The piece with its cuts grown by half the kerf, its dowel holes, number, the outline of the sheet above,
-/// the slits for a liner, and those of the items' labels that stand on it.
+/// and those of the slits for a liner (of the stack) and of the items' labels that lie on it.
 [[nodiscard]] CutPiece cut_piece(const SheetStack& stack, const SheetPiece& piece, const DowelHoles& dowels,
-                                 const SheetOptions& options, std::span<const ItemLabel> labels = {});
+                                 const SheetOptions& options, std::span<const ItemLabel> labels = {},
+                                 std::span<const std::vector<Vec2d>> slits = {});
 
 /// What all cuts of a piece come to, mm.
 [[nodiscard]] double cut_length(const CutPiece& piece);

@@ -38,12 +38,18 @@ PlanRegion region_of_cells(const SheetStack& stack, Holds holds) {
 
 std::vector<PlanSpan> common(const std::vector<PlanSpan>& a, const std::vector<PlanSpan>& b) {
     std::vector<PlanSpan> both;
-    for (const PlanSpan& one : a)
-        for (const PlanSpan& other : b)
-            if (const PlanSpan span{std::max(one.begin, other.begin), std::min(one.end, other.end)};
-                span.begin < span.end)
-                both.push_back(span);
+    for (std::size_t i = 0, k = 0; i < a.size() && k < b.size(); ++(a[i].end < b[k].end ? i : k))
+        if (const PlanSpan span{std::max(a[i].begin, b[k].begin), std::min(a[i].end, b[k].end)};
+            span.begin < span.end)
+            both.push_back(span);
     return both;
+}
+
+/// Whether a place lies inside one of the spans, on none of their ends.
+bool inside(const std::vector<PlanSpan>& spans, int z) {
+    const auto after = std::upper_bound(spans.begin(), spans.end(), z,
+                                        [](int at, const PlanSpan& span) { return at < span.end; });
+    return after != spans.end() && after->begin < z;
 }
 
 struct Edge {
@@ -58,18 +64,17 @@ std::vector<Edge> outline_within(const PlanRegion& area, const PlanRegion& withi
         const auto outline = symmetric_difference(area.spans_before(y), area.spans_behind(y));
         for (const PlanSpan& span : common(outline, free)) edges.push_back({{y, span.begin}, {y, span.end}});
     };
+    auto first = within.bands.begin();  // the first that may reach into the band
     for (const PlanBand& band : area.bands) {
         along_row(band.begin);
         if (area.spans_behind(band.end).empty()) along_row(band.end);
-        for (const PlanBand& free : within.bands) {
-            const int begin = std::max(band.begin, free.begin), end = std::min(band.end, free.end);
-            if (begin >= end) continue;
+        while (first != within.bands.end() && first->end <= band.begin) ++first;
+        for (auto free = first; free != within.bands.end() && free->begin < band.end; ++free)
             for (const PlanSpan& span : band.spans)
                 for (const int z : {span.begin, span.end})
-                    if (std::any_of(free.spans.begin(), free.spans.end(),
-                                    [&](const PlanSpan& s) { return s.begin < z && z < s.end; }))
-                        edges.push_back({{begin, z}, {end, z}});
-        }
+                    if (inside(free->spans, z))
+                        edges.push_back(
+                            {{std::max(band.begin, free->begin), z}, {std::min(band.end, free->end), z}});
     }
     return edges;
 }
@@ -133,11 +138,11 @@ double length_of(const Line& line) {
 
 }  // namespace
 
-std::vector<Line> liner_slits(const SheetStack& stack, const SheetPiece& piece, double away_mm) {
-    if (piece.sheet != stack.count - 1 || away_mm <= 0) return {};
-    const PlanRegion foam = region_of_cells(stack, [&](int row, int column) {
-        return piece.mask.contains(column - piece.column, row - piece.row);
-    });
+std::vector<Line> liner_slits(const SheetStack& stack, double away_mm) {
+    if (away_mm <= 0) return {};
+    const int top = stack.count - 1;
+    const PlanRegion foam =
+        region_of_cells(stack, [&](int row, int column) { return stack.has(row, column, top); });
     const PlanRegion cavities = region_of_cells(stack, [&](int row, int column) {
         return stack.kept(row, column) > stack.missing(row, column) && stack.kept(row, column) < stack.count;
     });
@@ -145,12 +150,8 @@ std::vector<Line> liner_slits(const SheetStack& stack, const SheetPiece& piece, 
     const PlanRegion room = eroded(foam, static_cast<int>(in_steps(kBesideSlit)));
     const std::vector<Edge> edges = outline_within(around, room);
     std::vector<Line> slits;
-    const Vec2d corner{piece.column * stack.cell_mm.x, piece.row * stack.cell_mm.y};
-    for (Line& line : Chains(edges).join()) {
-        if (length_of(line) < kShortestSlit) continue;
-        for (Vec2d& p : line) p = p - corner;
-        slits.push_back(std::move(line));
-    }
+    for (Line& line : Chains(edges).join())
+        if (length_of(line) >= kShortestSlit) slits.push_back(std::move(line));
     return slits;
 }
 

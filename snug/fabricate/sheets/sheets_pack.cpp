@@ -13,6 +13,7 @@
 #include "snug/fabricate/kit/piece_names.h"
 #include "snug/fabricate/sheets/cut_piece.h"
 #include "snug/fabricate/sheets/dowel_holes.h"
+#include "snug/fabricate/sheets/liner_slits.h"
 #include "snug/fabricate/sheets/nesting.h"
 #include "snug/fabricate/sheets/sheet_assembly.h"
 #include "snug/fabricate/sheets/sheet_drawing.h"
@@ -65,10 +66,12 @@ struct AllPieces {
 AllPieces all_pieces(const Stacks& stacks, const SheetOptions& options, std::span<const ItemLabel> labels) {
     AllPieces all;
     for (std::size_t half = 0; half < stacks.halves.size(); ++half) {
+        const auto slits = liner_slits(stacks.halves[half], options.liner_slit_mm);
         for (const SheetPiece& piece : stacks.halves[half].pieces) {
             all.stacks.push_back(&stacks.halves[half]);
             all.pieces.push_back(&piece);
-            all.cuts.push_back(cut_piece(stacks.halves[half], piece, stacks.dowels[half], options, labels));
+            all.cuts.push_back(
+                cut_piece(stacks.halves[half], piece, stacks.dowels[half], options, labels, slits));
             if (!all.cuts.back().numbered) all.unnumbered.push_back(piece.name);
         }
     }
