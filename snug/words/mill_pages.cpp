@@ -46,10 +46,10 @@ constexpr Wording kWordsOfMillPages[] = {
     {"mill.engrave",
      "Labels ({programs}): when the cavity is milled, leave the stock as it lies, change to a pointed cutter "
      "or one "
-     "of 1 mm, keep X0 Y0, set Z0 on the top again, and run the label program: it goes {mm} mm deep.",
+     "of 1 mm, keep X0 Y0, set Z0 on the top again, and run the label program: it goes at most {mm} mm deep.",
      "名前（{programs}）：くぼみを削り終えたら、材料はそのままに、先のとがった刃か 1 mm の刃に替えます。X0 "
      "Y0 は"
-     "そのままに、Z0 を上面に合わせ直して、名前のプログラムを動かします。深さは {mm} mm です。"},
+     "そのままに、Z0 を上面に合わせ直して、名前のプログラムを動かします。深さは {mm} mm 以内です。"},
     {"mill.programs", "{names&}", "{names&}"},
     {"mill.turn",
      "Outer sides ({programs}): after a half's cavity is milled, turn it over about the line from "

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "snug/fabricate/kit/item_labels.h"
 #include "snug/fabricate/kit/workshop_pack.h"
 #include "snug/make.h"
 
+#include "tests/support/cut_foams.h"
 #include "tests/support/random.h"
 #include "tests/support/shapes.h"
 
@@ -45,6 +47,26 @@ struct LabelledTray {
     LabelledTray tray{pack(objects, checked(design).value()).value(), {}};
     tray.labels = item_labels(tray.packing.items, names, tray.packing.layers, *tray.packing.foams,
                               tray.packing.space, away_mm);
+    return tray;
+}
+
+/// A tray of one block of half a millimetre, with a pocket through it and a label beside that.
+struct ThinTray {
+    CutFoams foam;
+    std::vector<ItemLabel> labels{{1, "1 THIN", "1 THIN", {60, 30}, 8, 0.5}};
+    [[nodiscard]] FoamDesign foams() const {
+        FoamDesign design = foam.design();
+        design.labels = labels;
+        return design;
+    }
+};
+
+[[nodiscard]] inline ThinTray thin_tray() {
+    BlockMap map(10, 20);
+    for (int j = 2; j < 7; ++j)
+        for (int k = 1; k < 6; ++k) map(j, k) = {0, 4};
+    ThinTray tray{foams_of({{4, 10, 20}, {0.5, 5, 5}}, std::move(map), 1)};
+    tray.foam.foams = without_lid(std::move(tray.foam.foams));
     return tray;
 }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -72,6 +73,15 @@ class FlatFoam {
         });
     }
     void take(const Rectangle& label) { taken_.push_back(label); }
+    /// The thinnest foam below a label, mm.
+    [[nodiscard]] double foam_below(const Rectangle& label) const {
+        int least = std::numeric_limits<int>::max();
+        (void)all_columns(label, [&](int j, int k) {
+            least = std::min<int>(least, below_(j, k).end - below_(j, k).first);
+            return true;
+        });
+        return least * space_.block_mm.x;
+    }
 
   private:
     template <class Holds>
@@ -148,6 +158,7 @@ ItemLabels item_labels(std::span<const Item> items, const std::vector<std::strin
             if (!place) continue;
             label.middle = (place->low + place->high) * 0.5;
             label.height_mm = height;
+            label.foam_mm = foam.foam_below(*place);
             foam.take(*place);
             made.labels.push_back(label);
             break;

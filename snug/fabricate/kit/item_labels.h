@@ -21,6 +21,7 @@ struct ItemLabel {
     std::string strokes;  ///< the same as far as stroke_text() has the letters, else the number alone
     Vec2d middle;         ///< z, y: mm from the corner at BACK and low z, seen from above
     double height_mm = 0;
+    double foam_mm = 0;  ///< below it, where that is thinnest
 };
 
 /// The strokes of a label where it stands, as open lines: x along z, y along y, mm from the corner at BACK

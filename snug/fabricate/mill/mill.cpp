@@ -59,7 +59,7 @@ std::string engraving_program(const FoamDesign& design, const MillPlan& plan, co
     return grbl_program(plan.engraving, plan.field.size_mm(), options,
                         {"LABELS on " + piece_title(plan.piece), design.object_name},
                         {"After " + mill_file_name(plan) + ", the stock as it lies",
-                         "A pointed cutter or one of 1 mm, " + number(kEngravedDepth) + " mm deep",
+                         "A pointed cutter or one of 1 mm, " + number(plan.engraved_mm, 2) + " mm deep",
                          zero_text(options, "the stock", "its top") + " with this cutter"});
 }
 
@@ -92,7 +92,7 @@ void tell_figures(const MillPlans& plans, WorkshopPack& pack) {
     double minutes = 0, way = 0, deepest = 0, litres = 0;
     int passes = 0;
     for (const MillPlan& plan : plans.plans) {
-        minutes += plan.path.minutes;
+        minutes += plan.path.minutes + plan.engraving.minutes;
         way += plan.path.cut_mm;
         passes += plan.path.levels;
         deepest = std::max(deepest, plan.depth_mm());

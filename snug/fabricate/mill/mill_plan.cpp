@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kCellsInRadius = 4;     // fine cells that tell what the cutter leaves
 constexpr double kPinFit = 1e-6;         // mm
+constexpr double kEngravedDepth = 1;     // mm, or half of thinner foam
 constexpr double kFluteRounding = 1e-6;  // mm
 
 Message name_of(const MillPlan& plan) {
@@ -77,8 +78,8 @@ std::vector<MillPlan> all_sides(const FoamDesign& design, const MillOptions& opt
     std::vector<MillPlan> plans, outside;
     const double step_mm = wanted_step_down_mm(options);
     for (const Piece piece : design.foams.all()) {
-        plans.push_back({piece, false, mill_field(design, piece, step_mm), {}, {}, {}, {}, {}});
-        MillPlan other{piece, true, mill_outside(design, piece, step_mm), {}, {}, {}, {}, {}};
+        plans.push_back({piece, false, mill_field(design, piece, step_mm), {}, {}, {}, {}, {}, 0});
+        MillPlan other{piece, true, mill_outside(design, piece, step_mm), {}, {}, {}, {}, {}, 0};
         if (piece.middle() || other.field.lowest() < other.field.top) outside.push_back(std::move(other));
     }
     plans.insert(plans.end(), std::make_move_iterator(outside.begin()),
@@ -102,15 +103,17 @@ void put_pins(MillPlans& all, const MillOptions& options) {
 /// Which side they lie in is cavity up, and y runs away from the operator, BACK being there.
 void put_labels(MillPlan& plan, std::span<const ItemLabel> labels, const MillOptions& options) {
     if (plan.outside) return;
+    plan.engraved_mm = kEngravedDepth;
     for (const ItemLabel& label : labels) {
         if (label.layer != plan.piece.index + 1) continue;
+        plan.engraved_mm = std::min(plan.engraved_mm, label.foam_mm / 2);
         for (std::vector<Vec2d>& line : label_lines(label)) {
             for (Vec2d& p : line) p.y = plan.field.size_mm().y - p.y;
             plan.letters.push_back(std::move(line));
         }
     }
     if (!plan.letters.empty())
-        plan.engraving = engraving_path(plan.field, plan.letters, kEngravedDepth, options);
+        plan.engraving = engraving_path(plan.field, plan.letters, plan.engraved_mm, options);
 }
 
 }  // namespace

@@ -9,8 +9,6 @@
 
 namespace snug {
 
-constexpr double kEngravedDepth = 1;  ///< mm
-
 /// One stock and what is done to it from one side.
 struct MillPlan {
     Piece piece;
@@ -22,6 +20,7 @@ struct MillPlan {
     /// The labels of items that lie in this side, engraved by another cutter after all else.
     std::vector<std::vector<Vec2d>> letters;
     MillPath engraving;
+    double engraved_mm = 0;  ///< deep
 
     [[nodiscard]] double depth_mm() const { return (field.top - field.lowest()) * field.step_mm; }
     /// Whether the machine has anything to do.

@@ -125,6 +125,12 @@ std::vector<Message> label_programs(const MillPlans& plans) {
     return names;
 }
 
+double deepest_letters(const MillPlans& plans) {
+    double deepest = 0;
+    for (const MillPlan& plan : plans.plans) deepest = std::max(deepest, plan.engraved_mm);
+    return deepest;
+}
+
 double highest_stock(const MillPlans& plans) {
     double highest = 0;
     for (const MillPlan& plan : plans.plans) highest = std::max(highest, plan.field.top_mm());
@@ -157,7 +163,7 @@ std::vector<Message> order_of_work(const MillPlans& plans, const MillOptions& op
     if (!label_programs(plans).empty())
         steps.push_back(
             say("mill.engrave", {{"programs", say("mill.programs", {{"names", label_programs(plans)}})},
-                                 {"mm", number(kEngravedDepth)}}));
+                                 {"mm", number(deepest_letters(plans), 2)}}));
     if (!programs(plans, true).empty()) steps.push_back(turning(plans));
     if (plans.pieces() == plans.plans.front().piece.count)
         steps.push_back(say(layers ? "mill.close_layers" : "mill.close"));

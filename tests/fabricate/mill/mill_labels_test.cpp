@@ -72,5 +72,17 @@ TEST(MillLabels, AreTheirStrokesIntoTheFoamThatStandsThere) {
     EXPECT_GT(labels, seeds / 2);
 }
 
+TEST(MillLabels, GoHalfIntoThinFoam) {
+    const test::ThinTray tray = test::thin_tray();
+    MillOptions options;
+    options.cutter_mm = 2;
+    const auto pack = mill_pack(tray.foams(), {}, options);
+    ASSERT_TRUE(pack);
+    const auto lines = engraved_lines(test::read_gcode(test::text_of(*pack, "mill/lower-labels.nc")));
+    ASSERT_FALSE(lines.empty());
+    for (const auto& line : lines)
+        for (const Vec3d p : line) EXPECT_NEAR(p.z, -0.25, 1e-3);
+}
+
 }  // namespace
 }  // namespace snug

@@ -55,6 +55,25 @@ TEST(PrintLabels, LeavePartsClosedWithTheVolumeThatIsTold) {
     EXPECT_GT(cut, 0U);
 }
 
+TEST(PrintLabels, GoHalfIntoThinFoam) {
+    const test::ThinTray tray = test::thin_tray();
+    PrintOptions options;
+    options.dowels = false;
+    const auto pack = print_pack(tray.foams(), options);
+    ASSERT_TRUE(pack);
+    double volume = 0;
+    for (const PrintedItem& part : printed_parts(*pack)) {
+        test::expect_closed(part);
+        EXPECT_NEAR(test::bounds_of(part).max.z, 0.5, 1e-6);
+        volume += test::signed_volume(part.vertices, part.triangles);
+    }
+    const double whole = (10 * 20 - 25) * 0.5 * 5 * 5;
+    EXPECT_NEAR(volume * 1e-6 / *pack->material.litres, 1, 1e-5);
+    EXPECT_LT(volume, whole - 1);
+    const auto letters = inked(label_lines(tray.labels.front()), 1);
+    EXPECT_NEAR(whole - volume, 0.25 * static_cast<double>(area_of(letters)) / 1024 / 1024, 1e-3);
+}
+
 /// In the part's coordinates as it lies from the origin, cavity up.
 Vec3d on_part(Vec2d at, const Box3d& part, double below_top) {
     return {at.x, part.max.y - at.y, part.max.z - below_top};
