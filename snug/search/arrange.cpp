@@ -53,6 +53,20 @@ std::vector<bool> locked_items(const Design& design, bool all) {
     return locked;
 }
 
+/// One that keeps walls that the design does not name.
+Result<Arrangement> arranged_with_walls(std::span<Object> objects, Design& design, const Walls& walls,
+                                        const std::vector<bool>& locked, long long work,
+                                        const ArrangeWatch& watch) {
+    Design walled = design;
+    walled.space.wall_mm = walls;
+    Design arranged;
+    auto found = Arranger(objects, walled, locked, work, watch).run(arranged, false);
+    if (!found) return found;
+    arranged.space.wall_mm.reset();
+    design = std::move(arranged);
+    return found;
+}
+
 /// In a space that is given and asks for no walls of its own: with the thickest of the usual ones that leave
 /// room for all. None where there are none, or a space is not given.
 std::optional<Result<Arrangement>> with_usual_walls(std::span<Object> objects, Design& design,
@@ -62,19 +76,24 @@ std::optional<Result<Arrangement>> with_usual_walls(std::span<Object> objects, D
         std::find(locked.begin(), locked.end(), true) != locked.end())
         return {};
     for (const double wall : kUsualWalls) {
-        Design walled = design;
-        walled.space.wall_mm = equal_walls(wall);
-        if (walled.space.open) (*walled.space.wall_mm)[kRoof] = 0;
-        Design arranged = walled;
-        auto found = Arranger(objects, walled, locked, work / 8, watch).run(arranged, false);
-        if (!found && found.error().kind == ErrorKind::does_not_fit) continue;
-        if (found) {
-            arranged.space.wall_mm.reset();
-            design = std::move(arranged);
-        }
-        return found;
+        auto found = arranged_with_walls(objects, design, equal_walls(wall), locked,
+                                         std::min(work, usual_arranging_work(design)) / 8, watch);
+        if (found || found.error().kind != ErrorKind::does_not_fit) return found;
     }
     return {};
+}
+
+/// In a known case, with the walls that a space has that is fitted to its items.
+Result<Arrangement> in_case(std::span<Object> objects, Design& design, const std::vector<bool>& locked,
+                            long long work, const ArrangeWatch& watch) {
+    SpaceOptions fitted = design.space;
+    fitted.blocks.reset();
+    if (!fitted.wall_mm)
+        return arranged_with_walls(objects, design, wanted_wall_mm(fitted), locked, work, watch);
+    Design arranged;
+    auto found = Arranger(objects, design, locked, work, watch).run(arranged, false);
+    if (found) design = std::move(arranged);
+    return found;
 }
 
 /// Those that may be as heavy, by volume or, where that is what counts, by what a carrier bills.
@@ -128,13 +147,11 @@ Result<Arrangement> arrange_in_known_case(std::span<Object> objects, Design& des
         Design tried = design;
         apply(known[i], tried.case_options);
         if (snug::problem_of(tried.case_options)) continue;
-        Arranger arranger(objects, tried, locked_items(tried, all),
-                          std::min(work / 8, usual_arranging_work(design) / 4), watch);
-        Design arranged;
-        auto found = arranger.run(arranged, false);
+        auto found = in_case(objects, tried, locked_items(tried, all),
+                             std::min(work / 8, usual_arranging_work(design) / 4), watch);
         if (!found && found.error().kind == ErrorKind::does_not_fit) continue;
         if (!found) return found;
-        design = std::move(arranged);
+        design = std::move(tried);
         found->ms = stopwatch.lap();
         return found;
     }

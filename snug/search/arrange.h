@@ -22,7 +22,8 @@ struct Arrangement {
     std::uint32_t seed = 0;
     long long work = 0;     ///< places of one item that were looked at
     double volume_mm3 = 0;  ///< of all blocks
-    /// No arrangement of these items with these turns needs less; none where some are locked.
+    /// No arrangement of these items with these turns needs less, where it keeps such walls as were kept;
+    /// none where some are locked.
     std::optional<double> lower_bound_mm3;
     long long cut_blocks = 0;  ///< by the items alone
     bool cancelled = false;    ///< what is here is the best until then
@@ -42,17 +43,19 @@ struct ArrangeWatch {
 
 /// Arranges all items that are not locked and writes where they lie into the design: in its case or its
 /// blocks, or, where it leaves their number open, in the fewest, which it then has. The walls that the design
-/// wants are kept, and `between` among the items. Of equal volumes the one that cuts less is taken, and of
-/// these one whose weight lies nearer to the middle; of several layers the heaviest lies lowest. `all`: also
-/// items that have a place already. Objects are prepared for many here. The same for the same seed on every
-/// machine and any number of threads, unless cancelled. Fails with kind `does_not_fit` where the space does
-/// not hold them all, as far as was looked (the sentence says which are left, and what would hold them), and
-/// with kind `usage` where locked items meet or there are more layers than items.
+/// wants are kept, and `between` among the items; in a space that is given without any, walls of 50, 25.4 or
+/// 12.7 mm where they leave room, and layers lie in its middle. Of equal volumes the one that cuts less is
+/// taken, and of these one whose weight lies nearer to the middle; of several layers the heaviest lies
+/// lowest. `all`: also items that have a place already. Objects are prepared for many here. The same for the
+/// same seed on every machine and any number of threads, unless cancelled. Fails with kind `does_not_fit`
+/// where the space does not hold them all, as far as was looked (the sentence says which are left, and what
+/// would hold them), and with kind `usage` where locked items meet or there are more layers than items.
 [[nodiscard]] Result<Arrangement> arrange(std::span<Object> objects, Design& design, bool all, long long work,
                                           const ArrangeWatch& watch = {});
 
 /// The same in the smallest of the known cases that holds them (by volume or billed weight, as the design's
-/// search says), which the design then has. Fails with kind `does_not_fit` where none does.
+/// search says), which the design then has; with the walls of a space that is fitted to its
+/// items. Fails with kind `does_not_fit` where none does.
 [[nodiscard]] Result<Arrangement> arrange_in_known_case(std::span<Object> objects, Design& design, bool all,
                                                         const std::vector<KnownCase>& known, long long work,
                                                         const ArrangeWatch& watch = {});

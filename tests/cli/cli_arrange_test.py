@@ -92,6 +92,13 @@ class ArrangeTest(unittest.TestCase):
         report = self.report("camera.stl:count=2", "--known-case", "--wall", 20, "--search-seconds", 0.2)
         self.expect_sound(report)
         self.assertTrue(report["case"]["name"])
+        usual = self.report("camera.stl:count=2", "--known-case", "--search-seconds", 0.2, out="usual")
+        self.expect_sound(usual)
+        self.assertGreaterEqual(min(usual["wall_mm"]), 50)
+
+    def test_a_space_too_small_for_walls_is_not_searched_for_them_all_the_time(self):
+        report = self.report("camera.stl:longest=60,count=4", "--case", "150x130x90", "--search-seconds", 3, "--block-size", "5x5x5")
+        self.expect_sound(report)
 
     def test_what_cannot_be_is_said(self):
         self.assertIn("of them do, without", self.refused(3, "torus.stl:count=9", "--blocks", "20x12x10", "--search-seconds", 0.2))
