@@ -110,8 +110,9 @@ void expect_each_on_one_piece(const SheetStack& stack, const std::vector<std::ve
 }
 
 TEST(LinerSlits, RunAroundCavitiesAsFarAsFoamHasRoom) {
-    std::size_t lines = 0;
-    for (int seed = 0; seed < test::cases(200, 40); ++seed) {
+    const int cases = test::cases(200, 40);
+    int lines = 0;
+    for (int seed = 0; seed < cases; ++seed) {
         SCOPED_TRACE(seed);
         Random random(static_cast<std::uint64_t>(seed) + 91000);
         const CutFoams foam = random.chance(0.3) ? test::l_shaped_foam() : test::random_sheet_foam(random);
@@ -122,10 +123,10 @@ TEST(LinerSlits, RunAroundCavitiesAsFarAsFoamHasRoom) {
             const auto slits = liner_slits(*stack, away);
             expect_right({*stack}, slits, away);
             expect_each_on_one_piece(*stack, slits);
-            lines += slits.size();
+            lines += static_cast<int>(slits.size());
         }
     }
-    EXPECT_GT(lines, 50U);
+    EXPECT_GT(lines, cases / 2);
 }
 
 struct IndexRow {
