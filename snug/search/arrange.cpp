@@ -12,6 +12,7 @@
 #include "snug/base/text.h"
 #include "snug/object/prepare.h"
 #include "snug/search/arranger.h"
+#include "snug/search/arranging.h"
 #include "snug/search/rank_cases.h"
 
 namespace snug {
@@ -38,21 +39,6 @@ std::optional<Error> problem_of(const Design& design, std::span<const Object> ob
     return {};
 }
 
-Result<void> prepare_all(std::span<Object> objects, const ArrangeWatch& watch) {
-    const Progress progress = [&](double) { return !watch.go_on || watch.go_on(0, {}); };
-    for (Object& object : objects) {
-        if (auto done = mark_stand_in(object, progress); !done) return done;
-        prepare_for_many(object);
-    }
-    return {};
-}
-
-std::vector<bool> locked_items(const Design& design, bool all) {
-    std::vector<bool> locked;
-    for (const ItemOptions& item : design.items) locked.push_back(item.lock || (!all && item.offset_mm));
-    return locked;
-}
-
 /// One that keeps walls that the design does not name.
 Result<Arrangement> arranged_with_walls(std::span<Object> objects, Design& design, const Walls& walls,
                                         const std::vector<bool>& locked, long long work,
@@ -65,22 +51,6 @@ Result<Arrangement> arranged_with_walls(std::span<Object> objects, Design& desig
     arranged.space.wall_mm.reset();
     design = std::move(arranged);
     return found;
-}
-
-/// In a space that is given and asks for no walls of its own: with the thickest of the usual ones that leave
-/// room for all. None where there are none, or a space is not given.
-std::optional<Result<Arrangement>> with_usual_walls(std::span<Object> objects, Design& design,
-                                                    const std::vector<bool>& locked, long long work,
-                                                    const ArrangeWatch& watch) {
-    if (design.space.wall_mm || !(design.case_options.inside_mm || design.space.blocks) ||
-        std::find(locked.begin(), locked.end(), true) != locked.end())
-        return {};
-    for (const double wall : kUsualWalls) {
-        auto found = arranged_with_walls(objects, design, equal_walls(wall), locked,
-                                         std::min(work, usual_arranging_work(design)) / 8, watch);
-        if (found || found.error().kind != ErrorKind::does_not_fit) return found;
-    }
-    return {};
 }
 
 /// In a known case, with the walls that a space has that is fitted to its items.
@@ -115,6 +85,48 @@ std::vector<std::size_t> cheapest_first(const std::vector<KnownCase>& known, con
 
 }  // namespace
 
+Result<void> begin_arranging(std::span<Object> objects, const Design& design, const ArrangeWatch& watch) {
+    if (const auto error = problem_of(design, objects)) return tl::unexpected(*error);
+    const Progress progress = [&](double) { return !watch.go_on || watch.go_on(0, {}); };
+    for (Object& object : objects) {
+        if (auto done = mark_stand_in(object, progress); !done) return done;
+        prepare_for_many(object);
+    }
+    return {};
+}
+
+std::vector<bool> locked_items(const Design& design, bool all) {
+    std::vector<bool> locked;
+    for (const ItemOptions& item : design.items) locked.push_back(item.lock || (!all && item.offset_mm));
+    return locked;
+}
+
+bool has_given_space(const Design& design) {
+    return design.case_options.inside_mm || design.space.blocks;
+}
+
+std::vector<Walls> walls_to_try(const Design& design, const std::vector<bool>& locked) {
+    if (design.space.wall_mm || !has_given_space(design) ||
+        std::find(locked.begin(), locked.end(), true) != locked.end())
+        return {};
+    std::vector<Walls> walls;
+    for (const double mm : kUsualWalls) walls.push_back(equal_walls(mm));
+    return walls;
+}
+
+Result<Arrangement> arranged(std::span<Object> objects, Design& design, const std::vector<bool>& locked,
+                             long long work, const ArrangeWatch& watch, bool explain) {
+    for (const Walls& walls : walls_to_try(design, locked)) {
+        auto found = arranged_with_walls(objects, design, walls, locked,
+                                         std::min(work, usual_arranging_work(design)) / 8, watch);
+        if (found || found.error().kind != ErrorKind::does_not_fit) return found;
+    }
+    Design found_design = design;
+    auto found = Arranger(objects, design, locked, work, watch).run(found_design, explain);
+    if (found) design = std::move(found_design);
+    return found;
+}
+
 long long usual_arranging_work(const Design& design) {
     constexpr long long kOfEach = 200'000'000, kMost = 5'000'000'000;
     return std::min(kMost, kOfEach * static_cast<long long>(design.items.size()));
@@ -123,25 +135,17 @@ long long usual_arranging_work(const Design& design) {
 Result<Arrangement> arrange(std::span<Object> objects, Design& design, bool all, long long work,
                             const ArrangeWatch& watch) {
     Stopwatch stopwatch;
-    if (const auto error = problem_of(design, objects)) return tl::unexpected(*error);
-    if (auto done = prepare_all(objects, watch); !done) return tl::unexpected(done.error());
-    const std::vector<bool> locked = locked_items(design, all);
-    auto found = with_usual_walls(objects, design, locked, work, watch);
-    Design arranged = design;
-    if (!found) {
-        found = Arranger(objects, design, locked, work, watch).run(arranged, true);
-        if (found && *found) design = std::move(arranged);
-    }
-    if (*found) (*found)->ms = stopwatch.lap();
-    return std::move(*found);
+    if (auto done = begin_arranging(objects, design, watch); !done) return tl::unexpected(done.error());
+    auto found = arranged(objects, design, locked_items(design, all), work, watch, true);
+    if (found) found->ms = stopwatch.lap();
+    return found;
 }
 
 Result<Arrangement> arrange_in_known_case(std::span<Object> objects, Design& design, bool all,
                                           const std::vector<KnownCase>& known, long long work,
                                           const ArrangeWatch& watch) {
     Stopwatch stopwatch;
-    if (const auto error = problem_of(design, objects)) return tl::unexpected(*error);
-    if (auto done = prepare_all(objects, watch); !done) return tl::unexpected(done.error());
+    if (auto done = begin_arranging(objects, design, watch); !done) return tl::unexpected(done.error());
     const std::vector<std::size_t> by_price = cheapest_first(known, design);
     for (const std::size_t i : by_price) {
         Design tried = design;

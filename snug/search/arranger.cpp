@@ -108,8 +108,8 @@ RoomTask Arranger::task_for(const std::vector<int>& heights) const {
         rows += own_rows + masks_->problem.gap.rows;
         columns += own_columns + masks_->problem.gap.columns;
     }
-    task.most_rows = std::clamp(rows, 1, std::max(1, kMostBlocks - y));
-    task.most_columns = std::clamp(columns, 1, std::max(1, kMostBlocks - z));
+    task.most_rows = std::clamp(rows, 1, std::max(1, most_.y - y));
+    task.most_columns = std::clamp(columns, 1, std::max(1, most_.z - z));
     task.heights = heights;
     return task;
 }
@@ -240,8 +240,11 @@ Result<Arranger::Found> Arranger::in_free_space() {
     for (std::size_t i = 0; i < choices.size(); ++i)
         order.emplace_back(least_price(masks_->problem, task_for(choices[i])), i);
     std::sort(order.begin(), order.end());
-    // Ever longer by turns, as long as more than one may still be better than the best.
-    for (long long slice = kFirstSlice; packer.work() < work_ && !cancelled_; slice *= 2) {
+    // Ever longer by turns, as long as more than one may still be better than the best, and worth a look.
+    long long before = -1;
+    for (long long slice = kFirstSlice; before != packer.work() && packer.work() < work_ && !cancelled_;
+         slice *= 2) {
+        before = packer.work();
         if (price >= 0) std::erase_if(order, [&](const auto& each) { return each.first >= price; });
         if (order.empty()) break;
         const bool alone = order.size() == 1;

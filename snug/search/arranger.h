@@ -9,6 +9,7 @@
 #include "snug/base/result.h"
 #include "snug/search/arrange.h"
 #include "snug/search/arranged_items.h"
+#include "snug/search/arranging.h"
 #include "snug/search/given_room.h"
 #include "snug/search/mask_rooms.h"
 #include "snug/space/space_for.h"
@@ -34,12 +35,14 @@ class Arranger {
              const ArrangeWatch& watch)
         : objects_(objects), design_(design), locked_(std::move(locked)), work_(work), watch_(watch) {}
 
+    /// Spaces of more blocks along y or z do not count, where none is given.
+    void keep_below(Vec3i blocks) { most_ = blocks; }
     /// Looks for it, and writes it into the design that it was made of. `explain`: where it does not fit, who
     /// is left out, and what would do.
     [[nodiscard]] Result<Arrangement> run(Design& design, bool explain);
 
   private:
-    [[nodiscard]] bool given() const { return design_.case_options.inside_mm || design_.space.blocks; }
+    [[nodiscard]] bool given() const { return has_given_space(design_); }
     [[nodiscard]] Result<Found> in_free_space();
     [[nodiscard]] Result<Found> around_locked();
     /// That could hold all, the least price first.
@@ -72,6 +75,7 @@ class Arranger {
     std::optional<ItemMasks> masks_;
     std::optional<double> best_mm3_;
     std::optional<Vec3i> like_;  ///< a space that is to grow as little as may be along y and z, for advice
+    Vec3i most_{kMostBlocks, kMostBlocks, kMostBlocks};
     bool cancelled_ = false;
 };
 

@@ -76,6 +76,10 @@ constexpr Wording kWordsOfSpace[] = {
     {"arrange.too_large",
      "the items and their walls need more than 4096 blocks on an axis: choose larger blocks",
      "置くものと壁に、1 軸 4096 個を超えるブロックが必要です。ブロックを大きくしてください。"},
+    {"arrange.no_item", "there is no such item to make copies of", "複製するものがありません。"},
+    {"arrange.fills_nothing",
+     "as many as fit needs a space to fill: choose a case or a number of blocks first",
+     "いくつ入るかを調べるには、先にケースかブロック数を選んでください。"},
     {"arrange.no_known_case",
      "none of the {cases} known cases holds the items together, as far as was looked: let the space be "
      "fitted to "
