@@ -134,6 +134,8 @@ EMSCRIPTEN_BINDINGS(snug) {
         .function("searchStep", &bound::Session::search_step)
         .function("distinct", &bound::Session::distinct)
         .function("fitCase", &bound::Session::fit_case)
+        .function("arrange", &bound::Session::arrange)
+        .function("fill", &bound::Session::fill)
         .function("startMap", &bound::Session::start_map)
         .function("mapStep", &bound::Session::map_step)
         .function("rankCases", &bound::Session::rank_cases)

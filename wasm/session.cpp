@@ -13,6 +13,7 @@
 #include "snug/search/search_design.h"
 #include "snug/space/place_items.h"
 
+#include "wasm/arrangements.h"
 #include "wasm/projects.h"
 #include "wasm/scene_tools.h"
 #include "wasm/workshop_values.h"
@@ -240,6 +241,20 @@ val Session::fit_case(const std::string& design_text, const val& objects, const 
     val result = val::object();
     result.set("design", design_json(project->design));
     return result;
+}
+
+val Session::arrange(const std::string& design_text, const val& objects, const val& progress,
+                     const val& better) {
+    const auto project = lay_out(design_text, objects);
+    if (!project) return to_val(project.error());
+    return wasm::arrange(store_.objects(), project->design, {progress, better});
+}
+
+val Session::fill(const std::string& design_text, const val& objects, int item, const val& progress,
+                  const val& better) {
+    const auto project = lay_out(design_text, objects);
+    if (!project) return to_val(project.error());
+    return wasm::fill(store_.objects(), project->design, static_cast<std::size_t>(item), {progress, better});
 }
 
 val Session::start_map(const std::string& design_text, const val& objects) {

@@ -55,6 +55,11 @@ class Session {
     /// The design with the fewest blocks that hold the one item and its walls, and the placement for them:
     /// {design}.
     val fit_case(const std::string& design, const val& objects, const val& progress);
+    /// All items that are not locked, where they take the least room, and others that differ; `better` is
+    /// given every better design on the way (arrangements.h).
+    val arrange(const std::string& design, const val& objects, const val& progress, const val& better);
+    /// As many of one item as go into the given space.
+    val fill(const std::string& design, const val& objects, int item, const val& progress, const val& better);
     /// Starts a map of what is cut by direction, for one item in the design's space; another object ends it.
     val start_map(const std::string& design, const val& objects);
     /// Goes on with it for some milliseconds.

@@ -20,6 +20,10 @@ namespace snug {
 /// A case, or so many blocks.
 [[nodiscard]] bool has_given_space(const Design& design);
 
+/// The walls that are tried one after the other where a space is given and names none: from thick to thin,
+/// each as the design then has it. Empty: what the design says holds.
+[[nodiscard]] std::vector<Walls> walls_to_try(const Design& design, const std::vector<bool>& locked);
+
 /// arrange() of what has begun. `explain`: where it does not fit the sentence says who is left out, and what
 /// would do, which takes a look of its own.
 [[nodiscard]] Result<Arrangement> arranged(std::span<Object> objects, Design& design,

@@ -1,7 +1,7 @@
 import {readFileSync} from 'node:fs';
 import type {Page} from '@playwright/test';
 import {violations} from './support/axe';
-import {commandSays, expect, open, status, test} from './support/studio';
+import {commandSays, expect, open, set, status, test} from './support/studio';
 import {torusStl} from './support/torus';
 
 // Several things in one case.
@@ -106,4 +106,33 @@ test('items that come too near each other are named, and a locked one stays wher
   await expect(list(page)).toHaveCount(2);
   await expect(page.getByText('Danger: Items too near each other').first()).toBeVisible();
   await expect(page.getByRole('button', {name: 'Unlock ring.stl'})).toBeVisible();
+});
+
+test('things are arranged, another arrangement is taken, and a case filled with as many as fit', async ({studio: page}) => {
+  const CAP = {name: 'cap.stl', buffer: torusStl(24, 12, 30, 12)};
+  await drop(page, RING, SMALL, CAP);
+  await expect(list(page)).toHaveCount(3);
+  await expect(status(page)).toContainText('F ');
+  const litres = async () => Number(/foam ([\d.]+)/i.exec((await status(page).textContent()) ?? '')?.[1]);
+  const row = await litres();
+  const fill = page.getByRole('button', {name: /^As many of/});
+  await expect(fill).toBeDisabled();
+  await page.getByRole('button', {name: 'Arrange', exact: true}).click();
+  const choices = page.getByRole('list', {name: 'Arrangements to choose from'}).getByRole('button');
+  await expect(choices.first()).toHaveAttribute('aria-pressed', 'true', {timeout: 20_000});
+  await expect.poll(litres).toBeLessThan(row);
+  await commandSays(page, 'cap.stl:');
+  await expect(page.getByText(/[0-9] dangers?/)).toHaveCount(0);
+  await page.screenshot({path: test.info().outputPath('arranged.png')});
+  await choices.nth(1).click();
+  await expect(choices.nth(1)).toHaveAttribute('aria-pressed', 'true');
+  expect(await violations(page)).toEqual([]);
+
+  await set(page, 'spinbutton', 'Blocks z', 40);
+  await item(page, '3. cap.stl').click();
+  await fill.click();
+  await expect.poll(() => list(page).count(), {timeout: 30_000}).toBeGreaterThan(6);
+  await expect(fill).toBeEnabled({timeout: 30_000});
+  await expect(page.getByText(/[0-9] dangers?/)).toHaveCount(0);
+  await page.screenshot({path: test.info().outputPath('filled.png')});
 });

@@ -216,6 +216,34 @@ export interface SearchResult extends SearchStep {
   distinct: FoundPlacement[];
 }
 
+/** Items where they were put, and the space that they take. */
+export interface Arranged {
+  design: Design;
+  volume_mm3: number;
+  /** No arrangement needs less; null where that is not known. */
+  lower_bound_mm3: number | null;
+  layers: number;
+  /** Of the case, or of all blocks. */
+  size_mm: Triple;
+  /** Of each item, its layer and what it takes up, design coordinates. */
+  plan: {layer: number; min: Triple; max: Triple}[];
+}
+
+/** As the library hands it over: the design is a JSON text. */
+export type ArrangedText = Omit<Arranged, 'design'> & {design: string};
+
+/** The best that was found, and what there is to choose from: it, and some that differ; nothing after cancel(). */
+export interface Arrangement {
+  design: Design;
+  choices: Arranged[];
+}
+
+/** How far an arrangement is, and the best design since the last step. */
+export interface ArrangeStep {
+  fraction: number;
+  better: Design | null;
+}
+
 /** What is cut by direction of insertion, at the best turn and offset so far, exactly; finer with every pass. Where the
  *  design leaves the number of blocks open, each placement has the space that is fitted to it. Directions in which the
  *  object does not fit with its walls are left out. */
@@ -313,6 +341,20 @@ export interface Engine {
     onProgress?: OnProgress,
     objects?: readonly ObjectUse[],
   ): Promise<{design: Design} | Failure>;
+  /** All items that are not locked, where they take the least room: in the case or the blocks that are given, or in as few
+   *  as go. `onStep` hears every better design. After cancel() that is what is returned. */
+  arrange(
+    design: Design,
+    onStep: (step: ArrangeStep) => void,
+    objects?: readonly ObjectUse[],
+  ): Promise<Arrangement | Failure>;
+  /** As many of one item as go into the given space, beside the others. As arrange(). */
+  fill(
+    design: Design,
+    item: number,
+    onStep: (step: ArrangeStep) => void,
+    objects?: readonly ObjectUse[],
+  ): Promise<Arrangement | Failure>;
   /** The map of directions for one item in the design's space; `onStep` hears it grow. Ended by cancel(), it is what it
    *  is. */
   directions(
@@ -320,7 +362,7 @@ export interface Engine {
     onStep: (map: DirectionMap) => void,
     objects?: readonly ObjectUse[],
   ): Promise<DirectionMap | Failure>;
-  /** Ends gaps(), search(), directions() and outputFiles(), whichever runs; the first and the last then give a Failure of kind
+  /** Ends gaps(), search(), arrange(), directions() and outputFiles(), whichever runs; the first and the last then give a Failure of kind
    *  `cancelled`. */
   cancel(): Promise<void>;
   /** The known cases that hold the items as they are placed, the best fill first. */

@@ -1,8 +1,12 @@
-import type {GivenObject, Pack, SceneTools, Session, SnugModule} from 'snug-wasm/snug.mjs';
+import type {ArrangementText, GivenObject, Pack, SceneTools, Session, SnugModule} from 'snug-wasm/snug.mjs';
 import type {BrickRange, Design, Preset} from '../design/design';
 import type {ObjectUse} from '../design/moment';
 import type {Dependent, Schema} from '../design/options';
 import type {
+  Arranged,
+  ArrangedText,
+  Arrangement,
+  ArrangeStep,
   BesideFile,
   CaseRanking,
   SearchResult,
@@ -238,6 +242,28 @@ export class EngineCore {
     return isFailure(fitted) ? fitted : {design: JSON.parse(fitted.design) as Design};
   }
 
+  /** Blocks its thread until it is done. */
+  async arrange(
+    design: Design,
+    onStep: (step: ArrangeStep) => void,
+    objects?: Objects,
+  ): Promise<Arrangement | Failure> {
+    const given = await this.#given(objects);
+    const {progress, better} = listeners(onStep);
+    return arranged(guarded(() => this.#session.arrange(JSON.stringify(design), given, progress, better)));
+  }
+
+  async fill(
+    design: Design,
+    item: number,
+    onStep: (step: ArrangeStep) => void,
+    objects?: Objects,
+  ): Promise<Arrangement | Failure> {
+    const given = await this.#given(objects);
+    const {progress, better} = listeners(onStep);
+    return arranged(guarded(() => this.#session.fill(JSON.stringify(design), given, item, progress, better)));
+  }
+
   async directions(
     design: Design,
     onStep: (map: DirectionMap) => void,
@@ -327,6 +353,19 @@ function throttled(onProgress?: OnProgress): ((fraction: number) => boolean) | n
     }
     return true;
   };
+}
+
+function listeners(onStep: (step: ArrangeStep) => void) {
+  let fraction = 0;
+  const progress = throttled((share) => onStep({fraction: (fraction = share), better: null}));
+  return {progress, better: (design: string) => onStep({fraction, better: JSON.parse(design) as Design})};
+}
+
+function arranged(answer: ArrangementText | Failure): Arrangement | Failure {
+  if (isFailure(answer)) return answer;
+  const read = (choice: ArrangedText): Arranged => ({...choice, design: JSON.parse(choice.design) as Design});
+  const choices = answer.choices.map(read);
+  return {design: choices[0]!.design, choices};
 }
 
 function withoutFolders(name: string): string {

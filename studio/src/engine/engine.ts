@@ -4,6 +4,8 @@ import {firstDesign} from '../design/edit';
 import type {ObjectUse} from '../design/moment';
 import {failures} from '../words/failures';
 import type {
+  Arrangement,
+  ArrangeStep,
   BesideFile,
   CaseRanking,
   DirectionMap,
@@ -212,6 +214,37 @@ class PageEngine implements Engine {
     const answer = await this.#slowly('searches', (core) => core.search(plain, proxy(listen), uses));
     const best = last as SearchStep | null;
     return isFailure(answer) && answer.kind === 'cancelled' && best ? {...best, distinct: []} : answer;
+  }
+
+  arrange(design: Design, onStep: (step: ArrangeStep) => void, objects?: Objects): Promise<Arrangement | Failure> {
+    const [plain, uses] = sent(design, objects);
+    return this.#arranging(onStep, (core, listen) => core.arrange(plain, listen, uses));
+  }
+
+  fill(
+    design: Design,
+    item: number,
+    onStep: (step: ArrangeStep) => void,
+    objects?: Objects,
+  ): Promise<Arrangement | Failure> {
+    const [plain, uses] = sent(design, objects);
+    return this.#arranging(onStep, (core, listen) => core.fill(plain, item, listen, uses));
+  }
+
+  /** Cancelled, the last better design is what it comes to. */
+  async #arranging(
+    onStep: (step: ArrangeStep) => void,
+    run: (core: CoreHandle['core'], listen: (step: ArrangeStep) => void) => Promise<Arrangement | Failure>,
+  ): Promise<Arrangement | Failure> {
+    let last: Design | null = null;
+    const listen = (step: ArrangeStep) => {
+      last = step.better ?? last;
+      onStep(step);
+    };
+    const answer = await this.#slowly('outputs', (core) => run(core, proxy(listen)));
+    const best = last as Design | null;
+    if (!isFailure(answer) || answer.kind !== 'cancelled' || !best) return answer;
+    return {design: best, choices: []};
   }
 
   directions(

@@ -3,6 +3,7 @@
 declare module 'snug-wasm/snug.mjs' {
   import type {BrickRange, Preset} from '../design/design';
   import type {
+    ArrangedText,
     CaseRanking,
     DirectionMap,
     DisplayMesh,
@@ -17,6 +18,9 @@ declare module 'snug-wasm/snug.mjs' {
   } from './api';
 
   type Progress = ((fraction: number) => boolean) | null;
+  type BetterDesign = ((design: string) => void) | null;
+  /** One at least, the best first. */
+  type ArrangementText = {choices: ArrangedText[]};
   type Made = {files: OutputFile[]; report: string; pack?: Pack};
   export interface Pack {
     files: OutputFile[];
@@ -62,6 +66,8 @@ declare module 'snug-wasm/snug.mjs' {
     searchStep(): (SearchStep & {ended: boolean}) | Failure;
     distinct(): FoundPlacement[];
     fitCase(design: string, objects: GivenObject[], progress: Progress): {design: string} | Failure;
+    arrange(design: string, objects: GivenObject[], progress: Progress, better: BetterDesign): ArrangementText | Failure;
+    fill(design: string, objects: GivenObject[], item: number, progress: Progress, better: BetterDesign): ArrangementText | Failure;
     startMap(design: string, objects: GivenObject[]): (DirectionMap & {ended: boolean}) | Failure;
     mapStep(): (DirectionMap & {ended: boolean}) | Failure;
     rankCases(design: string, objects: GivenObject[]): CaseRanking | Failure;

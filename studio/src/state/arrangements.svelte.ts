@@ -1,8 +1,7 @@
 import type {Design} from '../design/design';
-import {walls, withSpace} from '../design/edit';
+import {walls} from '../design/edit';
 import type {Moment} from '../design/moment';
 import type {Arranged, Engine} from '../engine/api';
-import {isFailure} from '../engine/failure';
 import type {LongWork} from './long_work';
 import type {Options} from './options.svelte';
 
@@ -15,12 +14,21 @@ export interface Kit {
   becomes(next: Moment, control: string): void;
 }
 
+interface Found {
+  /** Inputs that it is of, and the design that it began with. */
+  of: string;
+  start: Design;
+  /** All that were found. */
+  designs: Design[];
+  choices: Arranged[];
+}
+
 /** Puts several things where they take the least room, and keeps what there was to choose from as long as it is true of
  *  what is on the screen. */
 export class Arrangements {
   readonly #kit: Kit;
   readonly #long: LongWork;
-  #found = $state.raw<{of: string; start: Design; choices: Arranged[]} | null>(null);
+  #found = $state.raw<Found | null>(null);
 
   constructor(kit: Kit, long: LongWork) {
     this.#kit = kit;
@@ -31,9 +39,8 @@ export class Arrangements {
   get choices(): Arranged[] {
     const {design} = this.#kit.moment;
     if (!this.#found || this.#found.of !== this.#inputs(design)) return [];
-    const {start, choices} = this.#found;
-    const spaces = [start, ...(start.space.blocks === 'auto' ? choices.map((choice) => choice.design) : [])];
-    return spaces.some(({space}) => String(space.blocks) === String(design.space.blocks)) ? choices : [];
+    const {designs, choices} = this.#found;
+    return designs.some(({space}) => String(space.blocks) === String(design.space.blocks)) ? choices : [];
   }
 
   /** Which of them is on the screen; -1: none. */
@@ -43,37 +50,38 @@ export class Arrangements {
   }
 
   /** All that is not locked. */
-  arrange = () =>
-    this.#run(({engine, moment}, onStep) => engine.arrange(moment.design, onStep, moment.objects));
+  arrange = () => this.#run(this.#reopened(), ({engine, moment}, design, onStep) => engine.arrange(design, onStep, moment.objects));
 
   /** As many of the selected one as fit. */
   fill = () =>
-    this.#run(({engine, moment, selected}, onStep) => engine.fill(moment.design, selected, onStep, moment.objects));
+    this.#run(this.#kit.moment.design, ({engine, moment, selected}, design, onStep) =>
+      engine.fill(design, selected, onStep, moment.objects),
+    );
 
-  async take(choice: Arranged): Promise<void> {
-    const {moment} = this.#kit;
-    const design = await this.#asOpen(this.#found?.start ?? moment.design, choice.design);
-    if (this.#kit.moment === moment) this.#kit.becomes({...moment, design}, '');
+  take(choice: Arranged): void {
+    this.#kit.becomes({...this.#kit.moment, design: choice.design}, '');
   }
 
-  async #run(run: (kit: Kit, onStep: Parameters<Engine['arrange']>[1]) => ReturnType<Engine['arrange']>): Promise<void> {
-    const start = this.#kit.moment.design;
+  async #run(
+    start: Design,
+    run: (kit: Kit, start: Design, onStep: Parameters<Engine['arrange']>[1]) => ReturnType<Engine['arrange']>,
+  ): Promise<void> {
     await this.#long.arrange(
-      (onStep) => run(this.#kit, onStep),
-      async ({design, choices}) => {
-        if (choices.length > 0) this.#found = {of: this.#inputs(choices[0]!.design), start, choices};
-        return this.#asOpen(start, design);
+      (onStep) => run(this.#kit, start, onStep),
+      ({design, choices}) => {
+        this.#found = {of: this.#inputs(design), start, designs: [design, ...choices.map((choice) => choice.design)], choices};
+        return design;
       },
     );
   }
 
-  /** A space that followed its items does so from now on, too, where it then is the same. */
-  async #asOpen(start: Design, arranged: Design): Promise<Design> {
-    if (start.space.blocks !== 'auto' || arranged.space.blocks === 'auto' || start.case.inside_mm) return arranged;
-    const open = withSpace({...arranged, space: {...arranged.space, wall_mm: start.space.wall_mm}}, 'auto');
-    const packing = await this.#kit.engine.pack(open, this.#kit.moment.objects);
-    if (isFailure(packing) || !packing.fit) return arranged;
-    return String(packing.blocks) === String(arranged.space.blocks) ? open : arranged;
+  /** A space that an arrangement chose by itself is nobody's wish when the next one begins. */
+  #reopened(): Design {
+    const {design} = this.#kit.moment;
+    const start = this.#found?.start.space;
+    const own = this.#found?.designs.some(({space}) => String(space.blocks) === String(design.space.blocks));
+    if (start?.blocks !== 'auto' || !own) return design;
+    return {...design, space: {...design.space, blocks: 'auto', wall_mm: start.wall_mm}};
   }
 
   /** All that arrangements depend on, but for where the items lie. */

@@ -1,6 +1,6 @@
 import type {Design} from '../design/design';
 import {withPlacement, withSpace} from '../design/edit';
-import type {DirectionMap, Failure} from '../engine/api';
+import type {Arrangement, ArrangeStep, DirectionMap, Failure} from '../engine/api';
 import {isFailure} from '../engine/failure';
 import type {Work} from './on_the_page';
 import type {Studio} from './studio.svelte';
@@ -108,6 +108,31 @@ export class LongWork {
       this.#studio.placements.foundDistinct(start, blocks, best.distinct);
     }
     await this.#parts.show('optimize');
+  }
+
+  /** Arranges what lies in the case, with the best so far on the screen. `settle`: what becomes of what was found. */
+  arrange(
+    run: (onStep: (step: ArrangeStep) => void) => Promise<Arrangement | Failure>,
+    settle: (found: Arrangement) => Design,
+  ): Promise<void> {
+    this.#ended = this.#arrange(run, settle);
+    return this.#ended;
+  }
+
+  async #arrange(...[run, settle]: Parameters<LongWork['arrange']>): Promise<void> {
+    const {design: start} = this.#studio.moment;
+    const found = await this.#long('arrange', (onProgress) =>
+      run(({fraction, better}) => {
+        if (this.#studio.busy?.work !== 'arrange') return;
+        onProgress(fraction);
+        if (!better) return;
+        this.#parts.changes(better);
+        void this.#parts.pack(better);
+      }),
+    );
+    this.#parts.changes(isFailure(found) ? start : settle(found));
+    const failed = await this.#parts.show('arrange');
+    if (isFailure(found) && !failed) this.#parts.refuse('arrange', found);
   }
 
   async measureGaps(): Promise<void> {

@@ -6,6 +6,7 @@ import type {Engine, Failure, Finding, Gap, ObjectInfo, PackedItem, Packing, Pro
 import {isFailure} from '../engine/failure';
 import {files} from '../words/files';
 import type {Pair} from '../words/words';
+import {Arrangements} from './arrangements.svelte';
 import type {StoredObject} from './autosave';
 import {commanded, type Commanded} from './commanded';
 import {factsOf, type Facts} from './facts';
@@ -104,6 +105,7 @@ export class Studio {
     refuse: (control, failed) => this.#refuse(control, failed),
     stopResting: () => this.#stopResting(),
   });
+  readonly arrangements = new Arrangements(this, this.#long);
 
   private constructor(engine: Engine, facts: Facts, onDesign: () => void) {
     this.engine = engine;
@@ -175,8 +177,7 @@ export class Studio {
     return this.thinned ? {...wanted, files: [this.thinned.name]} : wanted;
   }
 
-  /** A change by `control`, of the design as it is for the item that is selected. Refused by the library: its sentence,
-   *  and everything stays as it was. */
+  /** A change by `control`, of the design as it is for the selected item. Refused, everything stays as it was. */
   change(edit: (design: Design) => Design, control: string): void {
     this.becomes(unfocused(this.moment, this.selected, edit(this.design), this.lying), control);
   }
@@ -212,8 +213,7 @@ export class Studio {
     await this.#shown.become(moment, infos);
   }
 
-  /** Says from the first moment on what is read, with a way out that ends it at once. Other long work, and the reading
-   *  before, end first. */
+  /** Says from the first moment on what is read, with a way out; other long work, and the reading before, end first. */
   reading<T>(file: FileFacts, run: (reading: Reading) => Promise<T | Failure>): Promise<T | Failure> {
     this.#stopResting();
     return this.#readings.run(file, this.#long.ended, run);

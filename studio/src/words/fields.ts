@@ -33,6 +33,23 @@ export const fields = {
         'より厳しく：面が触れるだけのブロックも切り取ります。',
       ],
     },
+    'search.turns': {
+      name: ['Turned', '回し方'],
+      tip: ['How things may be turned when they are arranged', '並べるとき、どのように回してよいか'],
+      words: {
+        none: ['not at all', '回さない'],
+        upright: ['about the upright axis', '上下の軸まわり'],
+        quarter: ['onto any side', 'どの面を下にしても'],
+        any: ['any way', 'どの向きでも'],
+      },
+    },
+    'search.layers': {
+      name: ['Layers', '段の数'],
+      tip: [
+        'Over how many layers they are spread: 1 leaves each in its own, 0 takes as many as are best.',
+        'いくつの段に分けて並べるか。1 なら今の段のまま、0 ならいちばんよい段数にします。',
+      ],
+    },
     'space.open': {
       name: ['Sunk by', '沈める深さ'],
       tip: [

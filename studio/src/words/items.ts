@@ -21,10 +21,24 @@ export const items = words({
     asForAll: ['Clearance as for all', 'すきまを全体と同じに'],
     placing: (name: string) => [`Turns and shifts ${name}.`, `${name} を回して動かします。`],
     locked: (name: string) => [`${name} is locked.`, `${name} は固定されています。`],
-    oneOnly: [
-      'Searches look at one thing alone: take the others out, or place them by hand here, in the view or in the plan.',
-      '探索は一つのものだけが対象です。ほかのものを取り出すか、ここ、立体の表示、平面図で手で置いてください。',
+    arrange: ['Arrange', '並べる'],
+    arrangeTip: [
+      'Put everything that is not locked where it takes the least room: in the case or the blocks that are chosen, or in as few as go. Cancel keeps the best so far.',
+      '固定されていないものを、場所をいちばん取らないように並べます。ケースやブロック数を選んであればその中に、なければできるだけ小さく並べます。中止すると、それまでの最良が残ります。',
     ],
+    choices: ['Arrangements to choose from', '並べ方の候補'],
+    choice: (n: number, litres: string, size: string, layers: number) => [
+      `Arrangement ${n}: ${litres} litres, ${size} mm, ${layers === 1 ? '1 layer' : `${layers} layers`}`,
+      `並べ方 ${n}：${litres} リットル、${size} mm、${layers} 段`,
+    ],
+    leastLitres: (litres: string) => [`No arrangement needs less than ${litres} l.`, `どう並べても ${litres} L は必要です。`],
+    layers: (layers: number) => [layers === 1 ? '1 layer' : `${layers} layers`, `${layers} 段`],
+    fill: (name: string) => [`As many of ${name} as fit`, `${name} を入るだけ`],
+    fillTip: [
+      'Adds copies until no more go into the case or the blocks that are chosen, and arranges everything that is not locked.',
+      '選んだケースやブロックに入らなくなるまで複製し、固定されていないものを並べます。',
+    ],
+    fillNeeds: ['Choose a case or the number of blocks first: then there is something to fill.', '先にケースかブロック数を選んでください。'],
     closedOnly: [
       'Searches look for foams that close: place what lies in a tray by hand, here or in the view.',
       '探索は閉じるフォームが対象です。トレイのものは、ここか立体の表示で手で置いてください。',

@@ -80,6 +80,7 @@ export const page = words({
     reading: (name: string) => [`Reading ${name} …`, `${name} を読み込み中 …`],
     gaps: ['Measuring the gaps …', 'すきまを測定中 …'],
     search: ['Looking for the best placement …', '最良の配置を探索中 …'],
+    arrange: ['Arranging …', '並べ方を探索中 …'],
     map: ['Looking in every direction …', 'すべての方向を調査中 …'],
     make: ['Making the files …', 'ファイルを作成中 …'],
     cancel: ['Cancel', '中止'],
