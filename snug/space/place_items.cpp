@@ -35,16 +35,19 @@ Result<Item> placed(std::span<const Object> objects, const ItemOptions& options,
     return item;
 }
 
+constexpr double kPastFace = 0.01;  // mm: no longer touching
+
 /// Between two grown boxes lies a block more than what is wanted, so that as many whole blocks lie between
-/// them wherever the lattice is. mm.
-double apart_along(int axis, const SpaceOptions& space) {
-    const double block = space.block_mm[axis];
-    return (std::ceil(wanted_between_mm(space) / block - 1e-9) + 1) * block;
+/// them wherever the lattice is; also where both end on its lines and cut what they touch. mm.
+double apart_along(int axis, const Design& design) {
+    const double block = design.space.block_mm[axis];
+    return (std::ceil(wanted_between_mm(design.space) / block - 1e-9) + 1) * block +
+           (design.cut.cut_on_touch ? kPastFace : 0);
 }
 
 /// One after the other along z, their middle at `middle`.
-void stand_in_a_row(const std::vector<Item*>& row, const SpaceOptions& space, double middle) {
-    const double apart = apart_along(2, space);
+void stand_in_a_row(const std::vector<Item*>& row, const Design& design, double middle) {
+    const double apart = apart_along(2, design);
     double length = -apart;
     for (const Item* item : row) length += room_of(*item).size().z + apart;
     double at = middle - length / 2;
@@ -77,8 +80,8 @@ Box3d room_of(const std::vector<Item*>& items) {
 }
 
 /// Layers of items upon each other, their middle at `middle`.
-void stack(const std::vector<std::vector<Item*>>& layers, const SpaceOptions& space, double middle) {
-    const double apart = apart_along(0, space);
+void stack(const std::vector<std::vector<Item*>>& layers, const Design& design, double middle) {
+    const double apart = apart_along(0, design);
     double height = -apart;
     for (const auto& layer : layers)
         if (!layer.empty()) height += room_of(layer).size().x + apart;
@@ -96,9 +99,9 @@ void place_beside_each_other(std::vector<Item>& items, const Design& design, Vec
     std::vector<std::vector<Item*>> layers;
     for (int layer = 1; layer <= layers_of(design); ++layer) {
         layers.push_back(without_a_place(items, design, layer));
-        stand_in_a_row(layers.back(), design.space, middle.z);
+        stand_in_a_row(layers.back(), design, middle.z);
     }
-    if (layers.size() > 1 && !design.space.open) stack(layers, design.space, middle.x);
+    if (layers.size() > 1 && !design.space.open) stack(layers, design, middle.x);
 }
 
 /// Shifts all so that what they take up together is centred, as a single object is.
@@ -118,7 +121,7 @@ Result<DesignSpace> given_space(const Design& design) {
 
 /// Along x: in the middle of a space that is fitted to the items, or on the floor of one that is given.
 Result<void> lay_in_tray(std::vector<Item>& items, const Design& design, double middle, bool fitted) {
-    settle_in_tray(items, *design.space.open, apart_along(0, design.space));
+    settle_in_tray(items, *design.space.open, apart_along(0, design));
     double rise = middle - room_of(items).centre().x;
     if (!fitted) {
         const auto space = given_space(design);
