@@ -79,7 +79,7 @@ test('an object may have a unit of its own, and what is said of it says so', asy
   expect(packing.items[0]!.bounds.max[0]).toBeCloseTo(60 * 2.54, 4);
   expect(good(await core.reprepare({...design, object: own}, infos[1]!.id)).size_mm![0]).toBeCloseTo(50 * 25.4, 3);
   const line = good(await core.commandLine(['body.stl', 'my lens.stl'], design, 'en', [{...body!, own}, lens!]));
-  expect(line.text).toBe("snug make body.stl:units=in 'my lens.stl' -o body-foam");
+  expect(line.text).toBe("snug make body.stl:units=in 'my lens.stl' --no-arrange -o body-foam");
   const {text} = good(await core.projectText(design, [{...body!, own}, lens!]));
   const read = good(await core.parseProject(text));
   expect(read.objects).toMatchObject([{name: 'body.stl', own}, {name: 'lens.stl', own: null}]);
