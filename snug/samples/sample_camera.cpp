@@ -39,11 +39,11 @@ void add_viewfinder(Mesh& mesh) {
     struct Step {
         double up, width, depth, front;
     };
-    static constexpr Step kSteps[] = {{16, 52, 27, 0},   {25, 51, 27.4, 0},  {28, 49, 28, 0.5},
-                                      {36, 38, 27, 0.5}, {42, 29, 24, -0.5}, {44.5, 26, 21, -1},
-                                      {45.3, 23, 18, -1}};
+    static constexpr Step kHumpSteps[] = {{16, 52, 27, 0},   {25, 51, 27.4, 0},  {28, 49, 28, 0.5},
+                                          {36, 38, 27, 0.5}, {42, 29, 24, -0.5}, {44.5, 26, 21, -1},
+                                          {45.3, 23, 18, -1}};
     std::vector<std::vector<Vec3d>> rings;
-    for (const Step& step : kSteps) {
+    for (const Step& step : kHumpSteps) {
         std::vector<Vec3d> ring;
         for (const Point2& p : rounded_rectangle(step.depth, step.width, 5))
             ring.push_back(facing_up(kLensRight, step.front)(p, step.up));

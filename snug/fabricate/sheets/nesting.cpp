@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "snug/base/text.h"
+#include "snug/fabricate/sheets/close_nesting.h"
 #include "snug/fabricate/sheets/offcuts.h"
 
 namespace snug {
@@ -207,7 +208,10 @@ class Nester {
 
 Result<Nesting> nest(std::span<const PieceToNest> pieces, Vec2d cell_mm, const SheetOptions& options,
                      bool in_offcuts) {
-    return Nester(pieces, cell_mm, options).nest(in_offcuts);
+    auto nesting = Nester(pieces, cell_mm, options).nest(in_offcuts);
+    if (!nesting || !in_offcuts) return nesting;
+    if (auto closer = closer_nesting(pieces, cell_mm, options, *nesting)) return std::move(*closer);
+    return nesting;
 }
 
 }  // namespace snug

@@ -34,10 +34,11 @@ struct Nesting {
     int first_color_stocks = 0;      ///< those after them are of the second colour
 };
 
-/// Small pieces go into the offcuts of larger ones, cell by cell; what is left is packed by bounding boxes
-/// (skyline, bottom left), first fit. Cuts of different pieces stay the spacing apart. Without `in_offcuts`
-/// by bounding boxes only. Those of the second colour come on sheets of their own, after the others. Fails
-/// (kind usage) with the stock that would do where a piece is too large.
+/// Small pieces go into the offcuts of larger ones, cell by cell, and the others beside each other by
+/// bounding boxes (skyline, bottom left), first fit; then all of them closer where that takes less stock
+/// (close_nesting.h). Cuts of different pieces stay the spacing apart. Without `in_offcuts` by bounding boxes
+/// only. Those of the second colour come on sheets of their own, after the others. Fails (kind usage) with
+/// the stock that would do where a piece is too large.
 [[nodiscard]] Result<Nesting> nest(std::span<const PieceToNest> pieces, Vec2d cell_mm,
                                    const SheetOptions& options, bool in_offcuts = true);
 

@@ -37,12 +37,12 @@ BitRow run_starts(BitRow row, int length) {
     return row;
 }
 
-struct MaskRun {
+struct CellRun {
     int row, first, length;
 };
 
-std::vector<MaskRun> runs_of(const Mask& mask) {
-    std::vector<MaskRun> runs;
+std::vector<CellRun> cell_runs_of(const Mask& mask) {
+    std::vector<CellRun> runs;
     for (int row = 0; row < mask.height; ++row)
         for (int column = 0; column < mask.width; ++column) {
             if (!mask.contains(column, row)) continue;
@@ -51,7 +51,7 @@ std::vector<MaskRun> runs_of(const Mask& mask) {
         }
     // Long runs rule out most places.
     std::stable_sort(runs.begin(), runs.end(),
-                     [](const MaskRun& a, const MaskRun& b) { return a.length > b.length; });
+                     [](const CellRun& a, const CellRun& b) { return a.length > b.length; });
     return runs;
 }
 
@@ -76,10 +76,10 @@ Offcuts::Offcuts(const Mask& piece, int gap_columns, int gap_rows)
 
 std::optional<CellPoint> Offcuts::room_for(const Mask& piece, int cells, long long& work) const {
     if (piece.width > width_ || piece.height > height_ || cells > free_cells_) return {};
-    const std::vector<MaskRun> runs = runs_of(piece);
+    const std::vector<CellRun> runs = cell_runs_of(piece);
     for (int y = 0; y + piece.height <= height_; ++y) {
         BitRow places;
-        for (const MaskRun& run : runs) {
+        for (const CellRun& run : runs) {
             BitRow starts = run_starts(free_[static_cast<std::size_t>(y + run.row)], run.length);
             shift_down(starts, run.first);
             if (places.empty())
@@ -96,7 +96,7 @@ std::optional<CellPoint> Offcuts::room_for(const Mask& piece, int cells, long lo
 }
 
 void Offcuts::take(const Mask& piece, CellPoint at) {
-    for (const MaskRun& run : runs_of(piece)) {
+    for (const CellRun& run : cell_runs_of(piece)) {
         const int first = std::max(at.x + run.first - gap_columns_, 0);
         const int end = std::min(at.x + run.first + run.length + gap_columns_, width_);
         const int last_row = std::min(at.y + run.row + gap_rows_, height_ - 1);

@@ -14,8 +14,10 @@
 #include "snug/fabricate/printing/print_joints.h"
 #include "snug/fabricate/printing/print_solid.h"
 
+#include "tests/support/cases.h"
 #include "tests/support/closedness.h"
 #include "tests/support/print_design.h"
+#include "tests/support/random.h"
 
 namespace snug {
 namespace {
@@ -137,6 +139,37 @@ TEST(PrintBed, ThingsLieApartAndOnFewBeds) {
     const std::vector<Vec3d> sizes{{100, 50, 1}, {100, 80, 1}, {60, 10, 1}, {200, 100, 1}};
     const auto places = places_on_beds(sizes, {210, 200, 10});
     for (const BedPlace& place : places) EXPECT_EQ(place.bed, places[0].bed);
+}
+
+TEST(PrintBed, ThingsGoRoundEachOtherWhereRowsWouldTakeAnotherBed) {
+    const std::vector<Vec3d> sizes{{130, 80, 1}, {80, 130, 1}, {130, 80, 1}, {80, 130, 1}};
+    for (const BedPlace& place : places_on_beds(sizes, {215, 215, 10})) EXPECT_EQ(place.bed, 0);
+}
+
+TEST(PrintBed, ThingsKeepTheirGapOnTheBed) {
+    for (std::uint64_t seed = 0; seed < static_cast<std::uint64_t>(test::cases(20, 5)); ++seed) {
+        SCOPED_TRACE(seed);
+        test::Random random(seed + 700);
+        const Vec3d bed{random.between(120, 300), random.between(120, 300), 10};
+        std::vector<Vec3d> sizes;
+        for (int i = random.integer(1, 20); i > 0; --i)
+            sizes.push_back({random.between(1, bed.x), random.between(1, bed.y), 1});
+        const auto places = places_on_beds(sizes, bed);
+        ASSERT_EQ(places.size(), sizes.size());
+        for (std::size_t i = 0; i < sizes.size(); ++i) {
+            const BedPlace& a = places[i];
+            EXPECT_GE(std::min(a.x, a.y), 0);
+            EXPECT_LE(a.x + sizes[i].x, bed.x + 1e-5);
+            EXPECT_LE(a.y + sizes[i].y, bed.y + 1e-5);
+            for (std::size_t k = 0; k < i; ++k) {
+                const BedPlace& b = places[k];
+                if (a.bed != b.bed) continue;
+                const double along_x = std::max(b.x - a.x - sizes[i].x, a.x - b.x - sizes[k].x),
+                             along_y = std::max(b.y - a.y - sizes[i].y, a.y - b.y - sizes[k].y);
+                EXPECT_GE(std::max(along_x, along_y), 5 - 1e-5);
+            }
+        }
+    }
 }
 
 }  // namespace
