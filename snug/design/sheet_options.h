@@ -20,6 +20,7 @@ struct SheetOptions {
     double dowel_edge_mm = 6;            ///< least foam between a dowel hole and an edge
     /// From a cavity to the slit that a liner's edges are tucked into; 0: none
     double liner_slit_mm = 0;
+    int copies = 1;             ///< so many cases are fitted out alike, from common stock
     bool second_color = false;  ///< the uppermost sheet of a piece is of another colour than those below
     bool svg = true;
     bool dxf = true;
@@ -115,6 +116,15 @@ void visit_options(Visit& visit, SheetOptions& sheets) {
          .help = {"Sheets: so far from each cavity a blind slit that the edges of a liner are tucked into",
                   "シート：内張りの端を差し込む切れ目（貫通させない）の、くぼみからの距離"},
          .usual = {"0: none", "0：なし"}});
+    visit.option(sheets.copies, {.json = "copies",
+                                 .flag = "--copies",
+                                 .takes = "N",
+                                 .range = {1, 1000},
+                                 .step = 1,
+                                 .often = 100,
+                                 .label = {"the number of copies", "組数"},
+                                 .help = {"Sheets: so many times the same foam, cut from common stock",
+                                          "シート：同じフォームを何組作るか。材料はまとめて切り出します"}});
     visit.option(
         sheets.second_color,
         {.json = "second_color",

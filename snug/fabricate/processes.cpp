@@ -151,6 +151,18 @@ std::string with_currency(double price, const std::string& currency) {
     return number(price, 2) + (currency.empty() ? "" : " " + currency);
 }
 
+Message cost_text(const PackMaterial& material, const WorkshopOptions& options) {
+    if (!material.cost) return say("figure.no_price");
+    const auto money = [&](double price) { return with_currency(price, options.currency); };
+    const std::string price = money(*options.price_per_litre);
+    if (material.copies == 1)
+        return say("figure.cost_of", {{"cost", money(*material.cost)}, {"price", price}});
+    return say("figure.cost_of/copies", {{"cost", money(*material.cost)},
+                                         {"price", price},
+                                         {"copies", material.copies},
+                                         {"each", money(*material.cost / material.copies)}});
+}
+
 void tell_material(const Design& design, WorkshopPack& pack) {
     const PackMaterial& material = pack.material;
     const WorkshopOptions& options = design.workshop;
@@ -158,12 +170,7 @@ void tell_material(const Design& design, WorkshopPack& pack) {
     pack.figures.push_back({say("figure.weight"), material.foam_kg
                                                       ? as_it_is(number(*material.foam_kg, 3) + " kg")
                                                       : say("figure.no_density")});
-    pack.figures.push_back(
-        {say("figure.cost"),
-         material.cost
-             ? say("figure.cost_of", {{"cost", with_currency(*material.cost, options.currency)},
-                                      {"price", with_currency(*options.price_per_litre, options.currency)}})
-             : say("figure.no_price")});
+    pack.figures.push_back({say("figure.cost"), cost_text(material, options)});
 }
 
 }  // namespace

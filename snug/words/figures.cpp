@@ -13,6 +13,8 @@ constexpr Wording kWordsOfFigures[] = {
     {"figure.no_density", "not known: the preset names no density", "不明：フォームの密度がわかりません"},
     {"figure.cost", "Cost", "費用"},
     {"figure.cost_of", "{cost} at {price} a litre", "{cost}（1 リットル {price}）"},
+    {"figure.cost_of/copies", "{cost} for {copies} copies at {price} a litre, {each} each",
+     "{copies} 組で {cost}（1 リットル {price}）、1 組あたり {each}"},
     {"figure.no_price", "not known without the price of a litre", "リットル単価がないため不明"},
     {"figure.pluck_lower", "Blocks to pluck, lower", "抜くブロック（下）"},
     {"figure.pluck_middle", "Blocks to pluck, middle {number}", "抜くブロック（中間 {number}）"},

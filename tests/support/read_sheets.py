@@ -164,7 +164,8 @@ def check_simple(loop, name, kerf):
 
 class Part:
     def __init__(self, row):
-        self.name, self.half = row["piece"], row["half"]
+        self.copy = int(row["copy"])
+        self.name, self.half = f"{row['piece']} of copy {self.copy}", row["half"]
         self.sheet, self.stock = int(row["sheet"]), int(row["stock"])
         self.x, self.y = float(row["x_mm"]), float(row["y_mm"])
         self.column, self.row = int(row["first_column"]), int(row["first_row"])
@@ -304,6 +305,10 @@ def rebuild(path):
             check_part(part, kept[part.name], case)
         check_layout(here, kept, size, case)
         check_order(shapes, here)
+    copies = [sorted((part.name.split()[0], sorted(kept[part.name])) for part in parts if part.copy == copy)
+              for copy in range(1, max(part.copy for part in parts) + 1)]
+    check(all(copy == copies[0] for copy in copies), "copies differ")
+    parts = [part for part in parts if part.copy == 1]
     check_dowels(parts, case)
     sheets = {}
     for part in parts:

@@ -246,9 +246,9 @@ void tell_facts(PageFlow& flow, const PackedObject& packed) {
     const std::string& currency = packed.options.currency;
     if (material.cost)
         fact(say("packing.material"),
-             say("packing.material_of",
-                 {{"litres", number(material.litres.value_or(0), 2)},
-                  {"cost", number(*material.cost, 2) + (currency.empty() ? "" : " " + currency)}}));
+             say("packing.material_of", {{"litres", number(material.litres.value_or(0) / material.copies, 2)},
+                                         {"cost", number(*material.cost / material.copies, 2) +
+                                                      (currency.empty() ? "" : " " + currency)}}));
 }
 
 void tell_findings(PageFlow& flow, const std::vector<Finding>& findings) {

@@ -267,6 +267,7 @@ Json workshop_json(const WorkshopPack& pack, Language language) {
     for (const PackContainer& container : pack.containers) files.push_back(container.name);
     for (const DrawingDocument& document : pack.documents) files.push_back(document.name + ".pdf");
     return {{"pieces", material.pieces ? Json(*material.pieces) : Json(nullptr)},
+            {"copies", material.copies},
             {"litres", or_null(material.litres, 1e6)},
             {"foam_kg", or_null(material.foam_kg, 1e6)},
             {"cost", or_null(material.cost, 1e4)},

@@ -60,12 +60,14 @@ struct PackFigure {
 /// "1.25 litres"
 [[nodiscard]] Message litres_text(double litres);
 
-/// A pack and its material in numbers. A pack fills in what it knows better than the foams alone do.
+/// A pack and its material in numbers, all copies together. A pack fills in what it knows better than the
+/// foams alone do.
 struct PackMaterial {
     std::optional<long long> pieces;  ///< handled one by one: blocks plucked, sheets, printed parts
     std::optional<double> litres;     ///< to buy or use up; none: the foams' own volume
-    std::optional<double> foam_kg;    ///< of what is left of it; from the density, see fabricate/processes.h
+    std::optional<double> foam_kg;    ///< of what is left of one copy; from the density, see processes.h
     std::optional<double> cost;       ///< from the price of a litre
+    int copies = 1;                   ///< of the foams
 };
 
 struct WorkshopPack {

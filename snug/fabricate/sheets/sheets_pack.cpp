@@ -78,16 +78,26 @@ AllPieces all_pieces(const Stacks& stacks, const SheetOptions& options, std::spa
     return all;
 }
 
+/// All of them so many times, copy after copy.
+void add_copies(AllPieces& all, int copies) {
+    const AllPieces one = all;
+    for (int copy = 1; copy < copies; ++copy) {
+        all.stacks.insert(all.stacks.end(), one.stacks.begin(), one.stacks.end());
+        all.pieces.insert(all.pieces.end(), one.pieces.begin(), one.pieces.end());
+        all.cuts.insert(all.cuts.end(), one.cuts.begin(), one.cuts.end());
+    }
+}
+
 std::string stock_name(int stock) {
     const std::string digits = std::to_string(stock + 1);
     return "sheets/" + (digits.size() < 2 ? "0" + digits : digits);
 }
 
 /// Where each piece lies; x and y of its cells' upper left corner, and of a point in its foam.
-std::string index_csv(const AllPieces& all, const Nesting& nesting) {
+std::string index_csv(const AllPieces& all, const Nesting& nesting, int copies) {
     std::string text =
         "piece,half,sheet,stock,x_mm,y_mm,first_column,first_row,columns,rows,cells,point_x_mm,point_y_mm,"
-        "in_offcut_of\n";
+        "in_offcut_of,copy\n";
     for (std::size_t i = 0; i < all.pieces.size(); ++i) {
         const SheetPiece& piece = *all.pieces[i];
         const PiecePlace& place = nesting.places[i];
@@ -103,7 +113,7 @@ std::string index_csv(const AllPieces& all, const Nesting& nesting) {
         text += "," + number(place.corner.x + (column + 0.5) * cell.x, 4);
         text += "," + number(place.corner.y + 0.5 * cell.y, 4) + ",";
         if (place.host >= 0) text += all.pieces[static_cast<std::size_t>(place.host)]->name;
-        text += "\n";
+        text += "," + std::to_string(i * static_cast<std::size_t>(copies) / all.pieces.size() + 1) + "\n";
     }
     return text;
 }
@@ -133,9 +143,10 @@ Message stock_text(const Nesting& nesting, double thick_mm) {
                {{"sheets", nesting.first_color_stocks}, {"others", second}, {"size", size}});
 }
 
-void add_figures(WorkshopPack& pack, const Stacks& stacks, const AllPieces& all, const Nesting& nesting) {
+void add_figures(WorkshopPack& pack, const Stacks& stacks, const AllPieces& all, const Nesting& nesting,
+                 int copies) {
     int sheets = 0;
-    for (const SheetStack& stack : stacks.halves) sheets += stack.count;
+    for (const SheetStack& stack : stacks.halves) sheets += copies * stack.count;
     double cut = 0, foam = 0;
     for (const CutPiece& piece : all.cuts) cut += cut_length(piece);
     for (std::size_t i = 0; i < all.pieces.size(); ++i)
@@ -151,6 +162,7 @@ void add_figures(WorkshopPack& pack, const Stacks& stacks, const AllPieces& all,
                                       {"percent", number(100 * foam / std::max(stock, 1e-9), 0)}})},
         {say("figure.cutting"), as_it_is(number(cut / 1000, 2) + " m")},
     };
+    pack.material.copies = copies;
     pack.material.pieces = static_cast<long long>(all.pieces.size());
     pack.material.litres = stock * thick / 1e6;
 }
@@ -169,7 +181,7 @@ void add_stock_files(WorkshopPack& pack, const AllPieces& all, const Nesting& ne
         add_drawing(pack, stock_name(stock), stock_drawing(all.cuts, nesting, stock, title, design.language),
                     options);
     }
-    pack.files.push_back(text_file("sheets/index.csv", index_csv(all, nesting)));
+    pack.files.push_back(text_file("sheets/index.csv", index_csv(all, nesting, options.copies)));
 }
 
 }  // namespace
@@ -177,7 +189,8 @@ void add_stock_files(WorkshopPack& pack, const AllPieces& all, const Nesting& ne
 Result<WorkshopPack> sheets_pack(const FoamDesign& design, const SheetOptions& options, Vec2d page_mm) {
     const auto stacks = stacks_of(design, options);
     if (!stacks) return tl::unexpected(stacks.error());
-    const AllPieces all = all_pieces(*stacks, options, design.labels);
+    AllPieces all = all_pieces(*stacks, options, design.labels);
+    add_copies(all, options.copies);
     std::vector<PieceToNest> to_nest;
     for (std::size_t i = 0; i < all.pieces.size(); ++i) {
         const SheetPiece& piece = *all.pieces[i];
@@ -197,7 +210,7 @@ Result<WorkshopPack> sheets_pack(const FoamDesign& design, const SheetOptions& o
         halves.push_back({stacks->halves[half], stacks->dowels[half], stacks->measure.thickness_mm});
     pack.documents.push_back(
         sheet_assembly(halves, design, options, scale_check(all, *nesting, options), page_mm));
-    add_figures(pack, *stacks, all, *nesting);
+    add_figures(pack, *stacks, all, *nesting, options.copies);
     for (const SheetAssembly& half : halves) add_sheet_findings(pack.findings, design, half, options);
     add_unnumbered_finding(pack.findings, all.unnumbered);
     sort_by_severity(pack.findings);

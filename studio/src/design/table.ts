@@ -173,6 +173,8 @@ export interface Design {
       dowel_edge_mm: number;
       /** Sheets: so far from each cavity a blind slit that the edges of a liner are tucked into (mm). */
       liner_slit_mm: number;
+      /** Sheets: so many times the same foam, cut from common stock. */
+      copies: number;
       /** Sheets: the uppermost sheet in another colour than those below it, so that an empty place is seen. */
       second_color: boolean;
       /** Whether sheets are written as SVG. */
@@ -317,6 +319,7 @@ export type OptionPath =
   | 'workshop.sheets.dowels'
   | 'workshop.sheets.dowel_edge_mm'
   | 'workshop.sheets.liner_slit_mm'
+  | 'workshop.sheets.copies'
   | 'workshop.sheets.second_color'
   | 'workshop.sheets.svg'
   | 'workshop.sheets.dxf'

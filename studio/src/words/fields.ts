@@ -164,6 +164,10 @@ export const fields = {
         '内張りの端を差し込む切れ目（貫通しない）の、くぼみからの距離。10 以上、0 ならなし。',
       ],
     },
+    'workshop.sheets.copies': {
+      name: ['Copies', '組数'],
+      tip: ['So many times the same foam, cut from common stock', '同じフォームを何組作るか。材料はまとめて切り出します'],
+    },
     'workshop.sheets.second_color': {
       name: ['Second colour below the uppermost sheet', 'いちばん上のシートの下を二色目にする'],
       tip: ['An empty place is seen at once', '空いている場所がひと目でわかります'],

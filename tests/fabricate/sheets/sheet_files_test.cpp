@@ -136,6 +136,7 @@ TEST_F(SheetFiles, GiveRandomFoamsBack) {
             options.thickness_mm = foam.space.block_mm.x * 2;
         options.second_color = random.chance(0.3);
         if (random.chance(0.3)) options.liner_slit_mm = random.between(10, 30);
+        if (random.chance(0.3)) options.copies = random.integer(2, 4);
         if (seed > 16 && !sheets_pack(foam.design(), options)) continue;  // no foam is left
         add(foam, options);
     }
