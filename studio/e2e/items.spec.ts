@@ -94,6 +94,7 @@ test('items that come too near each other are named, and a locked one stays wher
   await drop(page, RING, SMALL);
   await expect(status(page)).toContainText('F ');
   await page.getByRole('button', {name: 'Lock ring.stl: no hand moves it'}).click();
+  await commandSays(page, 'ring.stl:lock');
   const before = await page.locator('code').textContent();
   await dragInPlan(page, 0.35, 40);
   await expect(item(page, '1. ring.stl')).toHaveAttribute('aria-pressed', 'true');
