@@ -70,7 +70,14 @@ std::vector<Argument> arguments_of(MakeArguments& a) {
          {},
          {},
          {"--arrange"}},
-        {"--known-case", "", help("help.make.known_case"), &a.search.known_case},
+        {"--known-case",
+         "",
+         help("help.make.known_case"),
+         &a.search.known_case,
+         false,
+         {},
+         {},
+         {"--no-arrange", "--case"}},
         {"--search-seconds", "S", help("help.make.seconds"), &a.search.seconds, false, {{0.01, 86400}}},
         {"--no-stream", "", help("help.make.no_stream"), &a.no_stream},
         {"--stream", "", help("help.make.stream"), &a.stream, false, {}, {}, {"--no-stream"}},
@@ -220,6 +227,10 @@ int make(const MakeArguments& arguments) {
     const Language language = arguments.language;
     auto task = task_from(arguments);
     if (!task) return report(task.error(), language);
+    if (arguments.search.known_case && task->project.design.items.size() == 1)
+        return report(
+            {ErrorKind::usage, say("search.known_case_of_one", {{"command", "snug cases --for FILE"}})},
+            language);
 
     std::optional<StatusLine> status(std::in_place, arguments.quiet, language);
     const auto give_up = [&](const Error& error) {

@@ -58,7 +58,7 @@ struct Taking {
     bool operator()(std::monostate) const { return false; }
     bool operator()(bool* value) const {
         *value = text != "no";
-        return true;
+        return text.empty() || text == "yes" || text == "no";
     }
     bool operator()(int* value) const { return number(typed_integer(text), *value); }
     bool operator()(double* value) const { return number(typed_number(text), *value); }
