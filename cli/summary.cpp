@@ -34,7 +34,8 @@ Message arranged_text(const Arrangement& arrangement) {
     std::vector<Message> least;
     if (arrangement.lower_bound_mm3)
         least.push_back(say("summary.at_least", {{"litres", litres(*arrangement.lower_bound_mm3)}}));
-    return say("summary.arranged_in", {{"litres", litres(arrangement.volume_mm3)}, {"least", least}});
+    return say(arrangement.cancelled ? "summary.arranged_in/cancelled" : "summary.arranged_in",
+               {{"litres", litres(arrangement.volume_mm3)}, {"least", least}});
 }
 
 const char* label_of(Severity severity) {

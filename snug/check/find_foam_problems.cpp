@@ -10,6 +10,7 @@
 #include "snug/check/find_case_problems.h"
 #include "snug/check/find_problems.h"
 #include "snug/space/fitted_space.h"
+#include "snug/space/tray.h"
 #include "snug/words/pieces.h"
 
 namespace snug {
@@ -58,14 +59,9 @@ SpaceChoice choice_of(const Packing& packing, const Design& design) {
 /// Above the inside of its case.
 bool too_high_for_tray(const Item& item, const Packing& packing, std::vector<Finding>& findings) {
     if (!packing.fitted_case) return false;
-    const double top = packing.fitted_case->free.max.x, floor = packing.space.box().min.x;
-    if (item.placement.bounds.max.x <= top + 0.01) return false;
-    const double lowest = item.placement.bounds.min.x - item.cut.whole_clearance_mm().lower.x;
-    findings.push_back({Severity::danger,
-                        say("outside/tray", {{"floor_mm", number(lowest - floor, 1)},
-                                             {"height_mm", number(item.placement.bounds.max.x - lowest, 1)},
-                                             {"inside_mm", number(top - floor, 1)}}),
-                        item.placement.bounds.centre()});
+    auto why = too_high_for_case(item, *packing.fitted_case, packing.space);
+    if (!why) return false;
+    findings.push_back({Severity::danger, std::move(*why), item.placement.bounds.centre()});
     return true;
 }
 

@@ -167,9 +167,10 @@ void tell_material(const Design& design, WorkshopPack& pack) {
     const PackMaterial& material = pack.material;
     const WorkshopOptions& options = design.workshop;
     pack.figures.push_back({say("figure.material"), litres_text(*material.litres)});
-    pack.figures.push_back({say("figure.weight"), material.foam_kg
-                                                      ? as_it_is(number(*material.foam_kg, 3) + " kg")
-                                                      : say("figure.no_density")});
+    pack.figures.push_back(
+        {say("figure.weight"), material.foam_kg
+                                   ? as_it_is(number(*material.foam_kg * material.copies, 3) + " kg")
+                                   : say("figure.no_density")});
     pack.figures.push_back({say("figure.cost"), cost_text(material, options)});
 }
 

@@ -53,6 +53,21 @@ Result<Arrangement> arranged_with_walls(std::span<Object> objects, Design& desig
     return found;
 }
 
+/// With each of the walls that are to be tried, and at last with those of the design.
+Result<Arrangement> with_walls_to_try(std::span<Object> objects, Design& design,
+                                      const std::vector<bool>& locked, long long work,
+                                      const ArrangeWatch& watch, bool explain) {
+    for (const Walls& walls : walls_to_try(design)) {
+        auto found = arranged_with_walls(objects, design, walls, locked,
+                                         std::min(work, usual_arranging_work(design)) / 8, watch);
+        if (found || found.error().kind != ErrorKind::does_not_fit) return found;
+    }
+    Design found_design = design;
+    auto found = Arranger(objects, design, locked, work, watch).run(found_design, explain);
+    if (found) design = std::move(found_design);
+    return found;
+}
+
 /// In a known case, with the walls that a space has that is fitted to its items.
 Result<Arrangement> in_case(std::span<Object> objects, Design& design, const std::vector<bool>& locked,
                             long long work, const ArrangeWatch& watch) {
@@ -105,10 +120,8 @@ bool has_given_space(const Design& design) {
     return design.case_options.inside_mm || design.space.blocks;
 }
 
-std::vector<Walls> walls_to_try(const Design& design, const std::vector<bool>& locked) {
-    if (design.space.wall_mm || !has_given_space(design) ||
-        std::find(locked.begin(), locked.end(), true) != locked.end())
-        return {};
+std::vector<Walls> walls_to_try(const Design& design) {
+    if (design.space.wall_mm || !has_given_space(design)) return {};
     std::vector<Walls> walls;
     for (const double mm : kUsualWalls) walls.push_back(equal_walls(mm));
     return walls;
@@ -116,15 +129,18 @@ std::vector<Walls> walls_to_try(const Design& design, const std::vector<bool>& l
 
 Result<Arrangement> arranged(std::span<Object> objects, Design& design, const std::vector<bool>& locked,
                              long long work, const ArrangeWatch& watch, bool explain) {
-    for (const Walls& walls : walls_to_try(design, locked)) {
-        auto found = arranged_with_walls(objects, design, walls, locked,
-                                         std::min(work, usual_arranging_work(design)) / 8, watch);
+    if (design.fit.notches && has_given_space(design)) {
+        Design without = design;
+        without.fit.notches.reset();
+        // Rather without room for hands beside all of them than not at all.
+        auto found = with_walls_to_try(objects, design, locked, work / 4, watch, false);
         if (found || found.error().kind != ErrorKind::does_not_fit) return found;
+        found = with_walls_to_try(objects, without, locked, work, watch, explain);
+        without.fit.notches = design.fit.notches;
+        if (found) design = std::move(without);
+        return found;
     }
-    Design found_design = design;
-    auto found = Arranger(objects, design, locked, work, watch).run(found_design, explain);
-    if (found) design = std::move(found_design);
-    return found;
+    return with_walls_to_try(objects, design, locked, work, watch, explain);
 }
 
 long long usual_arranging_work(const Design& design) {

@@ -23,7 +23,7 @@ struct Arrangement {
     long long work = 0;     ///< places of one item that were looked at
     double volume_mm3 = 0;  ///< of all blocks
     /// No arrangement of these items with these turns needs less, where it keeps such walls as were kept;
-    /// none where some are locked.
+    /// none where some are locked, for a tray, and in a space that is given.
     std::optional<double> lower_bound_mm3;
     long long cut_blocks = 0;  ///< by the items alone
     bool cancelled = false;    ///< what is here is the best until then

@@ -137,6 +137,10 @@ Result<ItemMasks> item_masks(std::span<const Object> objects, const Design& desi
     if (auto done = add_ways(objects, design, kinds, masks, progress); !done)
         return tl::unexpected(done.error());
     masks.problem.gap = block_walls(design.space, block_mm).gap;
+    if (design.fit.notches) {  // one may lie between two of them
+        masks.problem.gap.rows += whole_blocks(design.fit.notches->room_mm, block_mm.y);
+        masks.problem.gap.columns += whole_blocks(design.fit.notches->room_mm, block_mm.z);
+    }
     const std::vector<int> groups = group_numbers(masks.items, wanted_between_mm(design.space) == 0);
     const bool in_layers = design.search.layers == 1;
     for (std::size_t i = 0; i < masks.items.size(); ++i) {

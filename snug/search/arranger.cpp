@@ -13,6 +13,7 @@
 #include "snug/space/available.h"
 #include "snug/space/fitted_space.h"
 #include "snug/space/place_items.h"
+#include "snug/space/tray.h"
 
 namespace snug {
 namespace {
@@ -56,6 +57,17 @@ void drop_empty_layers(MaskLayout& layout, int layers) {
         }
         to += any;
     }
+}
+
+/// How high a tray's items stand follows from how deep they are sunk.
+std::optional<Message> too_high_in_tray(std::span<const Object> objects, const Design& design,
+                                        const std::optional<PackedSpace>& space) {
+    if (!design.space.open || !space || !space->fitted_case) return {};
+    const auto items = place_items(objects, design);
+    if (!items) return {};
+    for (const Item& item : *items)
+        if (auto problem = too_high_for_case(item, *space->fitted_case, space->space)) return problem;
+    return {};
 }
 
 }  // namespace
@@ -330,12 +342,14 @@ Result<Arrangement> Arranger::run(Design& design, bool explain) {
                             locked_, progress);
     if (!masks) return tl::unexpected(masks.error());
     masks_ = std::move(*masks);
-    const auto least = least_blocks();
+    const auto least = space ? std::nullopt : least_blocks();
     auto found = space ? in_space(*space, explain) : in_free_space();
     if (!found) return tl::unexpected(found.error());
     design = written(*masks_, *found);
     // Such as parting levels that were chosen for another number of layers.
     if (const auto problem = problem_of(design)) return fail(ErrorKind::usage, problem->message);
+    if (const auto problem = too_high_in_tray(objects_, design, space))
+        return fail(ErrorKind::does_not_fit, *problem);
     Arrangement result;
     result.seed = design_.search.seed;
     result.work = done_;
@@ -344,7 +358,7 @@ Result<Arrangement> Arranger::run(Design& design, bool explain) {
     if (!space) last.blocks = *design.space.blocks;
     result.volume_mm3 = static_cast<double>(last.block_count()) * last.block_volume();
     const bool tray = design_.space.open.has_value();
-    if (least && !tray) result.lower_bound_mm3 = static_cast<double>(*least) * last.block_volume();
+    if (least && !tray && !space) result.lower_bound_mm3 = static_cast<double>(*least) * last.block_volume();
     for (const LaidMask& at : found->layout)
         result.cut_blocks += masks_->ways[static_cast<std::size_t>(at.shape)].cut_blocks;
     return result;

@@ -64,8 +64,9 @@ std::vector<Vec3i> Arranger::spaces_around_locked(const std::vector<int>& height
     const RoomTask task = task_for(heights);
     const long long free = free_columns(masks_->problem), layers = static_cast<long long>(heights.size());
     std::vector<std::pair<long long, Vec3i>> priced;
-    for (int y = least.y; y <= std::min(kMostBlocks, least.y + task.most_rows); ++y)
-        for (int z = least.z; z <= std::min(kMostBlocks, least.z + task.most_columns); ++z)
+    // What lies beside something locked widens both sides, since that stays in the middle.
+    for (int y = least.y; y <= std::min(kMostBlocks, least.y + 2 * task.most_rows); ++y)
+        for (int z = least.z; z <= std::min(kMostBlocks, least.z + 2 * task.most_columns); ++z)
             if (layers * (y - walls.along(1)) * (z - walls.along(2)) >= free)
                 priced.push_back({space_price({least.x, y, z}, design_, masks_->block_mm), {least.x, y, z}});
     std::sort(priced.begin(), priced.end(), [](const auto& a, const auto& b) {
@@ -100,7 +101,7 @@ Result<Arranger::Found> Arranger::around_locked() {
         masks_ = std::move(*masks);
         return *found;
     }
-    return fail(ErrorKind::usage, say("arrange.too_large"));
+    return fail(ErrorKind::does_not_fit, say("arrange.none_around_locked"));
 }
 
 }  // namespace snug

@@ -57,9 +57,9 @@ std::vector<Message> Arranger::what_holds_all(Vec3i given_blocks) {
     if (masks_->any_locked()) return {};
     Design free = design_;
     free.case_options.inside_mm.reset();
-    free.space.wall_mm = wanted_wall_mm(design_.space);
     free.space.block_mm = masks_->block_mm;
     free.space.blocks.reset();
+    free.space.wall_mm = wanted_wall_mm(free.space);
     const ArrangeWatch nobody;
     Arranger other(objects_, free, locked_, explaining_work(), nobody);
     other.masks_ = masks_;

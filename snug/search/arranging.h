@@ -22,7 +22,7 @@ namespace snug {
 
 /// The walls that are tried one after the other where a space is given and names none: from thick to thin,
 /// each as the design then has it. Empty: what the design says holds.
-[[nodiscard]] std::vector<Walls> walls_to_try(const Design& design, const std::vector<bool>& locked);
+[[nodiscard]] std::vector<Walls> walls_to_try(const Design& design);
 
 /// arrange() of what has begun. `explain`: where it does not fit the sentence says who is left out, and what
 /// would do, which takes a look of its own.

@@ -90,7 +90,7 @@ Result<Arrangement> filled(std::span<Object> objects, Design& design, std::size_
     const ArrangeWatch told{watch.go_on, [&](const Design& better) {
                                 if (watch.better) watch.better(without_walls(better));
                             }};
-    for (const Walls& walls : walls_to_try(design, locked_items(design, true))) {
+    for (const Walls& walls : walls_to_try(design)) {
         Design walled = design, result;
         walled.space.wall_mm = walls;
         auto found = Filling(objects, walled, item, work, told).run(result, false);

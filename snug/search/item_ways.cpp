@@ -195,7 +195,7 @@ std::vector<Vec3d> allowed_rotations(const Object& object, Vec3d given_deg, cons
     if (allowed.allows(given))
         rotations.push_back(given_deg);
     else
-        given = allowed.spread(0, 0);
+        given = allowed.plain();
     std::vector<Turn> turns;
     if (options.turns == Turns::none)
         turns.push_back(given);

@@ -67,6 +67,8 @@ class AllowedTurns {
 
     [[nodiscard]] bool all() const { return !upright_; }
     [[nodiscard]] bool allows(const Turn& turn) const;
+    /// One that is allowed and turns about nothing else.
+    [[nodiscard]] Turn plain() const { return upright_.value_or(Turn{}); }
     /// As spread_turn(), among the allowed.
     [[nodiscard]] Turn spread(std::uint64_t i, std::uint64_t seed) const;
     /// As small_turn(): what may come after an allowed turn.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "snug/base/text.h"
+
 namespace snug {
 namespace {
 
@@ -61,6 +63,16 @@ double rise_to_floor(const std::vector<Item>& items, double floor_x, double floo
     double lowest = settled_room(items.front()).min.x;
     for (const Item& item : items) lowest = std::min(lowest, settled_room(item).min.x);
     return floor_x + floor - lowest;
+}
+
+std::optional<Message> too_high_for_case(const Item& item, const CaseSpace& fitted,
+                                         const DesignSpace& space) {
+    const double top = fitted.free.max.x, floor = space.box().min.x;
+    if (item.placement.bounds.max.x <= top + 0.01) return {};
+    const double lowest = item.placement.bounds.min.x - item.cut.whole_clearance_mm().lower.x;
+    return say("outside/tray", {{"floor_mm", number(lowest - floor, 1)},
+                                {"height_mm", number(item.placement.bounds.max.x - lowest, 1)},
+                                {"inside_mm", number(top - floor, 1)}});
 }
 
 }  // namespace snug

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "snug/base/box.h"
+#include "snug/base/message.h"
 #include "snug/design/design.h"
+#include "snug/space/case_space.h"
 #include "snug/space/design_space.h"
 #include "snug/space/item.h"
 
@@ -31,5 +34,9 @@ void settle_in_tray(std::vector<Item>& items, double open, double apart_mm);
 /// foam in whole blocks. `floor_x`: where the foam begins. mm.
 [[nodiscard]] double rise_to_floor(const std::vector<Item>& items, double floor_x, double floor_mm,
                                    double block_mm);
+
+/// Why an item of a tray does not go into its case; none where its top stays inside.
+[[nodiscard]] std::optional<Message> too_high_for_case(const Item& item, const CaseSpace& fitted,
+                                                       const DesignSpace& space);
 
 }  // namespace snug

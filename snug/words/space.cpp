@@ -26,6 +26,10 @@ constexpr Wording kWordsOfSpace[] = {
      "object before optimizing",
      "今の向きでは対象物が設計空間 {space} mm に収まりません。最適化の前に、空間を大きくするか、対象物を回"
      "してください。"},
+    {"search.known_case_of_one",
+     "--known-case arranges several items; which cases hold one object says {command}",
+     "--known-case は複数のものを並べるときに使います。一つの対象物が入るケースは {command} "
+     "で調べられます。"},
     {"search.case_given",
      "the smallest case is looked for where none is given: leave the case out, or search for the best "
      "placement in it",
@@ -73,6 +77,12 @@ constexpr Wording kWordsOfSpace[] = {
      "が残ります{holds}。"},
     {"arrange.holds", "; {blocks} blocks would hold all of them, with their walls",
      "（{blocks} ブロックあれば、壁も含めてすべて収まります）"},
+    {"arrange.none_around_locked",
+     "no space was found that holds the others around what is locked, as far as was looked: unlock it, move "
+     "it, or say how large the space is (--blocks)",
+     "固定されたもののまわりに、ほかのものも入る空間は、調べたかぎり見つかりませんでした。固定を解除するか、"
+     "動かすか、"
+     "空間の大きさを指定してください（--blocks）。"},
     {"arrange.too_large",
      "the items and their walls need more than 4096 blocks on an axis: choose larger blocks",
      "置くものと壁に、1 軸 4096 個を超えるブロックが必要です。ブロックを大きくしてください。"},

@@ -88,6 +88,29 @@ class ArrangeTest(unittest.TestCase):
         self.expect_sound(layers)
         self.assertEqual({item["layer"] for item in layers["items"]}, {1, 2})
 
+    def test_a_locked_item_lets_the_others_keep_their_walls(self):
+        report = self.report("camera.stl:lock=yes,move=0x0x0", "vase.stl:longest=90,count=2", "--blocks", "30x30x30",
+                             "--search-seconds", 1)
+        self.assertGreaterEqual(min(report["wall_mm"]), 12.7)
+        report = self.report("camera.stl:lock=yes,move=0x0x0", "vase.stl:longest=90", "--blocks", "auto", out="open")
+        self.assertGreaterEqual(min(report["wall_mm"]), 50)
+
+    def test_a_tray_goes_into_a_known_case_that_is_high_enough(self):
+        report = self.report("camera.stl", "vase.stl:longest=90", "--known-case", "--open", 0.6, "--search-seconds", 0.2)
+        self.assertEqual([f for f in report["findings"] if f["severity"] == "danger"], [])
+
+    def test_room_for_hands_is_left_between_items(self):
+        alone = self.report("camera.stl:count=2", "--blocks", "auto", "--search-seconds", 0.5)
+        hands = self.report("camera.stl:count=2", "--blocks", "auto", "--notches", "60x30", "--search-seconds", 0.5, out="hands")
+        self.assertGreater(hands["arrangement"]["volume_mm3"], alone["arrangement"]["volume_mm3"])
+
+    def test_what_contradicts_itself_is_refused(self):
+        for words, sentence in [(["camera.stl", "--known-case"], "snug cases"),
+                                (["camera.stl:count=2", "--known-case", "--no-arrange"], "--no-arrange"),
+                                (["camera.stl:count=2", "--known-case", "--case", "500x400x300:80"], "--case"),
+                                (["camera.stl:count=2,lock=maybe"], "lock")]:
+            self.assertIn(sentence, self.refused(1, *words))
+
     def test_the_smallest_known_case_that_holds_them_is_found(self):
         report = self.report("camera.stl:count=2", "--known-case", "--wall", 20, "--search-seconds", 0.2)
         self.expect_sound(report)

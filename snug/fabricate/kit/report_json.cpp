@@ -250,7 +250,6 @@ Json arrangement_json(const Arrangement& arrangement) {
             {"work", arrangement.work},
             {"volume_mm3", volume(arrangement.volume_mm3)},
             {"lower_bound_mm3", volume(arrangement.lower_bound_mm3)},
-            {"cut_blocks", arrangement.cut_blocks},
             {"cancelled", arrangement.cancelled}};
 }
 
