@@ -31,16 +31,19 @@ Result<ObjectSources> from_project(const fs::path& path, const std::optional<std
     if (!bytes) return tl::unexpected(bytes.error());
     auto project = parse_project({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
     if (!project) return fail(ErrorKind::input, in_file(path.string(), project.error().message));
-    if (replacement && project->objects.size() > 1)
+    const bool several = project->objects.size() > 1;
+    std::error_code error;
+    const bool folder = replacement && fs::is_directory(*replacement, error);
+    if (replacement && several && !folder)
         return fail(ErrorKind::usage,
                     in_file(path.string(), say("project.several", {{"objects", project->objects.size()}})));
     ObjectSources sources;
     for (const ProjectObject& object : project->objects) {
-        const fs::path at = replacement ? fs::path(*replacement) : path.parent_path() / object.file.name;
-        std::error_code error;
+        const fs::path beside = folder ? fs::path(*replacement) : path.parent_path();
+        const fs::path at = replacement && !folder ? fs::path(*replacement) : beside / object.file.name;
         if (!fs::exists(at, error))
-            return fail(ErrorKind::input,
-                        say("project.object_gone", {{"file", path.string()}, {"object", at.string()}}));
+            return fail(ErrorKind::input, say(several ? "project.object_gone/several" : "project.object_gone",
+                                              {{"file", path.string()}, {"object", at.string()}}));
         sources.paths.push_back(at);
     }
     sources.project = std::move(*project);

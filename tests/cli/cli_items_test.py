@@ -246,7 +246,9 @@ class ItemsTest(unittest.TestCase):
         self.assertMade(self.make("torus.stl", "vase.stl", "--units", "mm", "--blocks", "auto", out=self.work / "two"))
         self.assertRefused(self.make("two/project.snug.json", "torus.stl"), 1, "project.snug.json")
         self.assertRefused(self.make("two/project.snug.json", "--object", "torus.stl"), 1, "2 objects")
-        self.assertRefused(self.make("two/project.snug.json"), 2, "torus.stl")
+        self.assertRefused(self.make("two/project.snug.json"), 2, "torus.stl", "--object FOLDER")
+        self.assertMade(self.make("two/project.snug.json", "--object", ".", out=self.work / "again"))
+        self.assertEqual((self.work / "two" / "depths.csv").read_bytes(), (self.work / "again" / "depths.csv").read_bytes())
 
 
 if __name__ == "__main__":
