@@ -16,6 +16,7 @@
 #include "snug/samples/samples.h"
 #include "snug/words/words.h"
 
+#include "tests/support/cases.h"
 #include "tests/support/heights.h"
 #include "tests/support/models.h"
 #include "tests/support/sheet_foams.h"
@@ -121,7 +122,7 @@ class SheetFiles : public testing::Test {
 };
 
 TEST_F(SheetFiles, GiveRandomFoamsBack) {
-    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(test::cases(40, 8)); ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
         const CutFoams foam = random_sheet_foam(random, seed > 16);
