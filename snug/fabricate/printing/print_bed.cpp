@@ -15,7 +15,7 @@ namespace {
 constexpr double kBedRounding = 1e-6;     // mm: what fits but for rounding
 constexpr std::size_t kMostThings = 400;  // every two are looked at
 constexpr double kWidestBed = 1000;       // mm
-constexpr long long kBedWork = 20'000'000;
+constexpr long long kBedWork = 6'000'000;
 
 struct BedRow {
     int bed;

@@ -12,11 +12,11 @@
 namespace snug {
 namespace {
 
-constexpr long long kNestingWork = 12'000'000;  // of each colour
-constexpr int kMostSteps = 6;                   // of the lattice along a cell's side
-constexpr int kMostAcross = 600;                // along the stock's side
-constexpr std::size_t kMostPieces = 400;        // every two are looked at
-constexpr double kStepRounding = 1e-6;          // mm
+constexpr long long kNestingWork = 6'000'000;  // of each colour
+constexpr int kMostSteps = 6;                  // of the lattice along a cell's side
+constexpr int kMostAcross = 600;               // along the stock's side
+constexpr std::size_t kMostPieces = 400;       // every two are looked at
+constexpr double kStepRounding = 1e-6;         // mm
 
 /// The lattice along one axis: a cell's side is so many steps, and so many of them keep cuts apart.
 struct Steps {
