@@ -53,21 +53,6 @@ Result<Arrangement> arranged_with_walls(std::span<Object> objects, Design& desig
     return found;
 }
 
-/// With each of the walls that are to be tried, and at last with those of the design.
-Result<Arrangement> with_walls_to_try(std::span<Object> objects, Design& design,
-                                      const std::vector<bool>& locked, long long work,
-                                      const ArrangeWatch& watch, bool explain) {
-    for (const Walls& walls : walls_to_try(design)) {
-        auto found = arranged_with_walls(objects, design, walls, locked,
-                                         std::min(work, usual_arranging_work(design)) / 8, watch);
-        if (found || found.error().kind != ErrorKind::does_not_fit) return found;
-    }
-    Design found_design = design;
-    auto found = Arranger(objects, design, locked, work, watch).run(found_design, explain);
-    if (found) design = std::move(found_design);
-    return found;
-}
-
 /// In a known case, with the walls that a space has that is fitted to its items.
 Result<Arrangement> in_case(std::span<Object> objects, Design& design, const std::vector<bool>& locked,
                             long long work, const ArrangeWatch& watch) {
@@ -120,27 +105,49 @@ bool has_given_space(const Design& design) {
     return design.case_options.inside_mm || design.space.blocks;
 }
 
-std::vector<Walls> walls_to_try(const Design& design) {
-    if (design.space.wall_mm || !has_given_space(design)) return {};
-    std::vector<Walls> walls;
-    for (const double mm : kUsualWalls) walls.push_back(equal_walls(mm));
-    return walls;
+std::vector<Design> wishes_to_try(const Design& design) {
+    std::vector<Design> wishes;
+    if (!has_given_space(design)) return wishes;
+    for (const bool hands : {true, false}) {
+        if (hands && !design.fit.notches) continue;
+        Design wish = design;
+        if (!hands) wish.fit.notches.reset();
+        if (design.space.wall_mm) {
+            if (hands) wishes.push_back(wish);
+            continue;
+        }
+        for (const double mm : kUsualWalls) {
+            wish.space.wall_mm = equal_walls(mm);
+            wishes.push_back(wish);
+        }
+    }
+    return wishes;
+}
+
+Design as_asked(Design arranged, const Design& asked) {
+    if (has_given_space(asked)) arranged.space.wall_mm = asked.space.wall_mm;
+    arranged.fit.notches = asked.fit.notches;
+    return arranged;
 }
 
 Result<Arrangement> arranged(std::span<Object> objects, Design& design, const std::vector<bool>& locked,
                              long long work, const ArrangeWatch& watch, bool explain) {
-    if (design.fit.notches && has_given_space(design)) {
-        Design without = design;
-        without.fit.notches.reset();
-        // Rather without room for hands beside all of them than not at all.
-        auto found = with_walls_to_try(objects, design, locked, work / 4, watch, false);
-        if (found || found.error().kind != ErrorKind::does_not_fit) return found;
-        found = with_walls_to_try(objects, without, locked, work, watch, explain);
-        without.fit.notches = design.fit.notches;
-        if (found) design = std::move(without);
+    const ArrangeWatch told{watch.go_on, [&](const Design& better) {
+                                if (watch.better) watch.better(as_asked(better, design));
+                            }};
+    const auto look = [&](const Design& wish, long long most, bool tell) {
+        Design found_design;
+        auto found = Arranger(objects, wish, locked, most, told).run(found_design, tell);
+        if (found) design = as_asked(std::move(found_design), design);
         return found;
+    };
+    for (const Design& wish : wishes_to_try(design)) {
+        auto found = look(wish, std::min(work, usual_arranging_work(design)) / 8, false);
+        if (found || found.error().kind != ErrorKind::does_not_fit) return found;
     }
-    return with_walls_to_try(objects, design, locked, work, watch, explain);
+    Design last = design;
+    if (has_given_space(design)) last.fit.notches.reset();  // which the wishes had
+    return look(last, work, explain);
 }
 
 long long usual_arranging_work(const Design& design) {

@@ -20,9 +20,12 @@ namespace snug {
 /// A case, or so many blocks.
 [[nodiscard]] bool has_given_space(const Design& design);
 
-/// The walls that are tried one after the other where a space is given and names none: from thick to thin,
-/// each as the design then has it. Empty: what the design says holds.
-[[nodiscard]] std::vector<Walls> walls_to_try(const Design& design);
+/// What is tried one after the other in a space that is given, before what the design itself says: walls from
+/// thick to thin where it names none, first with room for hands beside each item where it has notches. Rather
+/// without that room than without walls.
+[[nodiscard]] std::vector<Design> wishes_to_try(const Design& design);
+/// An arrangement by a wish, with the walls and notches that were asked for.
+[[nodiscard]] Design as_asked(Design arranged, const Design& asked);
 
 /// arrange() of what has begun. `explain`: where it does not fit the sentence says who is left out, and what
 /// would do, which takes a look of its own.

@@ -5,6 +5,7 @@
 
 #include "snug/base/stopwatch.h"
 #include "snug/base/text.h"
+#include "snug/search/arranger.h"
 #include "snug/search/arranging.h"
 
 namespace snug {
@@ -51,7 +52,7 @@ class Filling {
 
   private:
     Result<Arrangement> look(int copies, bool explain) {
-        Design tried = with_copies(design_, item_, copies);
+        const Design tried = with_copies(design_, item_, copies);
         // Nobody knows how many numbers will be tried: each is as much of what is left.
         const double from = share_;
         const ArrangeWatch watch{[&](double share, std::optional<double> volume_mm3) {
@@ -60,9 +61,10 @@ class Filling {
                                      return !cancelled_;
                                  },
                                  {}};
-        auto found = arranged(objects_, tried, locked_items(tried, true), work_, watch, explain);
+        Design result;
+        auto found = Arranger(objects_, tried, locked_items(tried, true), work_, watch).run(result, explain);
         if (!found) return found;
-        best_ = std::move(tried);
+        best_ = std::move(result);
         arrangement_ = *found;
         if (watch_.better) watch_.better(best_);
         return found;
@@ -80,25 +82,23 @@ class Filling {
     bool cancelled_ = false;
 };
 
-/// With the thickest walls that leave room for what is there: thinner ones would always let in more.
+/// By the first wish that leaves room for what is there: a lesser one would always let in more.
 Result<Arrangement> filled(std::span<Object> objects, Design& design, std::size_t item, long long work,
                            const ArrangeWatch& watch) {
-    const auto without_walls = [](Design walled) {
-        walled.space.wall_mm.reset();
-        return walled;
-    };
     const ArrangeWatch told{watch.go_on, [&](const Design& better) {
-                                if (watch.better) watch.better(without_walls(better));
+                                if (watch.better) watch.better(as_asked(better, design));
                             }};
-    for (const Walls& walls : walls_to_try(design)) {
-        Design walled = design, result;
-        walled.space.wall_mm = walls;
-        auto found = Filling(objects, walled, item, work, told).run(result, false);
-        if (!found && found.error().kind == ErrorKind::does_not_fit) continue;
-        if (found) design = without_walls(std::move(result));
-        return found;
+    std::vector<Design> wishes = wishes_to_try(design);
+    wishes.push_back(design);
+    wishes.back().fit.notches.reset();
+    Result<Arrangement> found;
+    Design result;
+    for (std::size_t i = 0; i < wishes.size(); ++i) {
+        found = Filling(objects, wishes[i], item, work, told).run(result, i + 1 == wishes.size());
+        if (found || found.error().kind != ErrorKind::does_not_fit) break;
     }
-    return Filling(objects, Design(design), item, work, watch).run(design, true);
+    if (found) design = as_asked(std::move(result), design);
+    return found;
 }
 
 }  // namespace

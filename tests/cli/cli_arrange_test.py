@@ -103,6 +103,9 @@ class ArrangeTest(unittest.TestCase):
         alone = self.report("camera.stl:count=2", "--blocks", "auto", "--search-seconds", 0.5)
         hands = self.report("camera.stl:count=2", "--blocks", "auto", "--notches", "60x30", "--search-seconds", 0.5, out="hands")
         self.assertGreater(hands["arrangement"]["volume_mm3"], alone["arrangement"]["volume_mm3"])
+        # Rather without it than against the case.
+        tight = self.report("camera.stl:count=2", "--blocks", "14x10x17", "--notches", "60x30", out="tight")
+        self.assertGreaterEqual(min(tight["wall_mm"]), 12.7)
 
     def test_what_contradicts_itself_is_refused(self):
         for words, sentence in [(["camera.stl", "--known-case"], "snug cases"),
