@@ -22,6 +22,7 @@
 #include "cli/object_file.h"
 #include "cli/scene_file.h"
 #include "cli/user_cases.h"
+#include "cli/user_foams.h"
 #include "cli/user_presets.h"
 #include "cli/wrapped.h"
 
@@ -179,7 +180,7 @@ Result<Design> design_for(const CasesArguments& a, Design design, bool is_projec
     const auto preset = std::find_if(a.typed.begin(), a.typed.end(), is_preset);
     if (preset != a.typed.end()) {
         auto result = with_flags({&*preset, 1}, std::move(design), true,
-                                 {known_presets, [&] { return known_cases(a.language); }});
+                                 {known_presets, [&] { return known_cases(a.language); }, known_foams});
         if (!result) return result;
         design = std::move(*result);
     }

@@ -27,6 +27,7 @@ struct CommandSpec;  // arguments.h
 [[nodiscard]] CommandSpec sample_command(Language language);
 [[nodiscard]] CommandSpec presets_command(Language language);
 [[nodiscard]] CommandSpec cases_command(Language language);
+[[nodiscard]] CommandSpec foams_command(Language language);
 [[nodiscard]] CommandSpec studio_command(Language language);
 
 }  // namespace snug::cli

@@ -9,5 +9,6 @@ int main(int argc, char** argv) {
     catch_interrupts(*language);
     return run_program(argc, argv, *language,
                        {make_command(*language), inspect_command(*language), sample_command(*language),
-                        presets_command(*language), cases_command(*language), studio_command(*language)});
+                        presets_command(*language), cases_command(*language), foams_command(*language),
+                        studio_command(*language)});
 }

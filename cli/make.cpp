@@ -27,6 +27,7 @@
 #include "cli/object_file.h"
 #include "cli/summary.h"
 #include "cli/user_cases.h"
+#include "cli/user_foams.h"
 #include "cli/user_presets.h"
 
 namespace snug::cli {
@@ -42,6 +43,7 @@ struct MakeArguments {
     std::vector<TypedFlag> design;
     std::optional<std::string> replacement_object, font;
     SearchArguments search;
+    bool protecting_walls = false;  ///< --wall protect
     bool dry_run = false, quiet = false, json = false;
     bool stream = false, no_stream = false;
     int threads = 0;
@@ -94,8 +96,16 @@ std::vector<Argument> arguments_of(MakeArguments& a) {
 /// The design with what was typed; unless it is a project's it is not checked before its items are known.
 Result<Design> design_from(const MakeArguments& a, Design design, bool from_project) {
     auto typed = with_flags(a.design, std::move(design), from_project,
-                            {known_presets, [&] { return known_cases(a.language); }});
+                            {known_presets, [&] { return known_cases(a.language); }, known_foams});
     return typed && from_project ? checked(std::move(*typed)) : typed;
+}
+
+/// "--wall protect" is no wall but asks for some.
+void take_protecting_walls(MakeArguments& a) {
+    const auto asks = [](const TypedFlag& typed) {
+        return typed.flag == "--wall" && typed.text == "protect";
+    };
+    a.protecting_walls = std::erase_if(a.design, asks) > 0;
 }
 
 Result<Task> task_from(const MakeArguments& arguments) {
@@ -183,6 +193,7 @@ Tools tools_for(const Task& task, const MakeArguments& arguments, StatusLine& st
     Tools tools;
     tools.solve_lp = clp_solver();
     tools.language = arguments.language;
+    tools.protecting_walls = arguments.protecting_walls;
     if (searched.searches(task.project.design))
         tools.search = [&](Object& object, Design& design) -> Result<SearchReport> {
             auto found = search(object, design, searched, status);
@@ -201,9 +212,11 @@ Tools tools_for(const Task& task, const MakeArguments& arguments, StatusLine& st
         };
     tools.progress = [&status](Stage stage) {
         if (stage == Stage::workshop) status.show(say("status.workshop"));
-        return status.progress(say(stage == Stage::cut        ? "status.cutting"
+        return status.progress(say(stage == Stage::walls      ? "status.walls"
+                                   : stage == Stage::cut      ? "status.cutting"
                                    : stage == Stage::workshop ? "status.bricks"
-                                                              : "status.gaps"));
+                                   : stage == Stage::gaps     ? "status.gaps"
+                                                              : "status.drops"));
     };
     return tools;
 }
@@ -286,8 +299,10 @@ CommandSpec make_command(Language language) {
         "  snug make scan.ply --units m --preset slit-10 --blocks auto --clearance 1 -o scan-foam\n"
         "  snug make vase.stl:count=2,upright=z camera.stl:clearance=1x2x2,mass=0.9 --blocks auto -o kit\n"
         "  snug make scan-foam/project.snug.json --object scan.ply --rotate 0,90,0 -o turned",
-        arguments_of(*a),
-        [a] { return within_memory(a->objects.front(), a->language, [&] { return make(*a); }); }};
+        arguments_of(*a), [a] {
+            take_protecting_walls(*a);
+            return within_memory(a->objects.front(), a->language, [&] { return make(*a); });
+        }};
 }
 
 }  // namespace snug::cli

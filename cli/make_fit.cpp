@@ -25,7 +25,7 @@ Message notch_text(const Notch& notch) {
                                     {"deep", number(notch.size_mm.x, 1)}});
 }
 
-Message bearing_text(const BearingReport& bearing, const Foams& foams, const Design& design) {
+Message bearing_text(const BearingReport& bearing, const Foams& foams, const Design& design, bool dropped) {
     const auto mass = mass_kg(design);
     const auto pressure = [&](double area_mm2) {
         const auto kpa = static_pressure_kpa(*mass, area_mm2);
@@ -40,10 +40,13 @@ Message bearing_text(const BearingReport& bearing, const Foams& foams, const Des
                               ? say("summary.creep", {{"kpa", number(*design.fit.creep_kpa, 1)}})
                               : say("summary.creep_unknown"));
     }
+    std::vector<Message> drops;
+    if (!dropped) drops.push_back(say("summary.no_drops"));
     const std::string below = areas(bearing.lower_mm2);
     if (foams.open()) return say("summary.bears_in_tray", {{"below", below}, {"at_rest", at_rest}});
-    return say("summary.bears_on",
-               {{"below", below}, {"above", areas(bearing.upper_mm2)}, {"at_rest", at_rest}});
+    return say(
+        "summary.bears_on",
+        {{"below", below}, {"above", areas(bearing.upper_mm2)}, {"at_rest", at_rest}, {"drops", drops}});
 }
 
 }  // namespace snug::cli

@@ -7,6 +7,7 @@
 
 #include "snug/base/one_line.h"
 #include "snug/base/text.h"
+#include "snug/fabricate/kit/shock_text.h"
 #include "snug/words/pieces.h"
 #include "snug/words/sides.h"
 #include "snug/words/words.h"
@@ -95,10 +96,10 @@ struct Lines {
     }
     void add(const char* label, const Message& message) { add(worded(label), message); }
     /// Over several lines, where it is long.
-    void add_sentence(const char* label, const Message& message) {
-        text +=
-            padded(worded(label), kLabel) + wrapped(one_line(snug::text(message, language)), kLabel) + "\n";
+    void add_sentence(std::string_view label, const Message& message) {
+        text += padded(label, kLabel) + wrapped(one_line(snug::text(message, language)), kLabel) + "\n";
     }
+    void add_sentence(const char* label, const Message& message) { add_sentence(worded(label), message); }
     [[nodiscard]] std::string worded(const char* label) const { return snug::text(say(label), language); }
 };
 
@@ -171,7 +172,13 @@ std::string summary(std::span<const Object> objects, const Project& project, con
     }
     if (made.fit.gap) lines.add("summary.gaps", gap_text(*made.fit.gap));
     if (made.fit.bearing)
-        lines.add_sentence("summary.bears", bearing_text(*made.fit.bearing, *packing.foams, project.design));
+        lines.add_sentence("summary.bears", bearing_text(*made.fit.bearing, *packing.foams, project.design,
+                                                         made.protection.has_value()));
+    if (made.protection && made.protection->drop_mm && made.protection->foam) {
+        lines.add("summary.drop", drop_text(*made.protection));
+        for (const Message& face : face_texts(*made.protection)) lines.add(std::string_view(), face);
+        lines.add_sentence(std::string_view(), say("summary.drop_claim"));
+    }
     for (const Finding& finding : packing.findings)
         lines.add_sentence(label_of(finding.severity), said_of_item(finding));
     lines.add("summary.files",

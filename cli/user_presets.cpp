@@ -2,11 +2,7 @@
 
 #include <cstdlib>
 
-#include <fmt/core.h>
-
 #include "snug/words/words.h"
-
-#include "cli/files.h"
 
 namespace snug::cli {
 
@@ -21,13 +17,8 @@ fs::path user_presets_path() {
 
 Result<std::vector<Preset>> known_presets() {
     std::vector<Preset> presets = built_in_presets();
-    const fs::path path = user_presets_path();
-    std::error_code error;
-    if (!fs::exists(path, error)) return presets;
-    const auto bytes = read_file(path);
-    if (!bytes) return tl::unexpected(bytes.error());
-    const auto own = parse_presets({reinterpret_cast<const char*>(bytes->data()), bytes->size()});
-    if (!own) return fail(ErrorKind::usage, in_file(path.string(), own.error().message));
+    const auto own = read_own<Preset>(user_presets_path(), parse_presets);
+    if (!own) return tl::unexpected(own.error());
     presets.insert(presets.end(), own->begin(), own->end());
     return presets;
 }

@@ -16,6 +16,7 @@
 #include "snug/foam/object_cut.h"
 #include "snug/foam/parting.h"
 #include "snug/foam/ribs.h"
+#include "snug/search/protecting_walls.h"
 #include "snug/space/place_items.h"
 #include "snug/space/space_for.h"
 #include "snug/space/tray.h"
@@ -180,9 +181,21 @@ void cut_notches_of_layer(Packing& packing, const Design& design, const std::vec
     }
 }
 
+/// What each item takes of the foam, by itself.
+std::vector<BlockMap> pockets_of(const std::vector<Item>& items, const std::vector<HalfCuts>& cuts,
+                                 const std::vector<int>& parting, bool open) {
+    std::vector<BlockMap> pockets;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        const auto layer = static_cast<std::size_t>(items[i].layer);
+        pockets.push_back(cut_of_layer(cuts[i], parting[layer - 1], open && layer == parting.size()));
+    }
+    return pockets;
+}
+
 /// What each layer loses to its items and to hands, and what is left.
 void cut_layers(Packing& packing, const Design& design, const ItemCuts& items,
                 const std::vector<HalfCuts>& layers, std::vector<int> parting) {
+    packing.pockets = pockets_of(packing.items, items.cuts, parting, design.space.open.has_value());
     int under = 0;
     for (std::size_t i = 0; i < layers.size(); ++i) {
         const bool uncovered = design.space.open && i + 1 == layers.size();
@@ -271,6 +284,14 @@ Result<Made> make(std::span<Object> objects, Project& project, const Tools& tool
         made.arrangement = *found;
     }
 
+    if (tools.protecting_walls) {
+        const auto walls = protecting_walls(
+            objects, design, [&](const Design& tried) { return pack(objects, tried); },
+            told(tools, Stage::walls));
+        if (!walls) return tl::unexpected(walls.error());
+        design.space.wall_mm = *walls;
+    }
+
     auto packing = pack(objects, design, told(tools, Stage::cut));
     if (!packing) return tl::unexpected(packing.error());
     made.packing = std::move(*packing);
@@ -291,6 +312,12 @@ Result<Made> make(std::span<Object> objects, Project& project, const Tools& tool
     auto fit = measure_fit(objects, made.packing, design, told(tools, Stage::gaps));
     if (!fit) return tl::unexpected(fit.error());
     made.fit = std::move(*fit);
+
+    if (wants_protection(design)) {
+        auto held = protection(objects, made.packing, design, told(tools, Stage::drops));
+        if (!held) return tl::unexpected(held.error());
+        made.protection = std::move(*held);
+    }
     return made;
 }
 

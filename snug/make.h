@@ -32,14 +32,14 @@
 //   make():  --search-------> first a better placement or case, or how several items lie, if it is wanted
 //            pack()
 //            --fabricate----> what a way of working takes to the workshop
-//            --check--------> gaps, and what the items lie on
+//            --check--------> gaps, what the items lie on, and what they meet in a drop
 //
 //   make_output_files() and report_json(), in fabricate/kit/, tell of all this in files.
 
 namespace snug {
 
 /// Long work that tells how far it is.
-enum class Stage { cut, workshop, gaps };
+enum class Stage { walls, cut, workshop, gaps, drops };
 
 /// What only some builds have, and whom long work tells. All of it may be left out.
 struct Tools {
@@ -49,7 +49,8 @@ struct Tools {
     /// Arranges several items and writes where they lie into the design, see arrange(). None: they lie as
     /// place_items() has it.
     std::function<Result<Arrangement>(std::span<Object>, Design&)> arrange;
-    LpSolver solve_lp;  ///< none: the bricks' strength is not checked, and the pack says so
+    bool protecting_walls = false;  ///< the walls are chosen for what the design must bear, see that function
+    LpSolver solve_lp;              ///< none: the bricks' strength is not checked, and the pack says so
     Language language = Language::english;  ///< of everything that is written or drawn for people
     /// Is asked when one begins; what it gives is told how far that stage is.
     std::function<Progress(Stage)> progress;

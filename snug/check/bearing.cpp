@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "snug/base/text.h"
+#include "snug/check/gravity.h"
 #include "snug/check/line_budget.h"
 #include "snug/check/line_hits.h"
 #include "snug/check/line_lattice.h"
@@ -14,8 +15,6 @@
 
 namespace snug {
 namespace {
-
-constexpr double kStandardGravity = 9.80665;  // m/s2
 
 /// Where each half ends in a column; where it has no foam the object presses on nothing.
 struct Ends {

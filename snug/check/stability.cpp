@@ -7,6 +7,7 @@
 
 #include "snug/base/text.h"
 #include "snug/base/vec2.h"
+#include "snug/polygon/convex_hull.h"
 #include "snug/space/tray.h"
 
 namespace snug {
@@ -15,28 +16,6 @@ namespace {
 constexpr double kLeastTip = 20;       // degrees: a tray that is carried on one hand leans so much
 constexpr double kRoundedAway = 0.05;  // mm
 constexpr double kDegrees = 180 / 3.14159265358979323846;
-
-double turn(Vec2d a, Vec2d b, Vec2d c) {
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
-/// Counterclockwise (Andrew's monotone chain).
-std::vector<Vec2d> convex_hull(std::vector<Vec2d> points) {
-    const auto less = [](Vec2d a, Vec2d b) { return a.x < b.x || (a.x == b.x && a.y < b.y); };
-    std::sort(points.begin(), points.end(), less);
-    std::vector<Vec2d> hull;
-    for (int side = 0; side < 2; ++side) {
-        const std::size_t begin = hull.size();
-        for (const Vec2d point : points) {
-            while (hull.size() >= begin + 2 && turn(hull[hull.size() - 2], hull.back(), point) <= 0)
-                hull.pop_back();
-            hull.push_back(point);
-        }
-        hull.pop_back();
-        std::reverse(points.begin(), points.end());
-    }
-    return hull;
-}
 
 /// Of each row's outermost columns that are cut below the surface: (y, z).
 std::vector<Vec2d> rim_points(const BlockMap& cut, const DesignSpace& space, int level) {

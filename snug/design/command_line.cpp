@@ -18,7 +18,9 @@ class Telling {
         (void)renew();
         take_foam();
         for (const Flag& flag : design_flags())
-            if (flag.name != "--preset" && flag.name != "--for" && flag.name != "--set") tell(flag);
+            if (flag.name != "--preset" && flag.name != "--for" && flag.name != "--foam" &&
+                flag.name != "--set")
+                tell(flag);
         tell_rest();
     }
 
@@ -33,6 +35,7 @@ class Telling {
         const Workshop work = wanted_.workshop.work;
         if (work != Workshop::none) (void)add({"--for", std::string(name_of(work))});
         if (wanted_.space.preset != told_.space.preset) (void)add({"--preset", wanted_.space.preset});
+        if (wanted_.protection.foam) (void)add({"--foam", wanted_.protection.foam->name});
     }
 
     void tell(const Flag& flag) {

@@ -118,6 +118,9 @@ DesignProblem problem_of(const Design& design) {
     if (auto found = problem_of_parting(design)) return found;
     if (design.output.formats.empty()) return OptionProblem{"output.formats", say("formats.none")};
     if (auto found = problem_of(design.case_options)) return found->within("case");
+    if (auto found = problem_of(design.protection)) return found->within("protection");
+    if (design.space.open && design.protection.drops())
+        return OptionProblem{"protection.height_mm", say("protection.tray", {{"option", "--open"}})};
     if (auto found = problem_of(design.search)) return found->within("search");
     if (auto found = problem_of(design.workshop)) return found->within("workshop");
     return {};

@@ -14,6 +14,7 @@
 #include "snug/design/item_options.h"
 #include "snug/design/option.h"
 #include "snug/design/parting_levels.h"
+#include "snug/design/protection_options.h"
 #include "snug/design/search_options.h"
 #include "snug/design/walls.h"
 #include "snug/design/workshop_options.h"
@@ -134,7 +135,7 @@ void visit_options(Visit& visit, SpaceOptions& space) {
         space.wall_mm,
         {.json = "wall_mm",
          .flag = "--wall",
-         .takes = "MM|X,Y,Z|SIX",
+         .takes = "MM|X,Y,Z|SIX|protect",
          .unit = "mm",
          .range = {0, kGreatestLength},
          .step = 1,
@@ -142,8 +143,9 @@ void visit_options(Visit& visit, SpaceOptions& space) {
          .label = {"the wall", "壁の厚さ"},
          .help =
              {"Least foam between object and case: all sides, or X,Y,Z, or "
-              "floor,roof,back,front,left,right",
-              "対象物とケースの間に残すフォームの最小の厚さ：全面、または X,Y,Z、または底,上,奥,手前,左,右"},
+              "floor,roof,back,front,left,right; protect: as thick as --fragility asks",
+              "対象物とケースの間に残すフォームの最小の厚さ：全面、または X,Y,Z、または底,上,奥,手前,左,右。"
+              "protect は --fragility に足りる厚さ"},
          .usual = {"0; 50 with --blocks auto", "0、--blocks auto なら 50"}});
     visit.option(space.between_mm, {.json = "between_mm",
                                     .flag = "--between",
@@ -307,6 +309,7 @@ struct Design {
     OutputOptions output;
     CaseOptions case_options;
     FitOptions fit;
+    ProtectionOptions protection;
     SearchOptions search;
     WorkshopOptions workshop;
     friend bool operator==(const Design&, const Design&) = default;
@@ -323,6 +326,7 @@ void visit_options(Visit& visit, Design& design) {
     visit.group(design.parting, {.json = "parting", .title = {"Where the halves part", "分割"}});
     visit.group(design.output, {.json = "output", .title = {"The files of the foams", "フォームのファイル"}});
     visit.group(design.case_options, {.json = "case", .title = {"The case", "ケース"}});
+    visit.group(design.protection, {.json = "protection", .title = {"What it must bear", "耐えるべきこと"}});
     visit.group(design.search, {.json = "search", .title = {"The search", "探索"}});
     visit.group(design.workshop, {.json = "workshop", .title = {"The workshop", "製作"}});
 }

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "snug/base/text.h"
+#include "snug/design/known_foams.h"
 #include "snug/design/option_json.h"
 #include "snug/design/option_text.h"
 #include "snug/words/words.h"
@@ -85,6 +86,20 @@ Result<void> take_preset(std::span<const TypedFlag> typed, Design& design, bool 
     design.workshop.density_kg_m3 = preset->density_kg_m3;
     // The default count of blocks belongs to the default foam.
     if (implied) design.space.blocks.reset();
+    return {};
+}
+
+/// With the foam come what it bears for long and its density.
+Result<void> take_foam(std::span<const TypedFlag> typed, Design& design, const KnownNames& known) {
+    const TypedFlag* const named = find_typed(typed, "--foam");
+    if (!named) return {};
+    design.protection.foam.reset();
+    if (named->text == "none") return {};
+    const auto foams = known.foams();
+    if (!foams) return tl::unexpected(foams.error());
+    auto foam = find_foam(*foams, named->text);
+    if (!foam) return tl::unexpected(foam.error());
+    apply(*foam, design);
     return {};
 }
 
@@ -169,7 +184,8 @@ const std::vector<Flag>& design_flags(Language language) {
 
 KnownNames built_in_names() {
     return {[] { return Result<std::vector<Preset>>(built_in_presets()); },
-            [] { return Result<std::vector<KnownCase>>(built_in_cases()); }};
+            [] { return Result<std::vector<KnownCase>>(built_in_cases()); },
+            [] { return Result<std::vector<FoamMaterial>>(built_in_foams()); }};
 }
 
 Result<void> take_flag(const TypedFlag& typed, Design& design) {
@@ -180,10 +196,11 @@ Result<Design> with_flags(std::span<const TypedFlag> typed, Design design, bool 
                           const KnownNames& known) {
     if (auto done = take_preset(typed, design, from_project, known); !done)
         return tl::unexpected(done.error());
+    if (auto done = take_foam(typed, design, known); !done) return tl::unexpected(done.error());
     OptionList list = options_of(design);
     for (const Flag& flag : design_flags()) {
         const TypedFlag* const found = find_typed(typed, flag.name);
-        if (!found || flag.name == "--preset" || flag.name == "--set") continue;
+        if (!found || flag.name == "--preset" || flag.name == "--foam" || flag.name == "--set") continue;
         const auto done = flag.name == "--case" ? take_case(*found, design, known) : take_from(list, *found);
         if (!done) return tl::unexpected(done.error());
         if (makes_a_group(list, flag.name)) list = options_of(design);

@@ -8,6 +8,7 @@
 #include "snug/base/result.h"
 #include "snug/design/cases.h"
 #include "snug/design/design.h"
+#include "snug/design/foam_material.h"
 #include "snug/design/presets.h"
 #include "snug/words/words.h"
 
@@ -39,14 +40,16 @@ struct TypedFlag {
 struct KnownNames {
     std::function<Result<std::vector<Preset>>()> presets;
     std::function<Result<std::vector<KnownCase>>()> cases;
+    std::function<Result<std::vector<FoamMaterial>>()> foams;
 };
 
-/// The presets and cases that Snug brings.
+/// The presets, cases and foams that Snug brings.
 [[nodiscard]] KnownNames built_in_names();
 
-/// Puts what was typed into the design: the preset first, so that explicit sizes win, then each flag in the
-/// table's order, then every --set PATH=VALUE. `from_project`: the design has its foam already, so that a way
-/// of working implies none. Errors are of kind `usage` and name the flag. Ranges are for checked().
+/// Puts what was typed into the design: the preset and the foam first, so that explicit sizes win, then each
+/// flag in the table's order, then every --set PATH=VALUE. `from_project`: the design has its foam already,
+/// so that a way of working implies none. Errors are of kind `usage` and name the flag. Ranges are for
+/// checked().
 [[nodiscard]] Result<Design> with_flags(std::span<const TypedFlag> typed, Design design, bool from_project,
                                         const KnownNames& known);
 

@@ -26,7 +26,9 @@ struct ItemOptions {
         offset_mm;  ///< from the middle of the space; none: beside the others, see place_items()
     std::optional<Clearance> clearance_mm;
     std::optional<double> mass_kg;
-    bool lock = false;  ///< an arrangement leaves it where it is
+    std::optional<Vec3d> centre_mm;     ///< of its mass, in the coordinates of its file
+    std::optional<double> fragility_g;  ///< what it bears
+    bool lock = false;                  ///< an arrangement leaves it where it is
     friend bool operator==(const ItemOptions&, const ItemOptions&) = default;
 };
 
@@ -95,6 +97,23 @@ void visit_options(Visit& visit, ItemOptions& item) {
                                 .usual = {"the design's", "全体の設定"},
                                 .scope = Scope::item,
                                 .word = "mass"});
+    visit.option(item.centre_mm, {.json = "centre_mm",
+                                  .unit = "mm",
+                                  .range = {-kGreatestLength, kGreatestLength},
+                                  .label = {"the centre of mass", "重心"},
+                                  .help = {"Where its mass is centred, in the coordinates of its file",
+                                           "重心の位置（ファイルの座標）"},
+                                  .usual = {"the design's", "全体の設定"},
+                                  .scope = Scope::item,
+                                  .word = "centre"});
+    visit.option(item.fragility_g, {.json = "fragility_g",
+                                    .unit = "G",
+                                    .range = {.least = 1, .most = 10000},
+                                    .label = {"the shock that it bears", "耐える衝撃"},
+                                    .help = {"The greatest shock that it bears", "耐える最大の衝撃"},
+                                    .usual = {"the design's", "全体の設定"},
+                                    .scope = Scope::item,
+                                    .word = "fragility"});
     visit.option(item.lock,
                  {.json = "lock",
                   .label = {"the lock", "固定"},

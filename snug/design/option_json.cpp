@@ -48,6 +48,11 @@ struct Writing {
         for (const BrickStock& each : *stock) json[each.size] = each.pieces;
         return json;
     }
+    Written operator()(const std::vector<StressPoint>* points) const {
+        Written json = Written::array();
+        for (const StressPoint& each : *points) json.push_back({each.strain, each.kpa});
+        return json;
+    }
     Written operator()(const Choice& choice) const {
         const int at = choice.get();
         return at < 0 ? Written(nullptr) : Written(choice.words[static_cast<std::size_t>(at)]);
@@ -98,6 +103,8 @@ struct Reading {
     }
     bool operator()(Vec2d* v) const { return each({&v->x, &v->y}); }
     bool operator()(CrossSection* v) const { return each({&v->width, &v->length}); }
+    bool operator()(StressPoint* v) const { return each({&v->strain, &v->kpa}); }
+    bool operator()(std::vector<StressPoint>* value) const { return list(*value); }
     template <class T>
     bool operator()(Vec3<T>* v) const {
         return each({&v->x, &v->y, &v->z});
@@ -199,6 +206,7 @@ struct Expected {
     Message operator()(const std::vector<int>*) const { return say("json.whole_list"); }
     Message operator()(const std::vector<std::string>*) const { return say("json.text_list"); }
     Message operator()(const std::vector<BrickStock>*) const { return say("json.pieces"); }
+    Message operator()(const std::vector<StressPoint>*) const { return say("json.curve"); }
     Message operator()(const Choice& choice) const {
         std::vector<Message> words = each_as_it_is(choice.words);
         if (choice.may_be_none) words.push_back(as_it_is("null"));

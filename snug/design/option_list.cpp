@@ -62,6 +62,7 @@ struct Judging {
     Problem operator()(const std::vector<T>* values) const {
         return first_of(*values);
     }
+    Problem operator()(const StressPoint* point) const { return all({point->strain, point->kpa}); }
     Problem operator()(const BrickStock* stock) const { return of(stock->pieces); }
     Problem operator()(const Choice&) const { return {}; }
     template <class T>

@@ -132,6 +132,16 @@ struct Taking {
         }
         return true;
     }
+    /// "0.25:40,0.4:75"
+    bool operator()(std::vector<StressPoint>* value) const {
+        value->clear();
+        for (const std::string_view word : words_of(text)) {
+            const auto pair = typed_numbers(word, ':');
+            if (pair.size() != 2) return false;
+            value->push_back({pair[0], pair[1]});
+        }
+        return true;
+    }
     /// "cut=1,bearing=0.5"; a name alone weighs 1.
     bool operator()(Weights* value) const {
         value->fill(0);
@@ -204,6 +214,9 @@ struct Takes {
     Message operator()(const std::vector<BrickStock>*) const {
         return say("takes.pieces", {{"example", "2x4=100,1x1=40"}});
     }
+    Message operator()(const std::vector<StressPoint>*) const {
+        return say("takes.curve", {{"example", "0.25:40,0.4:75"}});
+    }
     Message operator()(const Weights*) const {
         return say("takes.weights",
                    {{"words", each_as_it_is(names_of<Objective>())}, {"example", "cut=1,bearing=0.5"}});
@@ -262,6 +275,9 @@ struct Saying {
     Text operator()(const std::vector<BrickStock>* value) const {
         return joined(*value,
                       [](const BrickStock& each) { return each.size + "=" + std::to_string(each.pieces); });
+    }
+    Text operator()(const std::vector<StressPoint>* value) const {
+        return joined(*value, [](const StressPoint& each) { return exact({each.strain, each.kpa}, ':'); });
     }
     Text operator()(const Weights* value) const {
         std::vector<std::string> words;

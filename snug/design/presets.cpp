@@ -10,10 +10,6 @@
 namespace snug {
 namespace {
 
-/// kPa for at most 10 % of thickness lost: Ethafoam 220 (35 kg/m3), Sealed Air's Package Design Guide,
-/// step 4.
-constexpr double kPolyethyleneCreep = 17.2;
-
 Result<Preset> preset_from(const nlohmann::json& json, const std::string& path) {
     JsonReader reader(json, path);
     Preset preset;
@@ -88,7 +84,7 @@ const std::vector<Preset>& built_in_presets() {
          {5, 2.5, 2.5},
          1,
          33,
-         kPolyethyleneCreep,
+         {},
          false,
          "cut each sheet, then glue the stack",
          Division::across},
@@ -97,7 +93,7 @@ const std::vector<Preset>& built_in_presets() {
          {10, 2.5, 2.5},
          1,
          33,
-         kPolyethyleneCreep,
+         {},
          false,
          "cut each sheet, then glue the stack",
          Division::across},
@@ -131,7 +127,7 @@ const std::vector<Preset>& built_in_presets() {
          {5, 2, 2},
          1,
          33,
-         kPolyethyleneCreep,
+         {},
          false,
          "mill each half from its cavity's side",
          Division::all},
@@ -182,7 +178,9 @@ void apply(const Preset& preset, Design& design) {
     design.space.block_mm = preset.block_mm;
     design.cut.clearance_mm = preset.clearance_mm;
     design.case_options.division = preset.division;
-    design.fit.creep_kpa = preset.creep_kpa;
+    // A foam of known data stays what it is in other blocks.
+    const auto& foam = design.protection.foam;
+    design.fit.creep_kpa = foam ? foam->creep_kpa : preset.creep_kpa;
 }
 
 }  // namespace snug

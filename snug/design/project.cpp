@@ -117,6 +117,9 @@ void take_over_one_item(Project& project) {
     take(item.offset_mm, design.placement.offset_mm);
     take(item.clearance_mm, design.cut.clearance_mm);
     take(item.mass_kg, design.workshop.mass_kg);
+    take(item.centre_mm, design.protection.centre_mm);
+    if (item.fragility_g) design.protection.fragility.reset();
+    take(item.fragility_g, design.protection.fragility_g);
 }
 
 std::string item_name(const Project& project, const ItemOptions& item) {

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t kLeaf = 16;
 
 /// As nanoflann wants to see points.
-struct Points {
+struct TreePoints {
     const std::vector<Vec3f>& at;
 
     [[nodiscard]] std::size_t kdtree_get_point_count() const { return at.size(); }
@@ -24,15 +24,15 @@ struct Points {
     }
 };
 
-using Index = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Points>, Points, 3,
-                                                  std::uint32_t>;
+using Index = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, TreePoints>,
+                                                  TreePoints, 3, std::uint32_t>;
 
 }  // namespace
 
 struct CloudPlaces::Tree {
     explicit Tree(const std::vector<Vec3f>& at)
         : points{at}, index(3, points, nanoflann::KDTreeSingleIndexAdaptorParams(kLeaf)) {}
-    Points points;
+    TreePoints points;
     Index index;
 };
 

@@ -166,7 +166,7 @@ class CliTest(unittest.TestCase):
         self.assertEqual(bearing["sinking_mm"], [1, 3, 5])
         self.assertEqual(bearing["lower_mm2"], sorted(bearing["lower_mm2"]))
         self.assertAlmostEqual(bearing["static_kpa"][2], 1.2 * 9.80665e3 / bearing["lower_mm2"][2], 3)
-        self.assertEqual((bearing["creep_kpa"], bearing["drops"]), (17.2, "not checked"))
+        self.assertEqual((bearing["creep_kpa"], bearing["drops"]), (None, "not checked"))
         self.assertEqual([notch["side"] for notch in report["notches"]], ["back", "front"])
         for notch in report["notches"]:
             depth, outwards, width = notch["size_mm"]

@@ -66,6 +66,14 @@ struct Drawing {
         std::sort(values->begin(), values->end(), less);
         values->erase(std::unique(values->begin(), values->end(), same), values->end());
     }
+    void operator()(std::vector<StressPoint>* points) const {
+        points->clear();
+        StressPoint point;
+        for (int i = random.integer(0, 3) * 2; i > 0; --i) {
+            point = {point.strain + random.between(0.01, 0.15), point.kpa + random.between(0.1, 50)};
+            points->push_back(point);
+        }
+    }
     /// Of one layer, since what is random elsewhere has no more.
     void operator()(PartingLevels* levels) const {
         levels->each.resize(1);
@@ -113,6 +121,7 @@ Design random_options(Random& random) {
     Design design;
     if (random.chance(0.5)) design.fit.notches.emplace();
     if (random.chance(0.5)) design.fit.lift.emplace();
+    if (random.chance(0.5)) design.protection.foam.emplace();
     const std::size_t count = options_of(design).options.size();
     for (std::size_t i = 0; i < count; ++i) {
         if (!random.chance(0.4)) continue;

@@ -4,6 +4,7 @@
 
 #include "snug/check/measure_fit.h"
 #include "snug/check/packing.h"
+#include "snug/check/protection.h"
 #include "snug/fabricate/kit/workshop_pack.h"
 #include "snug/search/arrange.h"
 #include "snug/search/search_design.h"
@@ -17,6 +18,7 @@ struct Made {
     std::optional<Arrangement> arrangement;  ///< none where nothing was arranged
     Packing packing;                         ///< without foams where the object leaves its space
     MeasuredFit fit;
+    std::optional<Protection> protection;   ///< none where the design does not ask for it
     std::optional<WorkshopPack> pack;       ///< none where the design asks for none
     Language language = Language::english;  ///< in which its pack is, and its report and preview shall be
 };

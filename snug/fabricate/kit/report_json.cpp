@@ -2,12 +2,13 @@
 
 #include <cmath>
 #include <optional>
-#include <type_traits>
 #include <utility>
 
 #include <nlohmann/json.hpp>
 
+#include "snug/fabricate/kit/json_values.h"
 #include "snug/fabricate/kit/piece_names.h"
+#include "snug/fabricate/kit/protection_json.h"
 #include "snug/space/fitted_space.h"
 #include "snug/words/words.h"
 
@@ -15,17 +16,6 @@ namespace snug {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Rounded to a nanometre so that the text shows no noise.
-double rounded(double value, double digits = 1e6) {
-    return std::floor(value * digits + 0.5) / digits;
-}
-
-template <class T>
-Json array(Vec3<T> v) {
-    if constexpr (std::is_floating_point_v<T>) return Json::array({rounded(v.x), rounded(v.y), rounded(v.z)});
-    return Json::array({v.x, v.y, v.z});
-}
 
 Json volume(const std::optional<double>& mm3) {
     return mm3 ? Json(rounded(*mm3, 1e3)) : Json(nullptr);
@@ -147,11 +137,11 @@ Json bearing_areas(const BearingReport& bearing, std::optional<double> kg) {
             {"static_kpa", pressure}};
 }
 
-Json bearing_json(const BearingReport& bearing, const Design& design) {
+Json bearing_json(const BearingReport& bearing, const Design& design, bool dropped) {
     Json json{{"sinking_mm", kSinking}};
     json.update(bearing_areas(bearing, mass_kg(design)));
     json["creep_kpa"] = design.fit.creep_kpa ? Json(*design.fit.creep_kpa) : Json(nullptr);
-    json["drops"] = "not checked";
+    json["drops"] = dropped ? "see protection" : "not checked";
     return json;
 }
 
@@ -253,10 +243,6 @@ Json arrangement_json(const Arrangement& arrangement) {
             {"cancelled", arrangement.cancelled}};
 }
 
-Json or_null(const std::optional<double>& value, double digits) {
-    return value ? Json(rounded(*value, digits)) : Json(nullptr);
-}
-
 Json workshop_json(const WorkshopPack& pack, Language language) {
     const PackMaterial& material = pack.material;
     Json figures = Json::array(), files = Json::array();
@@ -291,7 +277,10 @@ std::string report_json(std::span<const Object> objects, const Project& project,
                             {"block_mm", array(packing.space.block_mm)}};
     json["foam"] = packing.foams ? foam_json(packing) : Json(nullptr);
     json["gap"] = made.fit.gap ? gap_json(*made.fit.gap) : Json(nullptr);
-    json["bearing"] = made.fit.bearing ? bearing_json(*made.fit.bearing, project.design) : Json(nullptr);
+    json["bearing"] = made.fit.bearing
+                          ? bearing_json(*made.fit.bearing, project.design, made.protection.has_value())
+                          : Json(nullptr);
+    if (made.protection) json["protection"] = protection_json(*made.protection);
     json["wall_mm"] = nullptr;
     if (packing.foams) {
         json["wall_mm"] = Json::array();

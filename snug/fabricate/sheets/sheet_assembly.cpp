@@ -21,7 +21,7 @@ constexpr int kPicturesAcross = 4;
 constexpr double kBetween = 6;
 constexpr double kCaption = 9;            // mm below a picture
 constexpr std::size_t kMostIslands = 60;  // that are named
-constexpr Color kInk{28, 36, 46}, kSoft{96, 106, 120}, kIsland{196, 60, 60};
+constexpr Color kIsland{196, 60, 60};
 
 Drawing new_page(const Message& title, Vec2d size_mm, Language language) {
     Drawing page;
@@ -67,7 +67,8 @@ double heading(Drawing& page, const SheetAssembly& half, const Message& title,
                const std::string& object_name) {
     write(page, {kMargin, kMargin + 7}, title, 8, kInk, true);
     write(page, {kMargin, kMargin + 14},
-          say("sheets.subtitle", {{"name", object_name}, {"mm", number(half.thickness_mm, 3)}}), 4.2, kSoft);
+          say("sheets.subtitle", {{"name", object_name}, {"mm", number(half.thickness_mm, 3)}}), 4.2,
+          kSoftInk);
     return kMargin + 24;
 }
 
@@ -117,7 +118,7 @@ double scale_check(Drawing& page, double y, const ScaleCheck& check) {
     for (int tick = 0; tick <= 10; ++tick)
         lines.push_back({{x + 10 * tick, y}, {x + 10 * tick, y - (tick % 5 == 0 ? 2.4 : 1.4)}});
     draw(page, std::move(lines), false, {}, Pen{kInk, 0.15, {}});
-    write(page, {x + bar + 2, y}, say("sheets.bar"), 2.7, kSoft);
+    write(page, {x + bar + 2, y}, say("sheets.bar"), 2.7, kSoftInk);
     return y + 3;
 }
 
@@ -143,13 +144,13 @@ void side_view(Drawing& page, double top, const SheetAssembly& half) {
         std::size_t pieces = 0;
         for (const SheetPiece& piece : stack.pieces) pieces += piece.sheet == sheet;
         write(page, {kMargin + 24 + width, y + bar / 2 + 1.1}, say("sheets.pieces", {{"pieces", pieces}}),
-              3.2, kSoft);
+              3.2, kSoftInk);
     }
     write(page, {kMargin + 20, bottom + 5},
           say(stack.piece.middle()    ? "sheets.layer_below"
               : stack.piece.highest() ? "sheets.case_above"
                                       : "sheets.case_below"),
-          3.2, kSoft);
+          3.2, kSoftInk);
 }
 
 /// One sheet small: its pieces, islands by their letters, BACK, the odd corner, dowels.
@@ -185,7 +186,7 @@ class Picture {
     void frame() {
         const Vec2d size = stack_.size_mm();
         draw(page_, {{at({0, 0}), at({size.x, 0}), at(size), at({0, size.y})}}, true, Color{244, 245, 247},
-             Pen{kSoft, 0.15, {0.8, 0.6}});
+             Pen{kSoftInk, 0.15, {0.8, 0.6}});
         const bool lower = stack_.piece.half() == Half::lower;
         const double y = lower ? 0 : size.y;
         draw(page_, {{at({0, y}), at({size.x, y})}}, false, {}, Pen{kInk, 0.6, {}});

@@ -13,7 +13,8 @@ export function withPreset(design: Design, preset: Preset): Design {
     ...design,
     space: {...design.space, preset: preset.name, block_mm: [...preset.block_mm], blocks: 'auto'},
     cut: {...design.cut, clearance_mm: preset.clearance_mm},
-    fit: {...design.fit, creep_kpa: preset.creep_kpa},
+    // A foam of known data stays what it is in other blocks.
+    fit: {...design.fit, creep_kpa: design.protection.foam?.creep_kpa ?? preset.creep_kpa},
     case: {...design.case, division: preset.division},
     workshop: {...design.workshop, density_kg_m3: preset.density_kg_m3},
     parting: {level: 'auto'},

@@ -1,0 +1,143 @@
+#include "snug/check/item_lines.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <tuple>
+
+#include "snug/check/line_budget.h"
+#include "snug/check/line_hits.h"
+
+namespace snug {
+namespace {
+
+constexpr LineBudget kBudget{1 << 16, 1 << 22};
+
+/// The axis first, the others behind it in their order, so that right-handed stays right-handed.
+template <class T>
+Vec3<T> with_first(Vec3<T> v, int axis) {
+    return {v[axis], v[(axis + 1) % 3], v[(axis + 2) % 3]};
+}
+
+template <class T>
+Vec3<T> with_own_axes(Vec3<T> v, int axis) {
+    Vec3<T> own;
+    for (int i = 0; i < 3; ++i) own[(axis + i) % 3] = v[i];
+    return own;
+}
+
+std::vector<Vec3d> placed_along(const Mesh& mesh, const Placement& placement, int axis) {
+    std::vector<Vec3d> placed;
+    placed.reserve(mesh.vertices.size());
+    for (const Vec3f& vertex : mesh.vertices) placed.push_back(with_first(placement(vertex), axis));
+    return placed;
+}
+
+/// Sums of length, place and squares over the parts of lines that lie in a solid.
+class SpreadSums {
+  public:
+    explicit SpreadSums(Vec3d about) : about_(about) {}
+
+    void add(double low, double high, double u, double v, double area) {
+        const double length = (high - low) * area, middle = (low + high) / 2 - about_.x;
+        const double du = u - about_.y, dv = v - about_.z;
+        volume_ += length;
+        first_ = first_ + Vec3d{middle, du, dv} * length;
+        aa_ += length * (middle * middle + (high - low) * (high - low) / 12);
+        uu_ += length * du * du;
+        vv_ += length * dv * dv;
+        au_ += length * middle * du;
+        uv_ += length * du * dv;
+        va_ += length * dv * middle;
+    }
+
+    [[nodiscard]] MassSpread spread(int axis) const {
+        if (!(volume_ > 0)) return {0, with_own_axes(about_, axis)};
+        const Vec3d mean = first_ * (1 / volume_);
+        const auto about_centre = [&](double sum, double p, double q) { return sum / volume_ - p * q; };
+        // Along the axis and the two behind it, then crosswise: axis with first, first with second, second
+        // with axis.
+        const Vec3d squares{about_centre(aa_, mean.x, mean.x), about_centre(uu_, mean.y, mean.y),
+                            about_centre(vv_, mean.z, mean.z)};
+        const Vec3d products{about_centre(au_, mean.x, mean.y), about_centre(uv_, mean.y, mean.z),
+                             about_centre(va_, mean.z, mean.x)};
+        const Vec3d own = with_own_axes(squares, axis), cross = with_own_axes(products, axis);
+        return {volume_, with_own_axes(about_ + mean, axis), own.x, own.y, own.z, cross.x, cross.y, cross.z};
+    }
+
+  private:
+    Vec3d about_;  ///< near the item, so that little is lost in differences
+    double volume_ = 0, aa_ = 0, uu_ = 0, vv_ = 0, au_ = 0, uv_ = 0, va_ = 0;
+    Vec3d first_;
+};
+
+/// The parts of a line inside a closed surface, or all between its ends where winding does not tell.
+template <class Visit>
+void for_each_inside(std::span<const Crossing> line, bool closed, Visit visit) {
+    if (!closed) return visit(line.front().x, line.back().x);
+    int winding = 0;
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        winding += line[i].turn;
+        if (winding != 0) visit(line[i].x, line[i + 1].x);
+    }
+}
+
+int finest_bits(std::span<const Object> objects, const std::vector<Item>& items, const DesignSpace& space,
+                int axis) {
+    int bits = LineLattice::kFinest + 1;
+    for (const Item& item : items) {
+        const Mesh& mesh = objects[item.object].mesh;
+        bits = std::max(
+            bits, lattice_within(kBudget, space, placed_along(mesh, item.placement, axis), mesh.triangles)
+                      .cell_bits());
+    }
+    return bits;
+}
+
+}  // namespace
+
+Result<AxisLines> axis_lines(std::span<const Object> objects, const std::vector<Item>& items,
+                             const DesignSpace& space, int axis, const Progress& progress) {
+    const DesignSpace along{with_first(space.blocks, axis), with_first(space.block_mm, axis)};
+    const LineLattice lattice(along, finest_bits(objects, items, along, axis));
+    const double whole_area = along.block_mm.y * along.block_mm.z / lattice.lines_per_column();
+    AxisLines all{axis, {}, {}};
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        const Object& object = objects[items[i].object];
+        const bool closed = object.measure.watertight || !object.whole();
+        SpreadSums sums(with_first(items[i].placement.bounds.centre(), axis));
+        const auto visit = [&](const LineBand& band) {
+            for (int row = band.first_row; row < band.end_row(); ++row) {
+                if (!band.any(row, band.first_column, band.end_column())) continue;
+                for (int column = band.first_column; column < band.end_column(); ++column) {
+                    const auto line = band.line(row, column);
+                    if (line.empty()) continue;
+                    const double u = along.face(1, 0) + lattice.u(row, column) * lattice.mm_per_unit_y();
+                    const double v = along.face(2, 0) + lattice.v(row, column) * lattice.mm_per_unit_z();
+                    const double area = whole_area * lattice.share(row, column);
+                    all.lines.push_back({row, column, static_cast<std::uint32_t>(i),
+                                         static_cast<std::int16_t>(lattice.j(row, column)),
+                                         static_cast<std::int16_t>(lattice.k(row, column)), line.front().x,
+                                         line.back().x, u, v, area});
+                    for_each_inside(line, closed,
+                                    [&](double low, double high) { sums.add(low, high, u, v, area); });
+                }
+            }
+        };
+        const auto done = sweep_lines(
+            lattice, placed_along(object.mesh, items[i].placement, axis), object.mesh.triangles, visit,
+            part_of(progress, static_cast<double>(i) / static_cast<double>(items.size()),
+                    static_cast<double>(i + 1) / static_cast<double>(items.size())));
+        if (!done) return tl::unexpected(done.error());
+        all.spreads.push_back(sums.spread(axis));
+    }
+    std::sort(all.lines.begin(), all.lines.end(), [axis](const ItemLine& p, const ItemLine& q) {
+        const auto key = [axis](const ItemLine& line) {
+            return std::make_tuple(axis == 2 ? line.c : line.b, axis == 2 ? line.b : line.c, line.row,
+                                   line.column, line.low, line.item);
+        };
+        return key(p) < key(q);
+    });
+    return all;
+}
+
+}  // namespace snug

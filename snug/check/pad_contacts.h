@@ -1,0 +1,39 @@
+#pragma once
+
+#include <limits>
+#include <span>
+#include <vector>
+
+#include "snug/base/vec2.h"
+#include "snug/check/item_lines.h"
+#include "snug/check/packing.h"
+#include "snug/check/pads.h"
+
+namespace snug {
+
+/// The foam between two things that lie one behind the other along an axis: items, or an item and the case.
+struct PadContact {
+    static constexpr int kCase = -1;
+    int low = kCase, high = kCase;  ///< the item at either end, by its place in Packing::items
+    Pads pads;
+    /// The least way between the two where no foam lies between them, mm; infinite where some always does.
+    double bare_mm = std::numeric_limits<double>::infinity();
+};
+
+/// All of them along an axis.
+struct AxisContacts {
+    int axis = 0;
+    std::vector<PadContact> contacts;
+    std::vector<std::vector<Vec2d>> outlines;  ///< of each item, the hull of it across the axis, mm
+    std::vector<MassSpread> spreads;           ///< of each item
+};
+
+/// What the foams of a packing hold every item with along the axis of the lines, each line a column of foam:
+/// its thickness what foam stands on it between the two ends, its gap the rest of the way. Foam on a way to
+/// the case that crosses the pocket of another item does not count, unless that item stands there: then it
+/// lies between the two. `pockets`: the blocks that each item cuts. Blocks that the case has no room for are
+/// the case's own.
+[[nodiscard]] AxisContacts pad_contacts(const AxisLines& lines, const Packing& packing,
+                                        std::span<const BlockMap> pockets);
+
+}  // namespace snug

@@ -1,0 +1,114 @@
+#include "snug/fabricate/kit/protection_json.h"
+
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "snug/fabricate/kit/json_values.h"
+
+namespace snug {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What the estimate leaves out, by words for programs.
+constexpr const char* kNotComputed[] = {"friction and shear at the rim",     "trapped air",
+                                        "what the case gives, and its play", "rebound and later drops",
+                                        "drops on corners and edges",        "temperatures other than 23 C",
+                                        "the object's own resonance",        "ageing"};
+
+Json material_json(const FoamMaterial& foam) {
+    return {{"name", foam.name},
+            {"status", name_of(foam.status)},
+            {"source", foam.source},
+            {"thickness_mm",
+             foam.thickness_mm ? Json::array({foam.thickness_mm->x, foam.thickness_mm->y}) : Json(nullptr)},
+            {"impacts", foam.impacts ? Json(*foam.impacts) : Json(nullptr)}};
+}
+
+Json face_json(const FaceShock& face) {
+    const bool told = face.travel_mm.has_value();
+    Json json{{"face", side_name(face.face)},
+              {"g", face.g_low ? Json::array({rounded(*face.g_low, 1e3), or_null(face.g_high, 1e3)})
+                               : Json(nullptr)},
+              {"g_model", or_null(face.g_model, 1e6)},
+              {"sink_mm", or_null(face.travel_mm, 1e6)},
+              {"strain", told ? Json(rounded(face.strain, 1e6)) : Json(nullptr)},
+              {"peak_kpa", told ? Json(rounded(face.peak_kpa, 1e4)) : Json(nullptr)},
+              {"peak_at_mm", told ? array(face.peak_at) : Json(nullptr)},
+              {"area_cm2", told ? Json(rounded(face.area_cm2, 1e4)) : Json(nullptr)},
+              {"tilt_mm", told ? Json(rounded(face.tilt_mm, 1e4)) : Json(nullptr)},
+              {"bottoms", face.bottoms}};
+    if (face.why_none != NoShock::none) json["why_none"] = name_of(face.why_none);
+    if (face.more_foam_mm) json["more_foam_mm"] = *face.more_foam_mm;
+    return json;
+}
+
+Json rest_json(const RestReport& rest) {
+    if (rest.why_none != NoShock::none) return {{"why_none", name_of(rest.why_none)}};
+    return {{"sink_mm", rounded(rest.sink_mm, 1e6)},
+            {"strain", rounded(rest.strain, 1e6)},
+            {"peak_kpa", rounded(rest.peak_kpa, 1e4)},
+            {"area_cm2", rounded(rest.area_cm2, 1e4)}};
+}
+
+Json faces_json(const ItemProtection& item) {
+    Json list = Json::array();
+    for (const FaceShock& face : item.faces) list.push_back(face_json(face));
+    return list;
+}
+
+Json item_json(const ItemProtection& item) {
+    return {{"mass_kg", or_null(item.mass_kg, 1e6)},
+            {"fragility_g", or_null(item.asked_g, 1e6)},
+            {"centre_mm", array(item.centre)},
+            {"centre", item.centre_given ? "given" : "assumed uniform"},
+            {"faces", faces_json(item)},
+            {"rest", rest_json(item.rest)}};
+}
+
+Json protected_items(const Protection& all) {
+    Json list = Json::array();
+    for (std::size_t i = 0; i < all.items.size(); ++i) {
+        Json item = item_json(all.items[i]);
+        list.push_back(Json{{"number", i + 1}});
+        list.back().update(item);
+    }
+    return list;
+}
+
+std::optional<double> mass_of_all(const Protection& all) {
+    double sum = 0;
+    for (const ItemProtection& item : all.items) {
+        if (!item.mass_kg) return {};
+        sum += *item.mass_kg;
+    }
+    return sum;
+}
+
+}  // namespace
+
+Json protection_json(const Protection& all) {
+    Json json{{"drop_mm", or_null(all.drop_mm, 1e6)},
+              {"rule", all.rule ? Json(name_of(*all.rule)) : Json(nullptr)},
+              {"mass_kg", or_null(mass_of_all(all), 1e6)},
+              {"gross_kg", or_null(all.gross_kg, 1e6)},
+              {"foam", all.foam ? material_json(*all.foam) : Json(nullptr)}};
+    if (all.items.size() == 1) {
+        json.update(item_json(all.items.front()));
+    } else {
+        json["faces"] = Json::array();
+        for (int side = 0; side < 6; ++side) {
+            const std::size_t worst = all.worst_item(static_cast<Side>(side));
+            json["faces"].push_back(face_json(all.items[worst].faces[static_cast<std::size_t>(side)]));
+            json["faces"].back()["item"] = worst + 1;
+        }
+        json["rest"] = nullptr;
+        json["items"] = protected_items(all);
+    }
+    json["zones"] = Json::array();
+    json["not_computed"] = kNotComputed;
+    return json;
+}
+
+}  // namespace snug

@@ -1,0 +1,45 @@
+#include "snug/fabricate/kit/shock_text.h"
+
+#include "snug/base/text.h"
+#include "snug/words/shocks.h"
+
+namespace snug {
+namespace {
+
+Message shock_of(const FaceShock& face) {
+    if (face.bottoms || face.why_none == NoShock::bottoms) return say("summary.drop_bottoms");
+    if (!face.g_low || !face.g_high) return say("summary.drop_none");
+    return say("summary.drop_g", {{"low", number(*face.g_low, 0)},
+                                  {"high", number(*face.g_high, 0)},
+                                  {"travel", number(*face.travel_mm, 0)}});
+}
+
+}  // namespace
+
+Message drop_text(const Protection& all) {
+    std::vector<Message> rule;
+    if (all.rule) rule.push_back(say("summary.drop_rule", {{"rule", title_of(*all.rule)}}));
+    return say("summary.drop_from", {{"height", number(*all.drop_mm, 0)},
+                                     {"rule", rule},
+                                     {"foam", all.foam->name},
+                                     {"status", status_text(all.foam->status)}});
+}
+
+std::vector<Message> face_texts(const Protection& all) {
+    std::vector<Message> texts;
+    for (int side = 0; side < 6; ++side) {
+        const ItemProtection& worst = all.items[all.worst_item(static_cast<Side>(side))];
+        texts.push_back(
+            say("summary.drop_face", {{"fallen", fallen_on(static_cast<Side>(side))},
+                                      {"what", shock_of(worst.faces[static_cast<std::size_t>(side)])}}));
+    }
+    return texts;
+}
+
+Message status_text(FoamStatus status) {
+    constexpr const char* kCodes[] = {"foam_status.measured", "foam_status.sheet", "foam_status.model",
+                                      "foam_status.unverified"};
+    return say(kCodes[static_cast<std::size_t>(status)]);
+}
+
+}  // namespace snug

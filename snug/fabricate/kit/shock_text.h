@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "snug/base/message.h"
+#include "snug/check/protection.h"
+
+namespace snug {
+
+/// What the drops of a pack are called wherever they are told: "from 970 mm, height from ISTA 2A; not a test
+/// of it, in LD33 (maker's sheet)". The pack has a height and a foam.
+[[nodiscard]] Message drop_text(const Protection& protection);
+
+/// "on its back 34 to 49 G, 21 mm deep", of the item that is worst off on each face, or what is missing.
+[[nodiscard]] std::vector<Message> face_texts(const Protection& protection);
+
+/// "maker's sheet"
+[[nodiscard]] Message status_text(FoamStatus status);
+
+}  // namespace snug

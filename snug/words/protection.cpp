@@ -1,0 +1,175 @@
+#include "snug/words/catalogue.h"
+
+// Foams that push back, what an item meets in a drop, and what of that is not known.
+
+namespace snug {
+namespace {
+
+constexpr Wording kWordsOfProtection[] = {
+    {"foam/ld33", "cross-linked polyethylene foam of closed cells, Plastazote LD33",
+     "独立気泡の架橋ポリエチレンフォーム、Plastazote LD33"},
+    {"foam/ethafoam-200lc", "polyethylene foam of closed cells, Ethafoam 200LC",
+     "独立気泡のポリエチレンフォーム、Ethafoam 200LC"},
+    {"foam/ethafoam-220", "polyethylene foam of closed cells, Ethafoam 220",
+     "独立気泡のポリエチレンフォーム、Ethafoam 220"},
+    {"foam/ethafoam-nova", "polyethylene foam of closed cells, Ethafoam Nova",
+     "独立気泡のポリエチレンフォーム、Ethafoam Nova"},
+    {"foam/ethafoam-select", "polyethylene foam of closed cells, Ethafoam Select",
+     "独立気泡のポリエチレンフォーム、Ethafoam Select"},
+    {"foam/ethafoam-hs-45", "polyethylene foam of closed cells, Ethafoam HS-45",
+     "独立気泡のポリエチレンフォーム、Ethafoam HS-45"},
+    {"foam/ethafoam-hs-600", "polyethylene foam of closed cells, Ethafoam HS-600",
+     "独立気泡のポリエチレンフォーム、Ethafoam HS-600"},
+    {"foam_status.measured", "measured", "測定値"},
+    {"foam_status.sheet", "maker's sheet", "メーカー資料"},
+    {"foam_status.model", "a model", "計算モデル"},
+    {"foam_status.unverified", "unverified", "未確認"},
+    {"list.bears", "bears, kPa", "長期 kPa"},
+    {"list.curve", "curve", "曲線"},
+    {"list.curve_of_drops", "to {percent} %, from drops", "{percent} % まで、落下試験"},
+    {"list.curve_of_pressing", "to {percent} %, pressed slowly", "{percent} % まで、静的"},
+    {"list.data", "data", "データ"},
+    {"list.own_foams",
+     "A curve says what the foam pushes back with where it is squeezed by a share of its thickness. Add your "
+     "own\n"
+     "in {file}: a curve of strain and kPa, or at least five points of a\n"
+     "cushion curve (static kPa, G, thickness mm, drop mm):",
+     "曲線は、厚さに対する割合で押されたときにフォームが押し返す圧力です。自分のフォームは\n{file} "
+     "に加えてください。ひずみと kPa の曲線か、\n緩衝曲線の五つ以上の点（静的応力 kPa、G、厚さ mm、落下高さ "
+     "mm）を書きます："},
+    {"help.foams", "List foams whose data are known: how they push back in a drop, what they bear for long",
+     "データの分かっているフォームを一覧します：落下のときの押し返し方と、長く耐える圧力"},
+    {"help.foams.json", "Print them as foams.json has them", "foams.json の形で出力します"},
+    {"curve.two_points", "two or more points", "二つ以上の点"},
+    {"curve.strains", "points whose strains rise between 0 and 1", "ひずみが 0 と 1 の間で増えていく点"},
+    {"curve.falls", "points whose stresses are above 0 and never fall", "応力が 0 より大きく、下がらない点"},
+    {"curve.must_be", "the stress-strain curve must be {what}",
+     "応力ひずみ曲線は、{what}でなければなりません"},
+    {"json.curve", "a list of [strain, kPa]", "[ひずみ, kPa] のリスト"},
+    {"takes.curve", "strain:kPa pairs such as {example}", "{example} のような、ひずみ:kPa の組"},
+    {"takes.number_or_word", "a number such as {example}, none, {words;}",
+     "{example} のような数値、none、{words;} のいずれか"},
+    {"foam.thickness", "the least tested thickness is above the greatest",
+     "試験した厚さの最小が最大を超えています"},
+    {"foam.curve_or_points", "give a curve or points, not both", "曲線か点のどちらか一つにしてください"},
+    {"foam.unknown", "no foam is called {name}; known are {known;}",
+     "{name} というフォームはありません。使えるのは {known;} です"},
+    {"cushion.points", "points must be a list of [static kPa, G, thickness mm, drop mm]",
+     "点は [静的応力 kPa, G, 厚さ mm, 落下高さ mm] のリストでなければなりません"},
+    {"cushion.few", "a cushion curve needs at least {least} points, not {found}",
+     "緩衝曲線には {least} 点以上が必要です（{found} 点しかありません）"},
+    {"cushion.above_0", "every number of a cushion curve's point must be above 0",
+     "緩衝曲線の点の数値はすべて 0 より大きくなければなりません"},
+    {"cushion.residuals",
+     "no curve gives these points back: they are off by {residuals;} %, more than {most} %; look for a "
+     "mistyped "
+     "point or enter points of one thickness and height",
+     "これらの点に合う曲線がありません。ずれは {residuals;} % で、{most} % "
+     "を超えます。打ち間違いを探すか、一つの厚さと高さの点だけにしてください"},
+    {"protection.height_or_rule", "choose a height or a rule for the drop, not both",
+     "落下高さは、数値か規格のどちらか一つにしてください"},
+    {"protection.g_or_class", "choose a number of G or a class for the fragility, not both",
+     "壊れやすさは、G の数値か区分のどちらか一つにしてください"},
+    {"protection.tray", "a tray has no lid and is not dropped: leave out the drop's height, or {option}",
+     "トレイにはふたがなく、落下の対象になりません。落下高さか {option} を外してください"},
+    {"protect.lacking",
+     "walls that protect need the mass of every item (--mass), the drop (--drop-height), what it bears "
+     "(--fragility) and a foam whose curve is known (--foam)",
+     "保護する壁を決めるには、すべてのものの質量（--mass）、落下高さ（--drop-height）、耐える衝撃（--"
+     "fragility）、"
+     "曲線の分かっているフォーム（--foam）が必要です"},
+    {"protect.not_fitted",
+     "walls that protect are chosen where the space fits itself to what lies in it: leave out the case and "
+     "say "
+     "{option}",
+     "保護する壁を決められるのは、空間を中身に合わせるときだけです。ケースの指定を外し、{option} "
+     "としてください"},
+    {"protect.too_thick",
+     "from {cm} cm {fallen} no wall up to {most} mm would be shown to do: take a foam with data of drops, "
+     "another "
+     "foam, less height, or another way to lie",
+     "{cm} cm から{fallen}を下に落とす場合、{most} mm "
+     "までの壁では足りません。フォーム、落下高さ、置き方のどれかを変えてください"},
+    {"protect.none", "no walls were found with which every item meets no more than it bears",
+     "すべてのものの衝撃が耐えられる値に収まる壁が見つかりませんでした"},
+    {"status.walls", "Choosing walls", "壁の厚さを決めています"},
+    {"status.drops", "Estimating drops", "落下を計算中"},
+    {"fall.floor", "on its floor", "底"},
+    {"fall.roof", "on its lid", "ふた"},
+    {"fall.back", "on its back", "奥の面"},
+    {"fall.front", "on its front", "手前の面"},
+    {"fall.left", "on its left side", "左の面"},
+    {"fall.right", "on its right side", "右の面"},
+    {"shock",
+     "from {cm} cm {fallen}: about {low} to {high} G; you asked for {asked}: not shown to be enough. "
+     "{advice}",
+     "{cm} cm から{fallen}を下に落とすと約 {low}〜{high} G です。求められた {asked} G "
+     "で足りるとは示せません。{advice}"},
+    {"bottoms",
+     "from {cm} cm {fallen} the foam may be squeezed beyond its data or the case be met: no shock can be "
+     "told. "
+     "{advice}",
+     "{cm} cm "
+     "から{fallen}を下に落とすと、フォームがデータの範囲を超えてつぶれるか、ケースに当たるおそれがあり"
+     "、衝撃を示せません。{advice}"},
+    {"thin_pads",
+     "from {cm} cm {fallen} over a tenth of the energy would be taken by foam thinner than its data ({mm} "
+     "mm): no "
+     "shock can be told. Thicker walls there would do",
+     "{cm} cm から{fallen}を下に落とすと、データの厚さ（{mm} "
+     "mm）より薄いフォームがエネルギーの一割以上を受けるため、衝撃を示せません。その側の壁を厚くしてくださ"
+     "い"},
+    {"shock.more_foam", "{mm} mm more foam behind it would do",
+     "後ろのフォームをあと {mm} mm 厚くすれば足ります"},
+    {"shock.more_foam_or_data", "{mm} mm more foam behind it, or a foam with data of drops, would do",
+     "後ろのフォームをあと {mm} mm 厚くするか、落下試験のデータがあるフォームを選んでください"},
+    {"shock.other_foam", "Less height, or another foam, would do",
+     "落下高さを下げるか、ほかのフォームを選んでください"},
+    {"shock.other_foam_or_data", "A foam with data of drops, less height or another way to lie would do",
+     "落下試験のデータがあるフォームにするか、落下高さや置き方を変えてください"},
+    {"no_shock/foam",
+     "what it meets in a drop is not estimated: nothing is known of how this foam pushes back; name it by "
+     "--foam "
+     "(`snug foams` lists those with data and where to add one's own)",
+     "落下の衝撃は計算していません。このフォームの押し返し方が分からないためです。--foam "
+     "で指定してください（`snug foams` で一覧と、自分のフォームの加え方を示します）"},
+    {"no_shock/mass", "what it meets in a drop is not estimated without its mass (--mass)",
+     "質量（--mass）がないため、落下の衝撃は計算していません"},
+    {"no_shock/height",
+     "what it meets in a drop is not estimated: the rule needs the mass of every item, and the pack must not "
+     "be "
+     "heavier than the rule goes; or give the height in mm",
+     "落下の衝撃は計算していません。規格にはすべてのものの質量が必要で、規格の範囲より重い梱包には使えません"
+     "。"
+     "高さを mm で指定することもできます"},
+    {"items_meet",
+     "from {cm} cm {fallen} the foam to another item may be squeezed beyond its data, or they meet: put more "
+     "foam "
+     "between them (--between), or into layers of their own",
+     "{cm} cm "
+     "から{fallen}を下に落とすと、隣のものとの間のフォームがデータの範囲を超えてつぶれるか、ぶつかるおそ"
+     "れがあります。間のフォーム（--between）を増やすか、別の段に置いてください"},
+    {"no_shock/open", "a tray is not dropped: no shock is estimated", "トレイは落下の対象にしていません"},
+    {"summary.drop", "Drop", "落下"},
+    {"summary.drop_from",
+     "from {height} mm{rule} in {foam} ({status}):", "{height} mm{rule}、{foam}（{status}）："},
+    {"summary.drop_rule", ", height from {rule}; not a test of it", "、{rule} の高さ（試験ではありません）"},
+    {"summary.drop_face", "{fallen} {what}", "{fallen}：{what}"},
+    {"summary.drop_g", "{low} to {high} G, {travel} mm deep", "{low}〜{high} G、{travel} mm 沈む"},
+    {"summary.drop_bottoms", "may bottom", "底づきのおそれ"},
+    {"summary.drop_none", "not estimated", "計算なし"},
+    {"summary.drop_claim",
+     "an estimate, first drop, flat on one side, at 23 C; confirm by a drop test. docs/protection.md tells "
+     "what is "
+     "not computed",
+     "推定値です（最初の落下、一つの面で平らに、23 "
+     "℃）。落下試験で確かめてください。計算していないことは docs/protection.md にあります"},
+};
+
+}  // namespace
+
+std::span<const Wording> words_of_protection() {
+    return kWordsOfProtection;
+}
+
+}  // namespace snug
