@@ -152,7 +152,7 @@ constexpr Wording kWordsOfProtection[] = {
     {"no_shock/open", "a tray is not dropped: no shock is estimated", "トレイは落下の対象にしていません"},
     {"summary.drop", "Drop", "落下"},
     {"summary.drop_from",
-     "from {height} mm{rule} in {foam} ({status}):", "{height} mm{rule}、{foam}（{status}）："},
+     "from {height} mm{rule} in {foam} ({status}):", "{height} mm から{rule}、{foam}（{status}）："},
     {"summary.drop_rule", ", height from {rule}; not a test of it", "、{rule} の高さ（試験ではありません）"},
     {"summary.drop_face", "{fallen} {what}", "{fallen}：{what}"},
     {"summary.drop_g", "{low} to {high} G, {travel} mm deep", "{low}〜{high} G、{travel} mm 沈む"},

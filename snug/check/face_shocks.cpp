@@ -1,0 +1,318 @@
+#include "snug/check/face_shocks.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+
+#include "snug/base/parallel.h"
+#include "snug/check/flat_drop.h"
+#include "snug/check/joint_drop.h"
+
+namespace snug {
+namespace {
+
+constexpr double kLeastSpread = 0.2;    // of G to either side
+constexpr double kMostThinShare = 0.1;  // of the energy
+constexpr double kMostMoreFoam = 200;   // mm
+constexpr double kFoamStep = 5;         // mm, that are proposed
+
+/// One item on one axis of the case.
+struct HeldItem {
+    const Pads *low = nullptr, *high = nullptr;
+    double bare_low = std::numeric_limits<double>::infinity();
+    double bare_high = std::numeric_limits<double>::infinity();
+    const std::vector<Vec2d>* outline = nullptr;
+};
+
+HeldItem held(const AxisContacts& all, int item) {
+    HeldItem found;
+    for (const PadContact& contact : all.contacts) {
+        const bool below = contact.high == item, above = contact.low == item;
+        if (!below && !above) continue;
+        if (contact.low != PadContact::kCase && contact.high != PadContact::kCase) continue;
+        if (below) {
+            found.low = &contact.pads;
+            found.bare_low = contact.bare_mm;
+        } else {
+            found.high = &contact.pads;
+            found.bare_high = contact.bare_mm;
+        }
+    }
+    found.outline = &all.outlines[static_cast<std::size_t>(item)];
+    return found;
+}
+
+Cushioned towards(const HeldItem& item, bool high, double mass_kg) {
+    return high ? Cushioned{item.high, item.low, item.bare_high, mass_kg}
+                : Cushioned{item.low, item.high, item.bare_low, mass_kg};
+}
+
+/// Across an axis.
+Vec2d across(Vec3d v, int axis) {
+    return {v[(axis + 1) % 3], v[(axis + 2) % 3]};
+}
+
+Vec3d in_space(Vec2d across, double along, int axis) {
+    Vec3d v;
+    v[axis] = along;
+    v[(axis + 1) % 3] = across.x;
+    v[(axis + 2) % 3] = across.y;
+    return v;
+}
+
+/// How much more than its centre of mass the item's far end is slowed down where the foam pushes beside the
+/// centre: 1 + e x / r2, with r the radius of gyration about the axis that it turns about.
+double far_end(const Stop& stop, const HeldItem& item, const MassSpread& spread, Vec3d centre, int axis) {
+    const Vec2d middle = across(centre, axis), off = stop.at - middle;
+    const double e = length(off);
+    if (!(e > 1e-9)) return 1;
+    const Vec2d direction = off * (1 / e);
+    double lever = 0;
+    for (const Vec2d point : *item.outline) {
+        const Vec2d from = point - middle;
+        lever = std::max(lever, from.x * direction.x + from.y * direction.y);
+    }
+    const double r2 = spread.along(in_space(direction, 0, axis)) + spread.along(in_space({}, 1, axis));
+    return r2 > 0 ? 1 + e * lever / r2 : 1;
+}
+
+/// Where a drop is computed: an item, a side, and what it falls onto.
+struct FaceTask {
+    Side face = kFloor;
+    const HeldItem& item;
+    const MassSpread& spread;
+    Vec3d centre;
+    double mass_kg = 0;
+    double height_mm = 0, thin_mm = 0;
+
+    [[nodiscard]] int axis() const { return face / 2; }
+    [[nodiscard]] Cushioned cushioned() const { return towards(item, face % 2 == 1, mass_kg); }
+    /// At the far end.
+    [[nodiscard]] double g_of(const Stop& stop) const {
+        return shock_g(stop, mass_kg) * far_end(stop, item, spread, centre, axis());
+    }
+};
+
+/// What an item came to with the curve as it is given, and with each that the foam may have.
+struct Stops {
+    std::optional<Stop> given;
+    std::vector<std::optional<Stop>> possible;
+};
+
+Stops stops_on(const Cushioned& item, const FaceTask& task, const Curves& curves) {
+    Stops stops{flat_drop(item, curves.given, task.height_mm, task.thin_mm), {}};
+    for (const StressCurve& curve : curves.possible)
+        stops.possible.push_back(flat_drop(item, curve, task.height_mm, task.thin_mm));
+    return stops;
+}
+
+struct Spread {
+    double low = 0;
+    std::optional<double> high;  ///< none: it may bottom
+};
+
+Spread spread_of(const FaceTask& task, const Stops& stops) {
+    Spread spread{std::numeric_limits<double>::infinity(), 0};
+    const auto include = [&](const std::optional<Stop>& stop, double share) {
+        if (!stop) {
+            spread.high.reset();
+            return;
+        }
+        const double g = task.g_of(*stop);
+        spread.low = std::min(spread.low, g * (1 - share));
+        if (spread.high) spread.high = std::max(*spread.high, g * (1 + share));
+    };
+    include(stops.given, kLeastSpread);
+    for (const auto& stop : stops.possible) include(stop, 0);
+    return spread;
+}
+
+/// The least foam more, in steps, with which the high end of the range is what was asked for.
+std::optional<double> more_foam(const FaceTask& task, const Curves& curves, double asked_g) {
+    const Cushioned item = task.cushioned();
+    if (!item.ahead || std::isfinite(item.bare_mm)) return {};
+    const auto holds = [&](int steps) {
+        const Pads thicker = item.ahead->thicker(steps * kFoamStep);
+        Cushioned on_it = item;
+        on_it.ahead = &thicker;
+        const Stops stops = stops_on(on_it, task, curves);
+        const Spread spread = spread_of(task, stops);
+        return spread.high && *spread.high <= asked_g && stops.given->thin_share <= kMostThinShare;
+    };
+    int fails = 0, does = static_cast<int>(kMostMoreFoam / kFoamStep);
+    if (!holds(does)) return {};
+    while (does - fails > 1) {
+        const int middle = (fails + does) / 2;
+        (holds(middle) ? does : fails) = middle;
+    }
+    return does * kFoamStep;
+}
+
+FaceShock shock_of(const FaceTask& task, const Stops& stops, const Box3d& bounds) {
+    FaceShock shock;
+    shock.face = task.face;
+    const auto& stop = stops.given;
+    const Spread spread = spread_of(task, stops);
+    shock.bottoms = !spread.high;
+    if (stop) {
+        const double end = task.face % 2 == 1 ? bounds.max[task.axis()] : bounds.min[task.axis()];
+        shock.travel_mm = stop->travel_mm;
+        shock.strain = stop->strain;
+        shock.peak_kpa = stop->peak_kpa;
+        shock.peak_at = in_space(stop->most_at, end, task.axis());
+        shock.area_cm2 = stop->area_mm2 * 1e-2;
+        shock.tilt_mm = length(stop->at - across(task.centre, task.axis()));
+    }
+    if (!stop)
+        shock.why_none = NoShock::bottoms;
+    else if (stop->thin_share > kMostThinShare)
+        shock.why_none = NoShock::thin;
+    if (shock.why_none == NoShock::none) {
+        shock.g_model = shock_g(*stop, task.mass_kg);
+        shock.g_low = spread.low;
+        shock.g_high = spread.high;
+    }
+    return shock;
+}
+
+bool is_enough(const FaceShock& shock, double asked_g) {
+    return shock.g_high && *shock.g_high <= asked_g;
+}
+
+RestReport rest_of(const std::optional<Stop>& stop) {
+    RestReport rest;
+    if (!stop) {
+        rest.why_none = NoShock::bottoms;
+        return rest;
+    }
+    rest.sink_mm = stop->travel_mm;
+    rest.strain = stop->strain;
+    rest.peak_kpa = stop->peak_kpa;
+    rest.area_cm2 = stop->area_mm2 * 1e-2;
+    return rest;
+}
+
+/// What the items of a packing meet along an axis.
+class AxisDrops {
+  public:
+    AxisDrops(const AxisContacts& contacts, const Packing& packing, const Curves& curves, Protection& all)
+        : contacts_(contacts), packing_(packing), curves_(curves), all_(all) {}
+
+    void add() {
+        for (const std::vector<int>& set : joint_sets(contacts_.contacts, all_.items.size()))
+            if (set.size() == 1)
+                add_alone(static_cast<std::size_t>(set.front()));
+            else
+                add_joint(set);
+    }
+
+  private:
+    [[nodiscard]] FaceTask task_of(std::size_t i, int side, const HeldItem& held) const {
+        const ItemProtection& item = all_.items[i];
+        return {static_cast<Side>(side), held,          contacts_.spreads[i],           item.centre,
+                *item.mass_kg,           *all_.drop_mm, all_.foam->least_thickness_mm()};
+    }
+
+    [[nodiscard]] std::array<int, 2> sides() const { return {2 * contacts_.axis, 2 * contacts_.axis + 1}; }
+
+    void add_alone(std::size_t i) {
+        ItemProtection& item = all_.items[i];
+        const HeldItem found = held(contacts_, static_cast<int>(i));
+        if (contacts_.axis == 0 && item.mass_kg)
+            item.rest = rest_of(at_rest(towards(found, false, *item.mass_kg), curves_.given));
+        for (const int side : sides()) {
+            FaceShock& face = item.faces[static_cast<std::size_t>(side)];
+            face.why_none = obstacle(all_, item, packing_);
+            if (face.why_none != NoShock::none) continue;
+            const FaceTask task = task_of(i, side, found);
+            face =
+                shock_of(task, stops_on(task.cushioned(), task, curves_), packing_.items[i].placement.bounds);
+            face.bottoms_itself = face.bottoms;
+            if (item.asked_g && !is_enough(face, *item.asked_g))
+                face.more_foam_mm = more_foam(task, curves_, *item.asked_g);
+        }
+    }
+
+    [[nodiscard]] JointItems joint(const std::vector<int>& set, bool to_high) const {
+        JointItems items{set, {}, {}, to_high};
+        for (const int item : set)
+            items.mass_kg.push_back(*all_.items[static_cast<std::size_t>(item)].mass_kg);
+        const auto is_in = [&](int item) {
+            return item == PadContact::kCase || std::find(set.begin(), set.end(), item) != set.end();
+        };
+        for (const PadContact& contact : contacts_.contacts)
+            if (is_in(contact.low) && is_in(contact.high)) items.contacts.push_back(&contact);
+        return items;
+    }
+
+    void add_joint(const std::vector<int>& set) {
+        NoShock obstacle_of_any = NoShock::none;
+        bool weighed = true;
+        for (const int item : set) {
+            const ItemProtection& each = all_.items[static_cast<std::size_t>(item)];
+            weighed = weighed && each.mass_kg;
+            const NoShock why = obstacle(all_, each, packing_);
+            if (why != NoShock::none) obstacle_of_any = why;
+        }
+        if (contacts_.axis == 0 && weighed) {
+            const JointStops rest = joint_rest(joint(set, false), curves_.given);
+            for (std::size_t k = 0; k < set.size(); ++k)
+                all_.items[static_cast<std::size_t>(set[k])].rest = rest_of(rest.stops[k]);
+        }
+        for (const int side : sides())
+            if (obstacle_of_any == NoShock::none)
+                add_joint_side(set, side);
+            else
+                for (const int item : set)
+                    all_.items[static_cast<std::size_t>(item)]
+                        .faces[static_cast<std::size_t>(side)]
+                        .why_none = obstacle_of_any;
+    }
+
+    void add_joint_side(const std::vector<int>& set, int side) {
+        const JointItems items = joint(set, side % 2 == 1);
+        std::vector<JointStops> by_curve(1 + curves_.possible.size());
+        parallel_for(by_curve.size(), [&](std::size_t i) {
+            by_curve[i] = joint_drop(items, i == 0 ? curves_.given : curves_.possible[i - 1], *all_.drop_mm,
+                                     all_.foam->least_thickness_mm());
+        });
+        for (std::size_t k = 0; k < set.size(); ++k) {
+            const auto i = static_cast<std::size_t>(set[k]);
+            Stops stops{by_curve.front().stops[k], {}};
+            for (std::size_t curve = 1; curve < by_curve.size(); ++curve)
+                stops.possible.push_back(by_curve[curve].stops[k]);
+            const HeldItem found = held(contacts_, set[k]);
+            FaceShock& face = all_.items[i].faces[static_cast<std::size_t>(side)];
+            face = shock_of(task_of(i, side, found), stops, packing_.items[i].placement.bounds);
+            for (const JointStops& each : by_curve) {
+                face.meets_item = face.meets_item || (each.items_meet && each.bottoms[k]);
+                face.bottoms_itself = face.bottoms_itself || each.bottoms[k];
+            }
+        }
+    }
+
+    const AxisContacts& contacts_;
+    const Packing& packing_;
+    const Curves& curves_;
+    Protection& all_;
+};
+
+}  // namespace
+
+/// Why no drop of an item can be computed, before its foam is looked at.
+NoShock obstacle(const Protection& all, const ItemProtection& item, const Packing& packing) {
+    if (packing.foams->open()) return NoShock::open;
+    if (!all.foam || all.foam->curve.empty()) return NoShock::no_foam_data;
+    if (!item.mass_kg) return NoShock::no_mass;
+    return all.drop_mm ? NoShock::none : NoShock::no_height;
+}
+
+void add_face_shocks(const AxisContacts& contacts, const Packing& packing, const Curves& curves,
+                     Protection& all) {
+    AxisDrops(contacts, packing, curves, all).add();
+}
+
+}  // namespace snug

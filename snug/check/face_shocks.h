@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "snug/check/packing.h"
+#include "snug/check/pad_contacts.h"
+#include "snug/check/protection.h"
+#include "snug/design/foam_material.h"
+#include "snug/design/stress_curve.h"
+
+namespace snug {
+
+/// The curve as it is given, and those that the foam may have.
+struct Curves {
+    StressCurve given;
+    std::vector<StressCurve> possible;
+
+    explicit Curves(const FoamMaterial& foam)
+        : given(foam.curve),
+          possible(foam.dynamic() ? std::vector<StressCurve>{} : with_other_plateaus(foam.curve)) {}
+};
+
+/// Why no drop of an item can be computed, before its foam is looked at.
+[[nodiscard]] NoShock obstacle(const Protection& all, const ItemProtection& item, const Packing& packing);
+
+/// What each item meets on the two sides of an axis, and along x at rest: into its faces and `rest`. Items
+/// that reach one another move together.
+void add_face_shocks(const AxisContacts& contacts, const Packing& packing, const Curves& curves,
+                     Protection& all);
+
+}  // namespace snug
