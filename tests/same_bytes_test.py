@@ -32,6 +32,8 @@ SAMPLE_CASES = [
     ("camera", ["--for", "mill", "--longest", "90", "--flute", "100", "--open", "0.7", "--language", "ja"]),
     ("figurine", ["--for", "print", "--blocks", "auto", "--open", "0.5"]),
     ("torus", ["--for", "mould", "--language", "ja"]),
+    ("camera", ["--for", "sheets", "--blocks", "auto", "--wall", "70", "--foam", "ld33", "--mass", "0.9", "--drop-height", "ista-2a",
+                "--fragility", "museum"]),
     ("camera", ["--for", "sheets", "--blocks", "auto", "--open", "0.6", "--notches", "60x30", "--lift", "60x20",
                 "--liner-slit", "12", "--second-color"]),
     ("vase", ["--for", "sponge", "--case", "400x300x200", "--open", "40", "--clearance", "1,2,2,0,1,3", "--language", "ja"]),

@@ -11,7 +11,7 @@
 namespace snug {
 namespace {
 
-constexpr double kStep = 5;        // mm
+constexpr double kWallStep = 5;    // mm
 constexpr double kGreatest = 400;  // mm
 constexpr int kMostRounds = 60;
 
@@ -35,7 +35,7 @@ double more_on(Side side, const Protection& found) {
         const FaceShock& face = item.faces[static_cast<std::size_t>(side)];
         if (face.g_high && *face.g_high <= *item.asked_g) continue;
         // Where items reach one another it is not known at once.
-        more = std::max(more, face.more_foam_mm.value_or(2 * kStep));
+        more = std::max(more, face.more_foam_mm.value_or(2 * kWallStep));
     }
     return more;
 }
@@ -47,7 +47,7 @@ Result<Walls> protecting_walls(std::span<const Object> objects, const Design& de
                                const Progress& progress) {
     if (const auto error = lacking(design)) return tl::unexpected(*error);
     Design tried = design;
-    const double least = std::ceil(design.protection.foam->least_thickness_mm() / kStep) * kStep;
+    const double least = std::ceil(design.protection.foam->least_thickness_mm() / kWallStep) * kWallStep;
     Walls walls = equal_walls(least);
     for (int round = 0; round < kMostRounds; ++round) {
         if (!go_on(progress, static_cast<double>(round) / kMostRounds))

@@ -17,6 +17,7 @@ export interface OptionRow {
     | 'levels'
     | 'words'
     | 'pieces'
+    | 'curve'
     | 'weights'
     | 'group'
     | 'list';

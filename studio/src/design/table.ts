@@ -30,7 +30,7 @@ export interface Design {
     blocks: [number, number, number] | 'auto';
     /** Size of a block in mm (mm). */
     block_mm: [number, number, number];
-    /** Least foam between object and case: all sides, or X,Y,Z, or floor,roof,back,front,left,right (mm). */
+    /** Least foam between object and case: all sides, or X,Y,Z, or floor,roof,back,front,left,right; protect: as thick as --fragility asks (mm). */
     wall_mm: number | number[] | null;
     /** Least foam between two items that are of no common group (mm). */
     between_mm: number | null;
@@ -60,6 +60,10 @@ export interface Design {
     clearance_mm: number | number[] | null;
     /** Its own mass (kg). */
     mass_kg: number | null;
+    /** Where its mass is centred, in the coordinates of its file (mm). */
+    centre_mm: [number, number, number] | null;
+    /** The greatest shock that it bears (G). */
+    fragility_g: number | null;
     /** An arrangement leaves it where it is. */
     lock: boolean;
   }[];
@@ -124,6 +128,38 @@ export interface Design {
     divisor: number | null;
     /** How the foam may be divided to fill a case. */
     division: 'none' | 'across' | 'all';
+  };
+  protection: {
+    /** From which height the closed case falls on each of its sides (mm). */
+    height_mm: number | null;
+    /** The height as a rule has it for the packed mass. */
+    rule: 'ista-1a' | 'ista-2a' | 'ista-3a' | 'd4169-2' | 'handling' | null;
+    /** The greatest shock that the object bears (G). */
+    fragility_g: number | null;
+    /** How delicate it is, by the low end of a class. */
+    fragility: 'museum' | 'extremely-fragile' | 'very-delicate' | 'delicate' | 'moderately-delicate' | 'moderately-rugged' | 'rugged' | null;
+    /** Where the object's mass is centred, in the coordinates of its file in mm (mm). */
+    centre_mm: [number, number, number] | null;
+    foam: {
+      /** A foam that `snug foams` lists: how it pushes back in a drop. */
+      name: string;
+      /** What it is, in one line. */
+      title: string;
+      /** Strain and the stress at it, straight lines between them (kPa). */
+      curve: [number, number][];
+      /** Its density (kg/m3). */
+      density_kg_m3: number | null;
+      /** Least and greatest thickness that the curve was measured at (mm). */
+      thickness_mm: [number, number] | null;
+      /** Pressure that it bears for long (kPa). */
+      creep_kpa: number | null;
+      /** How many drops on the same foam the curve is of. */
+      impacts: number | null;
+      /** Where the figures are from. */
+      status: 'measured' | 'maker\'s sheet' | 'model' | 'unverified';
+      /** Who published the figures. */
+      source: string;
+    } | null;
   };
   search: {
     /** What --optimize weighs: cut, gap, depth, bearing, flat. */
@@ -248,6 +284,7 @@ export type OptionPath =
   | 'items'
   | 'fit.notches'
   | 'fit.lift'
+  | 'protection.foam'
   | 'object.units'
   | 'object.scale'
   | 'object.longest_mm'
@@ -272,6 +309,8 @@ export type OptionPath =
   | 'items.0.offset_mm'
   | 'items.0.clearance_mm'
   | 'items.0.mass_kg'
+  | 'items.0.centre_mm'
+  | 'items.0.fragility_g'
   | 'items.0.lock'
   | 'cut.clearance_mm'
   | 'cut.liner_mm'
@@ -297,6 +336,20 @@ export type OptionPath =
   | 'case.top_mm'
   | 'case.divisor'
   | 'case.division'
+  | 'protection.height_mm'
+  | 'protection.rule'
+  | 'protection.fragility_g'
+  | 'protection.fragility'
+  | 'protection.centre_mm'
+  | 'protection.foam.name'
+  | 'protection.foam.title'
+  | 'protection.foam.curve'
+  | 'protection.foam.density_kg_m3'
+  | 'protection.foam.thickness_mm'
+  | 'protection.foam.creep_kpa'
+  | 'protection.foam.impacts'
+  | 'protection.foam.status'
+  | 'protection.foam.source'
   | 'search.weights'
   | 'search.upright'
   | 'search.case'

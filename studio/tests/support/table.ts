@@ -2,7 +2,7 @@ import type {OptionRow} from '../../src/design/options';
 
 /** The type of what a project has for an option. */
 function typeOf(row: OptionRow): string {
-  const words = (row.words ?? []).map((word) => `'${word}'`).join(' | ');
+  const words = (row.words ?? []).map((word) => `'${word.replaceAll("'", "\\'")}'`).join(' | ');
   const list = row.count === undefined ? 'number[]' : `[${Array(row.count).fill('number').join(', ')}]`;
   const types: Record<OptionRow['kind'], string> = {
     switch: 'boolean',
@@ -15,6 +15,7 @@ function typeOf(row: OptionRow): string {
     integers: list,
     words: words ? `(${words})[]` : 'string[]',
     pieces: 'Record<string, number>',
+    curve: '[number, number][]',
     weights: 'Record<string, number>',
     group: '',
     list: '',
