@@ -173,10 +173,10 @@ std::string summary(std::span<const Object> objects, const Project& project, con
     if (made.fit.gap) lines.add("summary.gaps", gap_text(*made.fit.gap));
     if (made.fit.bearing)
         lines.add_sentence("summary.bears", bearing_text(*made.fit.bearing, *packing.foams, project.design,
-                                                         made.protection.has_value()));
-    if (made.protection && made.protection->drop_mm && made.protection->foam) {
-        lines.add("summary.drop", drop_text(*made.protection));
-        for (const Message& face : face_texts(*made.protection)) lines.add(std::string_view(), face);
+                                                         made.packing.protection.has_value()));
+    if (made.packing.protection && made.packing.protection->drop_mm && made.packing.protection->foam) {
+        lines.add("summary.drop", drop_text(*made.packing.protection));
+        for (const Message& face : face_texts(*made.packing.protection)) lines.add(std::string_view(), face);
         lines.add_sentence(std::string_view(), say("summary.drop_claim"));
     }
     for (const Finding& finding : packing.findings)

@@ -12,6 +12,7 @@
 #include "snug/check/find_item_notes.h"
 #include "snug/check/find_near_items.h"
 #include "snug/check/find_object_problems.h"
+#include "snug/check/protection.h"
 #include "snug/check/stability.h"
 #include "snug/foam/object_cut.h"
 #include "snug/foam/parting.h"
@@ -301,6 +302,12 @@ Result<Made> make(std::span<Object> objects, Project& project, const Tools& tool
     if ((made.search || made.arrangement) && !whole) note_stand_in(made.packing);
     if (!made.packing.foams) return made;
 
+    if (wants_protection(design)) {
+        auto held = protection(objects, made.packing, design, told(tools, Stage::drops));
+        if (!held) return tl::unexpected(held.error());
+        made.packing.protection = std::move(*held);
+    }
+
     if (design.workshop.work != Workshop::none) {
         auto pack = workshop_pack(objects, made.packing, project,
                                   {tools.solve_lp, told(tools, Stage::workshop), tools.language});
@@ -312,12 +319,6 @@ Result<Made> make(std::span<Object> objects, Project& project, const Tools& tool
     auto fit = measure_fit(objects, made.packing, design, told(tools, Stage::gaps));
     if (!fit) return tl::unexpected(fit.error());
     made.fit = std::move(*fit);
-
-    if (wants_protection(design)) {
-        auto held = protection(objects, made.packing, design, told(tools, Stage::drops));
-        if (!held) return tl::unexpected(held.error());
-        made.protection = std::move(*held);
-    }
     return made;
 }
 

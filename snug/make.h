@@ -31,15 +31,16 @@
 //                   --check-> walls, pieces, and what a person must know
 //   make():  --search-------> first a better placement or case, or how several items lie, if it is wanted
 //            pack()
+//            --check--------> what the items meet in a drop
 //            --fabricate----> what a way of working takes to the workshop
-//            --check--------> gaps, what the items lie on, and what they meet in a drop
+//            --check--------> gaps, and what the items lie on
 //
 //   make_output_files() and report_json(), in fabricate/kit/, tell of all this in files.
 
 namespace snug {
 
 /// Long work that tells how far it is.
-enum class Stage { walls, cut, workshop, gaps, drops };
+enum class Stage { walls, cut, drops, workshop, gaps };
 
 /// What only some builds have, and whom long work tells. All of it may be left out.
 struct Tools {

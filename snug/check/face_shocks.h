@@ -4,7 +4,7 @@
 
 #include "snug/check/packing.h"
 #include "snug/check/pad_contacts.h"
-#include "snug/check/protection.h"
+#include "snug/check/protection_report.h"
 #include "snug/design/foam_material.h"
 #include "snug/design/stress_curve.h"
 

@@ -4,7 +4,7 @@
 
 #include "snug/base/finding.h"
 #include "snug/check/packing.h"
-#include "snug/check/protection.h"
+#include "snug/check/protection_report.h"
 
 namespace snug {
 

@@ -8,6 +8,7 @@
 #include "snug/base/run.h"
 #include "snug/base/vec.h"
 #include "snug/check/fit_report.h"
+#include "snug/check/protection_report.h"
 #include "snug/foam/block_map.h"
 #include "snug/foam/foams.h"
 #include "snug/foam/lift_slots.h"
@@ -31,12 +32,13 @@ struct Packing {
     Grid<Run> available;                   ///< blocks that exist in `space`
     std::vector<BlockMap> layers;          ///< what each layer of items cuts, the lowest first
     std::vector<BlockMap> pockets;         ///< what each item cuts of these
-    std::vector<Notch> notches;     ///< beside the items, where the design wants them and there is room
-    LiftSlots lift;                 ///< in the pieces that are lifted, where the design wants them
-    long long rib_blocks = 0;       ///< cut because they stood too thin between cavities
-    std::optional<Foams> foams;     ///< none where an item leaves the space (finding `outside`)
-    FitReport fit;                  ///< of `foams`
-    std::vector<Finding> findings;  ///< dangers first
+    std::vector<Notch> notches;  ///< beside the items, where the design wants them and there is room
+    LiftSlots lift;              ///< in the pieces that are lifted, where the design wants them
+    long long rib_blocks = 0;    ///< cut because they stood too thin between cavities
+    std::optional<Foams> foams;  ///< none where an item leaves the space (finding `outside`)
+    FitReport fit;               ///< of `foams`
+    std::optional<Protection> protection;  ///< what is met in a drop; none where the design does not ask
+    std::vector<Finding> findings;         ///< dangers first
     Timing timing;
 };
 

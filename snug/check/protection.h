@@ -1,89 +1,15 @@
 #pragma once
 
-#include <array>
-#include <optional>
 #include <span>
-#include <string>
-#include <vector>
 
-#include "snug/base/finding.h"
 #include "snug/base/progress.h"
 #include "snug/base/result.h"
-#include "snug/base/side.h"
 #include "snug/check/packing.h"
+#include "snug/check/protection_report.h"
 #include "snug/design/design.h"
 #include "snug/object/object.h"
 
-// What every item meets when the closed case falls flat on one of its sides, estimated from the foam behind
-// each fine line through the item, the foam's stress-strain curve and the mass: an energy balance, columns of
-// foam as springs of their own. ../docs/protection.md says what it is worth.
-
 namespace snug {
-
-/// Why a figure is missing.
-enum class NoShock {
-    none,
-    no_foam_data,  ///< nothing is known of how the foam pushes back
-    no_mass,
-    no_height,  ///< heavier than the rule of the drop goes, or no drop was asked for
-    open,       ///< a tray is not dropped
-    thin,       ///< columns thinner than the data would take over a tenth of the energy
-    bottoms,    ///< the foam would be squeezed beyond its data, or the case be met
-};
-template <>
-struct Names<NoShock> {
-    static constexpr std::string_view list[] = {"",     "no_foam_data", "no_mass", "no_height",
-                                                "open", "thin",         "bottoms"};
-};
-
-/// A drop on one side, of one item.
-struct FaceShock {
-    Side face = kFloor;
-    NoShock why_none = NoShock::none;
-    /// Units of gravity: at the centre of mass with the curve as it is given; and the range of what is met at
-    /// the item's far end, at least 20 % to either side. The high end is none where the foam may bottom.
-    std::optional<double> g_model, g_low, g_high;
-    bool bottoms = false;         ///< with some curve of the range, on it or on what it reaches through foam
-    bool bottoms_itself = false;  ///< of items that reach one another: on this one
-    bool meets_item = false;      ///< another item, with some curve of the range
-    // With the curve as it is given; none where it bottoms:
-    std::optional<double> travel_mm;  ///< from the drawn place, gap included
-    double strain = 0;                ///< the greatest
-    double peak_kpa = 0;
-    Vec3d peak_at;        ///< design coordinates
-    double area_cm2 = 0;  ///< of the foam that is squeezed
-    double tilt_mm = 0;   ///< how far beside the centre of mass the foam pushes
-    /// Where what was asked for is not shown to hold: so much more foam behind it would do; none: no
-    /// thickness up to 200 mm would, or it holds.
-    std::optional<double> more_foam_mm;
-};
-
-/// On the lower foam.
-struct RestReport {
-    NoShock why_none = NoShock::none;
-    double sink_mm = 0, strain = 0, peak_kpa = 0, area_cm2 = 0;
-};
-
-struct ItemProtection {
-    std::optional<double> mass_kg;
-    std::optional<double> asked_g;   ///< what it is taken to bear
-    Vec3d centre;                    ///< of mass, design coordinates
-    bool centre_given = false;       ///< else one density is assumed
-    std::array<FaceShock, 6> faces;  ///< by Side
-    RestReport rest;
-};
-
-struct Protection {
-    std::optional<double> drop_mm;
-    std::optional<DropRule> rule;      ///< that the height is from
-    std::optional<double> gross_kg;    ///< items and foam, without the case; none where a mass is missing
-    bool gross_without_foam = false;   ///< the density of the foam is not known
-    std::optional<FoamMaterial> foam;  ///< none: nothing is known of it
-    std::vector<ItemProtection> items;
-
-    /// The item and face with the greatest shock for what it bears, those that bottom first.
-    [[nodiscard]] std::size_t worst_item(Side face) const;
-};
 
 /// Whether the design says anything that this could tell of.
 [[nodiscard]] bool wants_protection(const Design& design);

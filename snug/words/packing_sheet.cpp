@@ -175,6 +175,15 @@ constexpr Wording kWordsOfPackingSheet[] = {
      "weight and fragility.",
      "落下と衝撃：フォームの厚さと硬さは、対象物の重さと壊れやすさに合わせて決めたものではありません"
      "。"},
+    {"packing.drops", "What it meets in a drop", "落下のときの衝撃"},
+    {"packing.drops_claim",
+     "An estimate for the first drop, flat on one side, at 23 C; confirm it by a drop test.",
+     "最初の落下、一つの面で平らに落ちた場合、23 ℃ での推定値です。落下試験で確かめてください。"},
+    {"packing.unchecked_other_drops",
+     "Drops on corners and edges, later drops, rebound, other temperatures than 23 C, what the case gives, "
+     "the object's own resonance, ageing of the foam.",
+     "角や稜からの落下、二度目以降の落下、はね返り、23 ℃ "
+     "以外の温度、ケースのたわみ、対象物自体の共振、フォームの劣化。"},
     {"packing.unchecked_pressure",
      "Pressure: whether the foam dents where the object rests on a small area, or sags in a long "
      "store.",

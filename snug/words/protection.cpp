@@ -101,24 +101,21 @@ constexpr Wording kWordsOfProtection[] = {
     {"fall.left", "on its left side", "左の面"},
     {"fall.right", "on its right side", "右の面"},
     {"shock",
-     "from {cm} cm {fallen}: about {low} to {high} G; you asked for {asked}: not shown to be enough. "
-     "{advice}",
+     "from {cm} cm {fallen}: about {low} to {high} G; you asked for {asked}: not shown to be "
+     "enough{more}. {advice}",
      "{cm} cm から{fallen}を下に落とすと約 {low}〜{high} G です。求められた {asked} G "
-     "で足りるとは示せません。{advice}"},
+     "で足りるとは示せません{more}。{advice}"},
     {"bottoms",
-     "from {cm} cm {fallen} the foam may be squeezed beyond its data or the case be met: no shock can be "
-     "told. "
-     "{advice}",
-     "{cm} cm "
-     "から{fallen}を下に落とすと、フォームがデータの範囲を超えてつぶれるか、ケースに当たるおそれがあり"
-     "、衝撃を示せません。{advice}"},
+     "from {cm} cm {fallen} the foam may be squeezed beyond its data or the case be met: no shock can "
+     "be told{more}. {advice}",
+     "{cm} cm から{fallen}を下に落とすと、フォームがデータの範囲を超えてつぶれるか、ケースに当たるお"
+     "それがあり、衝撃を示せません{more}。{advice}"},
     {"thin_pads",
-     "from {cm} cm {fallen} over a tenth of the energy would be taken by foam thinner than its data ({mm} "
-     "mm): no "
-     "shock can be told. Thicker walls there would do",
-     "{cm} cm から{fallen}を下に落とすと、データの厚さ（{mm} "
-     "mm）より薄いフォームがエネルギーの一割以上を受けるため、衝撃を示せません。その側の壁を厚くしてくださ"
-     "い"},
+     "from {cm} cm {fallen} over a tenth of the energy would be taken by foam thinner than its data "
+     "({mm} mm): no shock can be told{more}. Thicker walls there would do",
+     "{cm} cm から{fallen}を下に落とすと、データの厚さ（{mm} mm）より薄いフォームがエネルギーの一割以"
+     "上を受けるため、衝撃を示せません{more}。その側の壁を厚くしてください"},
+    {"shock.others", " ({items} more {items|item|items} likewise)", "（ほか {items} 個も同様）"},
     {"shock.more_foam", "{mm} mm more foam behind it would do",
      "後ろのフォームをあと {mm} mm 厚くすれば足ります"},
     {"shock.more_foam_or_data", "{mm} mm more foam behind it, or a foam with data of drops, would do",
@@ -143,12 +140,10 @@ constexpr Wording kWordsOfProtection[] = {
      "。"
      "高さを mm で指定することもできます"},
     {"items_meet",
-     "from {cm} cm {fallen} the foam to another item may be squeezed beyond its data, or they meet: put more "
-     "foam "
-     "between them (--between), or into layers of their own",
-     "{cm} cm "
-     "から{fallen}を下に落とすと、隣のものとの間のフォームがデータの範囲を超えてつぶれるか、ぶつかるおそ"
-     "れがあります。間のフォーム（--between）を増やすか、別の段に置いてください"},
+     "from {cm} cm {fallen} the foam to another item may be squeezed beyond its data, or they "
+     "meet{more}: put more foam between them (--between), or into layers of their own",
+     "{cm} cm から{fallen}を下に落とすと、隣のものとの間のフォームがデータの範囲を超えてつぶれるか、ぶ"
+     "つかるおそれがあります{more}。間のフォーム（--between）を増やすか、別の段に置いてください"},
     {"no_shock/open", "a tray is not dropped: no shock is estimated", "トレイは落下の対象にしていません"},
     {"summary.drop", "Drop", "落下"},
     {"summary.drop_from",

@@ -85,7 +85,7 @@ void expect_the_same(const Mesh& mesh, Design design, int& compared) {
     ASSERT_TRUE(object);
     auto made = make(*object, project);
     ASSERT_TRUE(made) << made.error().message.code;
-    ASSERT_TRUE(made->protection);
+    ASSERT_TRUE(made->packing.protection);
     const Packing& packing = made->packing;
     const Item& item = packing.items.front();
     const auto body = corners_of(object->mesh, [&](Vec3f v) { return item.placement(v); });
@@ -112,9 +112,9 @@ void expect_the_same(const Mesh& mesh, Design design, int& compared) {
                     if (thickness > 1e-6) springs.push_back({to - from - thickness, thickness, area});
                 }
             const auto side = static_cast<std::size_t>(2 * axis + (high ? 1 : 0));
-            const FaceShock& face = made->protection->items.front().faces[side];
+            const FaceShock& face = made->packing.protection->items.front().faces[side];
             if (face.why_none == NoShock::thin) continue;
-            const auto g = g_of_fall(springs, curve, kg, *made->protection->drop_mm);
+            const auto g = g_of_fall(springs, curve, kg, *made->packing.protection->drop_mm);
             SCOPED_TRACE(side_name(static_cast<Side>(side)));
             // A single line decides what bottoms, and the two grids have others.
             if (!g || !face.g_model) continue;

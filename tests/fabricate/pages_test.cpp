@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "snug/check/protection.h"
+#include "snug/design/known_foams.h"
 #include "snug/design/presets.h"
 #include "snug/drawing/drawing_svg.h"
 #include "snug/drawing/page_builder.h"
@@ -36,7 +38,11 @@ WorkshopPack pack_in(Language language, Workshop work, const std::string& preset
     options.print.bed_mm = {120, 120, 120};
     options.mill.flute_mm = 150;
     const auto object = prepare(*sample("vase"), design);
-    const auto packing = pack(*object, design);
+    apply(*find_foam(built_in_foams(), "ld33"), design);
+    design.protection.rule = DropRule::ista_2a;
+    design.protection.fragility = FragilityClass::museum;
+    auto packing = pack(*object, design);
+    packing->protection = *protection({&*object, 1}, *packing, design);
     auto made = workshop_pack({&*object, 1}, *packing, project, {{}, {}, language});
     EXPECT_TRUE(made) << text(made.error().message);
     return made ? std::move(*made) : WorkshopPack{};
@@ -78,7 +84,7 @@ Span span_of(const TextItem& text) {
 std::vector<std::string> latin_words(std::string text) {
     static const std::regex kKept(
         R"([a-z-]+/[\w.-]+|[\w-]+\.(pdf|nc|3mf|csv|svg|dxf|mpd|xml|stl)|--[a-z-]+( (auto|plate|tiles))?|)"
-        R"(`[^`]*`|\b(LOWER|LID|BACK|DXF|STL|LDraw|BrickLink|JPY|mm|mm3|cm3|kg|m|vase|step|lid|lower)\b|)"
+        R"(`[^`]*`|\b(LOWER|LID|BACK|DXF|STL|LDraw|BrickLink|ISTA|ld33|JPY|mm|mm3|cm|cm3|kg|m|vase|step|lid|lower)\b|)"
         R"(\b[LU]\d+[a-z]*\b|\b(lower|lid|dowel)-\d+\b|\d+[a-z]\b)");
     std::replace(text.begin(), text.end(), '\n', ' ');
     text = std::regex_replace(text, kKept, " ");

@@ -4,7 +4,6 @@
 
 #include "snug/check/measure_fit.h"
 #include "snug/check/packing.h"
-#include "snug/check/protection.h"
 #include "snug/fabricate/kit/workshop_pack.h"
 #include "snug/search/arrange.h"
 #include "snug/search/search_design.h"

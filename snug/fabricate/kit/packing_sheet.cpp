@@ -12,6 +12,7 @@
 #include "snug/fabricate/kit/block_names.h"
 #include "snug/fabricate/kit/finger_room.h"
 #include "snug/fabricate/kit/packing_record.h"
+#include "snug/fabricate/kit/shock_text.h"
 #include "snug/words/pieces.h"
 #include "snug/words/sides.h"
 #include "snug/words/words.h"
@@ -263,10 +264,25 @@ void tell_findings(PageFlow& flow, const std::vector<Finding>& findings) {
     }
 }
 
-void tell_unchecked(PageFlow& flow) {
+/// Of a pack whose drops were looked at.
+bool drops_are_told(const PackedObject& packed) {
+    return packed.protection && packed.protection->drop_mm && packed.protection->foam;
+}
+
+void tell_drops(PageFlow& flow, const PackedObject& packed) {
+    if (!drops_are_told(packed)) return;
+    flow.heading(say("packing.drops"));
+    flow.paragraph(drop_text(*packed.protection));
+    for (const Message& face : face_texts(*packed.protection))
+        flow.item(as_it_is("-"), face, {kBodyText, kSoftInk}, 4);
+    flow.paragraph(say("packing.drops_claim"));
+}
+
+void tell_unchecked(PageFlow& flow, bool dropped) {
     flow.heading(say("packing.unchecked"));
-    for (const char* const code : {"packing.unchecked_drops", "packing.unchecked_pressure",
-                                   "packing.unchecked_material", "packing.unchecked_model"})
+    for (const char* const code :
+         {dropped ? "packing.unchecked_other_drops" : "packing.unchecked_drops", "packing.unchecked_pressure",
+          "packing.unchecked_material", "packing.unchecked_model"})
         flow.item(as_it_is("-"), say(code), {kBodyText, kSoftInk}, 4);
 }
 
@@ -283,8 +299,9 @@ DrawingDocument packing_sheet(const PackedObject& packed) {
     draw_pictures(flow, packed);
     tell_order(flow, packed);
     tell_facts(flow, packed);
+    tell_drops(flow, packed);
     tell_findings(flow, packed.findings);
-    tell_unchecked(flow);
+    tell_unchecked(flow, drops_are_told(packed));
     draw_packing_record(flow, {packed.items.size(), content_kg(packed)});
     DrawingDocument document{"packing-sheet", title, flow.finish(), false};
     for (Drawing& page : document.pages) page.title = title;

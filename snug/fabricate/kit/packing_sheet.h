@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "snug/check/fit_report.h"
+#include "snug/check/protection_report.h"
 #include "snug/design/workshop_options.h"
 #include "snug/fabricate/kit/packing_picture.h"
 #include "snug/fabricate/kit/workshop_pack.h"
@@ -35,6 +36,7 @@ struct PackedObject {
     const PackMaterial& material;
     const WorkshopOptions& options;
     std::span<const LiftSlot> lift;  ///< to lift pieces by
+    const std::optional<Protection>& protection;
 };
 
 /// The pages that travel with the box ("packing-sheet"): how the object is laid in and lifted out, walls,

@@ -2,7 +2,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-#include "snug/check/protection.h"
+#include "snug/check/protection_report.h"
 
 namespace snug {
 

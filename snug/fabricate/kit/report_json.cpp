@@ -277,10 +277,10 @@ std::string report_json(std::span<const Object> objects, const Project& project,
                             {"block_mm", array(packing.space.block_mm)}};
     json["foam"] = packing.foams ? foam_json(packing) : Json(nullptr);
     json["gap"] = made.fit.gap ? gap_json(*made.fit.gap) : Json(nullptr);
-    json["bearing"] = made.fit.bearing
-                          ? bearing_json(*made.fit.bearing, project.design, made.protection.has_value())
-                          : Json(nullptr);
-    if (made.protection) json["protection"] = protection_json(*made.protection);
+    json["bearing"] = made.fit.bearing ? bearing_json(*made.fit.bearing, project.design,
+                                                      made.packing.protection.has_value())
+                                       : Json(nullptr);
+    if (made.packing.protection) json["protection"] = protection_json(*made.packing.protection);
     json["wall_mm"] = nullptr;
     if (packing.foams) {
         json["wall_mm"] = Json::array();

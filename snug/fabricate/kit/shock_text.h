@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "snug/base/message.h"
-#include "snug/check/protection.h"
+#include "snug/check/protection_report.h"
 
 namespace snug {
 
