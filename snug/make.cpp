@@ -182,7 +182,7 @@ void cut_notches_of_layer(Packing& packing, const Design& design, const std::vec
     }
 }
 
-/// What each item takes of the foam, by itself.
+/// What each item takes of the foam, by itself: in a drop it tells whose pocket lies on a way.
 std::vector<BlockMap> pockets_of(const std::vector<Item>& items, const std::vector<HalfCuts>& cuts,
                                  const std::vector<int>& parting, bool open) {
     std::vector<BlockMap> pockets;
@@ -196,7 +196,8 @@ std::vector<BlockMap> pockets_of(const std::vector<Item>& items, const std::vect
 /// What each layer loses to its items and to hands, and what is left.
 void cut_layers(Packing& packing, const Design& design, const ItemCuts& items,
                 const std::vector<HalfCuts>& layers, std::vector<int> parting) {
-    packing.pockets = pockets_of(packing.items, items.cuts, parting, design.space.open.has_value());
+    if (packing.items.size() > 1 && wants_protection(design))
+        packing.pockets = pockets_of(packing.items, items.cuts, parting, design.space.open.has_value());
     int under = 0;
     for (std::size_t i = 0; i < layers.size(); ++i) {
         const bool uncovered = design.space.open && i + 1 == layers.size();
@@ -279,6 +280,7 @@ Result<Made> make(std::span<Object> objects, Project& project, const Tools& tool
         made.search = std::move(*found);
     }
 
+    const bool fitted = !design.space.blocks && !design.case_options.inside_mm;
     if (tools.arrange && design.items.size() > 1) {
         auto found = tools.arrange(objects, design);
         if (!found) return tl::unexpected(found.error());
@@ -286,9 +288,14 @@ Result<Made> make(std::span<Object> objects, Project& project, const Tools& tool
     }
 
     if (tools.protecting_walls) {
-        const auto walls = protecting_walls(
-            objects, design, [&](const Design& tried) { return pack(objects, tried); },
-            told(tools, Stage::walls));
+        // What was arranged lies where it lies; the space fits itself to it again.
+        if (fitted && made.arrangement) design.space.blocks.reset();
+        const auto pack_it = [&](const Design& tried) {
+            auto packing = pack(objects, tried);
+            for (Object& object : objects) take_stand_in(object);
+            return packing;
+        };
+        const auto walls = protecting_walls(objects, design, pack_it, told(tools, Stage::walls));
         if (!walls) return tl::unexpected(walls.error());
         design.space.wall_mm = *walls;
     }

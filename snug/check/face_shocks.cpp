@@ -279,6 +279,8 @@ class AxisDrops {
             by_curve[i] = joint_drop(items, i == 0 ? curves_.given : curves_.possible[i - 1], *all_.drop_mm,
                                      all_.foam->least_thickness_mm());
         });
+        const bool unsettled = std::any_of(by_curve.begin(), by_curve.end(),
+                                           [](const JointStops& each) { return each.unsettled; });
         for (std::size_t k = 0; k < set.size(); ++k) {
             const auto i = static_cast<std::size_t>(set[k]);
             Stops stops{by_curve.front().stops[k], {}};
@@ -286,6 +288,10 @@ class AxisDrops {
                 stops.possible.push_back(by_curve[curve].stops[k]);
             const HeldItem found = held(contacts_, set[k]);
             FaceShock& face = all_.items[i].faces[static_cast<std::size_t>(side)];
+            if (unsettled) {
+                face.why_none = NoShock::unsettled;
+                continue;
+            }
             face = shock_of(task_of(i, side, found), stops, packing_.items[i].placement.bounds);
             for (const JointStops& each : by_curve) {
                 face.meets_item = face.meets_item || (each.items_meet && each.bottoms[k]);
@@ -302,7 +308,6 @@ class AxisDrops {
 
 }  // namespace
 
-/// Why no drop of an item can be computed, before its foam is looked at.
 NoShock obstacle(const Protection& all, const ItemProtection& item, const Packing& packing) {
     if (packing.foams->open()) return NoShock::open;
     if (!all.foam || all.foam->curve.empty()) return NoShock::no_foam_data;

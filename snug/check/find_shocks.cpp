@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "snug/base/text.h"
-#include "snug/words/shocks.h"
+#include "snug/words/sides.h"
 
 namespace snug {
 namespace {
@@ -95,6 +95,8 @@ const char* code_of(NoShock why) {
             return "no_shock/height";
         case NoShock::open:
             return "no_shock/open";
+        case NoShock::unsettled:
+            return "no_shock/unsettled";
         default:
             return nullptr;
     }
@@ -104,13 +106,13 @@ const char* code_of(NoShock why) {
 
 void find_shocks(const Protection& all, const Packing& packing, std::vector<Finding>& findings) {
     for (std::size_t side = 0; side < 6; ++side) find_on_side(side, all, packing, findings);
+    if (!all.rule && !all.drop_mm) return sort_by_severity(findings);  // no drop was asked for
     std::vector<const char*> told;
     for (const ItemProtection& item : all.items)
         for (const FaceShock& face : item.faces) {
             const char* const why = code_of(face.why_none);
             if (!why || std::find(told.begin(), told.end(), why) != told.end()) continue;
             told.push_back(why);
-            if (face.why_none == NoShock::no_height && !all.rule) continue;  // none was asked for
             findings.push_back({Severity::note, say(why)});
         }
     sort_by_severity(findings);

@@ -172,6 +172,7 @@ bool fall(Motion& motion, double height_mm, Seen seen) {
         seen(step, motion.forces());
         if (std::all_of(turned.begin(), turned.end(), [](bool each) { return each; })) return true;
     }
+    motion.result_.unsettled = true;
     return false;
 }
 

@@ -27,11 +27,12 @@ struct JointStops {
     std::vector<std::optional<Stop>> stops;
     std::vector<bool> bottoms;  ///< on which foam bottomed, or something met something
     bool items_meet = false;    ///< two of them, through foam or none
+    bool unsettled = false;     ///< they did not turn round in the steps that are allowed: nothing is known
 };
 
 /// The case falls from `height_mm` and stops at once; then all masses move along the axis, integrated in
-/// steps of equal time. Contacts push and never pull, and give back what they took, until every item has
-/// turned round.
+/// steps of equal time, 40,000 at most. Contacts push and never pull, and give back what they took, until
+/// every item has turned round.
 [[nodiscard]] JointStops joint_drop(const JointItems& items, const StressCurve& curve, double height_mm,
                                     double thin_mm);
 

@@ -31,7 +31,7 @@ struct Packing {
     std::optional<CaseSpace> fitted_case;  ///< where the design has a case: what `space` is of
     Grid<Run> available;                   ///< blocks that exist in `space`
     std::vector<BlockMap> layers;          ///< what each layer of items cuts, the lowest first
-    std::vector<BlockMap> pockets;         ///< what each item cuts of these
+    std::vector<BlockMap> pockets;         ///< what each of several items cuts, where drops are looked at
     std::vector<Notch> notches;  ///< beside the items, where the design wants them and there is room
     LiftSlots lift;              ///< in the pieces that are lifted, where the design wants them
     long long rib_blocks = 0;    ///< cut because they stood too thin between cavities

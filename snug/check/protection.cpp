@@ -47,6 +47,7 @@ Protection begun(std::span<const Object> objects, const Packing& packing, const 
     all.gross_without_foam = !density;
     all.gross_kg = gross_kg(packing, density);
     all.rule = options.rule;
+    all.fragility = options.fragility;
     all.drop_mm = options.height_mm;
     if (options.rule && all.gross_kg) all.drop_mm = drop_height_mm(*options.rule, *all.gross_kg);
     for (std::size_t i = 0; i < packing.items.size(); ++i)
@@ -92,6 +93,12 @@ Result<Protection> protection(std::span<const Object> objects, Packing& packing,
         }
     }
     find_shocks(all, packing, packing.findings);
+    const bool whole =
+        std::all_of(objects.begin(), objects.end(), [](const Object& each) { return each.whole(); });
+    if (curve && !whole) {
+        packing.findings.push_back({Severity::note, say("shock_of_stand_in")});
+        sort_by_severity(packing.findings);
+    }
     return all;
 }
 

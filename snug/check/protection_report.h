@@ -25,13 +25,14 @@ enum class NoShock {
     no_mass,
     no_height,  ///< heavier than the rule of the drop goes, or no drop was asked for
     open,       ///< a tray is not dropped
+    unsettled,  ///< items that reach one another did not turn round in the steps that are allowed
     thin,       ///< columns thinner than the data would take over a tenth of the energy
     bottoms,    ///< the foam would be squeezed beyond its data, or the case be met
 };
 template <>
 struct Names<NoShock> {
     static constexpr std::string_view list[] = {"",     "no_foam_data", "no_mass", "no_height",
-                                                "open", "thin",         "bottoms"};
+                                                "open", "unsettled",    "thin",    "bottoms"};
 };
 
 /// A drop on one side, of one item.
@@ -73,7 +74,8 @@ struct ItemProtection {
 
 struct Protection {
     std::optional<double> drop_mm;
-    std::optional<DropRule> rule;      ///< that the height is from
+    std::optional<DropRule> rule;             ///< that the height is from
+    std::optional<FragilityClass> fragility;  ///< that what the items bear is from
     std::optional<double> gross_kg;    ///< items and foam, without the case; none where a mass is missing
     bool gross_without_foam = false;   ///< the density of the foam is not known
     std::optional<FoamMaterial> foam;  ///< none: nothing is known of it

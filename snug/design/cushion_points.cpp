@@ -9,7 +9,7 @@
 namespace snug {
 namespace {
 
-constexpr std::size_t kLeastPoints = 5;
+constexpr std::size_t kLeastPoints = 5, kMostPoints = 200;
 constexpr double kMostResidual = 0.15;
 constexpr double kSolidShare = 0.04;  // of foams of 35 kg/m3; others differ little below 75 % of strain
 constexpr double kGreatestStrain = 0.9;
@@ -79,6 +79,9 @@ Result<CushionFit> fit_cushion_points(std::span<const CushionPoint> points) {
     if (points.size() < kLeastPoints)
         return fail(ErrorKind::usage, say("cushion.few", {{"least", std::to_string(kLeastPoints)},
                                                           {"found", std::to_string(points.size())}}));
+    if (points.size() > kMostPoints)
+        return fail(ErrorKind::usage, say("cushion.many", {{"most", std::to_string(kMostPoints)},
+                                                           {"found", std::to_string(points.size())}}));
     CushionFit fit;
     fit.least_mm = points.front().thickness_mm;
     for (const CushionPoint& point : points) {

@@ -146,7 +146,7 @@ Result<FoamMaterial> find_foam(const std::vector<FoamMaterial>& known, std::stri
 void apply(const FoamMaterial& foam, Design& design) {
     design.protection.foam = foam;
     design.fit.creep_kpa = foam.creep_kpa;
-    design.workshop.density_kg_m3 = foam.density_kg_m3;
+    if (foam.density_kg_m3) design.workshop.density_kg_m3 = foam.density_kg_m3;
 }
 
 }  // namespace snug

@@ -26,7 +26,7 @@ namespace snug {
 /// The last foam of that name, or an Error (kind usage) that lists the known names.
 [[nodiscard]] Result<FoamMaterial> find_foam(const std::vector<FoamMaterial>& known, std::string_view name);
 
-/// Puts it into the design, with what it bears for long and its density.
+/// Puts it into the design, with what it bears for long and, where it is known, its density.
 void apply(const FoamMaterial& foam, Design& design);
 
 }  // namespace snug

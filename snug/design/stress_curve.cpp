@@ -1,6 +1,7 @@
 #include "snug/design/stress_curve.h"
 
 #include <algorithm>
+#include <string>
 
 #include "snug/words/words.h"
 
@@ -20,7 +21,9 @@ double air_kpa(double strain, double solid_share) {
 }  // namespace
 
 std::optional<Message> problem_of(std::span<const StressPoint> points) {
+    constexpr std::size_t kMostPoints = 1000;
     if (points.size() < 2) return say("curve.two_points");
+    if (points.size() > kMostPoints) return say("curve.many", {{"most", std::to_string(kMostPoints)}});
     StressPoint before;
     for (const StressPoint& point : points) {
         if (!(point.strain > before.strain && point.strain < 1)) return say("curve.strains");

@@ -16,7 +16,7 @@ struct StressPoint {
     friend bool operator==(const StressPoint&, const StressPoint&) = default;
 };
 
-/// What is wrong with such points, as what they must be; none where they make a curve: at least two, strains
+/// What is wrong with such points, as what they must be; none where they make a curve: 2 to 1000, strains
 /// that rise between 0 and 1, stresses above 0 that never fall.
 [[nodiscard]] std::optional<Message> problem_of(std::span<const StressPoint> points);
 

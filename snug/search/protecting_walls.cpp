@@ -6,7 +6,7 @@
 
 #include "snug/base/text.h"
 #include "snug/check/protection.h"
-#include "snug/words/shocks.h"
+#include "snug/words/sides.h"
 
 namespace snug {
 namespace {
@@ -40,6 +40,19 @@ double more_on(Side side, const Protection& found) {
     return more;
 }
 
+/// What stands in the way where no wall would do.
+Error too_thick(Side side, const Protection& found) {
+    const std::string cm = number(*found.drop_mm / 10, 0);
+    const Message fallen = fallen_on(side);
+    const bool items_meet = std::any_of(
+        found.items.begin(), found.items.end(),
+        [&](const ItemProtection& item) { return item.faces[static_cast<std::size_t>(side)].meets_item; });
+    if (items_meet)
+        return {ErrorKind::does_not_fit, say("protect.items_meet", {{"cm", cm}, {"fallen", fallen}})};
+    return {ErrorKind::does_not_fit,
+            say("protect.too_thick", {{"cm", cm}, {"fallen", fallen}, {"most", number(kGreatest, 0)}})};
+}
+
 }  // namespace
 
 Result<Walls> protecting_walls(std::span<const Object> objects, const Design& design,
@@ -64,11 +77,7 @@ Result<Walls> protecting_walls(std::span<const Object> objects, const Design& de
             double& wall = walls[static_cast<std::size_t>(side)];
             enough = enough && more == 0;
             wall += more;
-            if (wall > kGreatest)
-                return fail(ErrorKind::does_not_fit,
-                            say("protect.too_thick", {{"fallen", fallen_on(static_cast<Side>(side))},
-                                                      {"cm", number(*found->drop_mm / 10, 0)},
-                                                      {"most", number(kGreatest, 0)}}));
+            if (wall > kGreatest) return tl::unexpected(too_thick(static_cast<Side>(side), *found));
         }
         if (enough) return walls;
     }

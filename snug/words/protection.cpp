@@ -41,6 +41,7 @@ constexpr Wording kWordsOfProtection[] = {
      "データの分かっているフォームを一覧します：落下のときの押し返し方と、長く耐える圧力"},
     {"help.foams.json", "Print them as foams.json has them", "foams.json の形で出力します"},
     {"curve.two_points", "two or more points", "二つ以上の点"},
+    {"curve.many", "at most {most} points", "{most} 個以下の点"},
     {"curve.strains", "points whose strains rise between 0 and 1", "ひずみが 0 と 1 の間で増えていく点"},
     {"curve.falls", "points whose stresses are above 0 and never fall", "応力が 0 より大きく、下がらない点"},
     {"curve.must_be", "the stress-strain curve must be {what}",
@@ -58,6 +59,8 @@ constexpr Wording kWordsOfProtection[] = {
      "点は [静的応力 kPa, G, 厚さ mm, 落下高さ mm] のリストでなければなりません"},
     {"cushion.few", "a cushion curve needs at least {least} points, not {found}",
      "緩衝曲線には {least} 点以上が必要です（{found} 点しかありません）"},
+    {"cushion.many", "a cushion curve may have {most} points, not {found}",
+     "緩衝曲線の点は {most} 個までです（{found} 個あります）"},
     {"cushion.above_0", "every number of a cushion curve's point must be above 0",
      "緩衝曲線の点の数値はすべて 0 より大きくなければなりません"},
     {"cushion.residuals",
@@ -90,6 +93,11 @@ constexpr Wording kWordsOfProtection[] = {
      "foam, less height, or another way to lie",
      "{cm} cm から{fallen}を下に落とす場合、{most} mm "
      "までの壁では足りません。フォーム、落下高さ、置き方のどれかを変えてください"},
+    {"protect.items_meet",
+     "from {cm} cm {fallen} items may meet through the foam between them, whatever the walls: put more foam "
+     "between them (--between), or lay them into layers of their own",
+     "{cm} cm から{fallen}を下に落とすと、壁の厚さにかかわらず、隣のものとぶつかるおそれがあります。間の"
+     "フォーム（--between）を増やすか、別の段に置いてください"},
     {"protect.none", "no walls were found with which every item meets no more than it bears",
      "すべてのものの衝撃が耐えられる値に収まる壁が見つかりませんでした"},
     {"status.walls", "Choosing walls", "壁の厚さを決めています"},
@@ -144,11 +152,24 @@ constexpr Wording kWordsOfProtection[] = {
      "meet{more}: put more foam between them (--between), or into layers of their own",
      "{cm} cm から{fallen}を下に落とすと、隣のものとの間のフォームがデータの範囲を超えてつぶれるか、ぶ"
      "つかるおそれがあります{more}。間のフォーム（--between）を増やすか、別の段に置いてください"},
+    {"no_shock/unsettled",
+     "what items meet in a drop is not estimated: they reach one another through foam, and their motion "
+     "does not come to an end in the steps that are allowed",
+     "落下の衝撃は計算していません。フォームを介して押し合うものの動きが、許された計算の段階では収まらな"
+     "いためです"},
+    {"shock_of_stand_in",
+     "what it meets in a drop, and how it rests, is estimated of a copy that stands a little outside the "
+     "object, since that is a cloud or was read in pieces",
+     "点群、または分割して読み込んだ対象物のため、落下と静止の値は、わずかに外側を囲む写しで計算していま"
+     "す"},
     {"no_shock/open", "a tray is not dropped: no shock is estimated", "トレイは落下の対象にしていません"},
     {"summary.drop", "Drop", "落下"},
     {"summary.drop_from",
      "from {height} mm{rule} in {foam} ({status}):", "{height} mm から{rule}、{foam}（{status}）："},
     {"summary.drop_rule", ", height from {rule}; not a test of it", "、{rule} の高さ（試験ではありません）"},
+    {"summary.drop_rule/unverified",
+     ", height as {rule} is said to have it, which is not verified; not a test of it",
+     "、{rule} によるとされる高さ（規格では未確認、試験ではありません）"},
     {"summary.drop_face", "{fallen} {what}", "{fallen}：{what}"},
     {"summary.drop_g", "{low} to {high} G, {travel} mm deep", "{low}〜{high} G、{travel} mm 沈む"},
     {"summary.drop_bottoms", "may bottom", "底づきのおそれ"},

@@ -12,4 +12,11 @@ namespace snug {
     return say(kCodes[side]);
 }
 
+/// The side that a case falls on: "on its back"
+[[nodiscard]] inline Message fallen_on(Side side) {
+    constexpr const char* kCodes[6] = {"fall.floor", "fall.roof", "fall.back",
+                                       "fall.front", "fall.left", "fall.right"};
+    return say(kCodes[side]);
+}
+
 }  // namespace snug

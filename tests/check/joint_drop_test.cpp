@@ -104,6 +104,17 @@ TEST(JointDrop, SaysWhereItemsMeet) {
     EXPECT_FALSE(stops.stops[0] || stops.stops[1]);
 }
 
+TEST(JointDrop, SaysWhereAMotionDoesNotEndInTheStepsThatAreAllowed) {
+    // A pad of a millimetre that bears, and one of four metres that takes its time.
+    const StressCurve curve = linear(100);
+    const std::vector<PadContact> contacts{{PadContact::kCase, 0, Pads({{1, 0, 1e8, 0, 0}})},
+                                           {0, 1, Pads({{4000, 0, 1e4, 0, 0}})}};
+    const JointItems items{{0, 1}, {1, 1}, {&contacts[0], &contacts[1]}, false};
+    const JointStops stops = joint_drop(items, curve, 300, 25);
+    EXPECT_TRUE(stops.unsettled);
+    EXPECT_FALSE(stops.stops[0] || stops.stops[1] || stops.bottoms[0] || stops.bottoms[1]);
+}
+
 TEST(JointRest, EachCarriesAllAboveIt) {
     const StressCurve curve = linear(100);
     const std::vector<PadContact> contacts{spring(PadContact::kCase, 0, 10), spring(0, 1, 5)};

@@ -71,6 +71,27 @@ class Drops(unittest.TestCase):
         self.assertEqual(len(walls), 6)
         self.assertTrue(all(wall % 5 == 0 and wall >= 25 for wall in walls))
 
+    def test_walls_of_several_items_are_chosen_where_more_foam_lies_between_them(self):
+        items = [self.work / "vase.ply", f"{self.work / 'camera.ply'}:mass=0.9"]
+        ask = ["--mass", "1.5", *DROP, "--drop-height", "200", "--fragility", "300", "--wall", "protect"]
+        near = self.report(*items, *ask, status=3)
+        self.assertIn("--between", near)
+        report = self.report(*items, *ask, "--between", "80")
+        for item in report["protection"]["items"]:
+            for face in item["faces"]:
+                self.assertLessEqual(face["g"][1], 300)
+
+    def test_a_stand_in_and_an_unverified_rule_are_said_and_a_foam_alone_asks_for_no_drop(self):
+        vase = self.work / "vase.ply"
+        told = self.report(vase, *DROP, "--mass", "1.2", "--drop-height", "d4169-2", "--wall", "80", "--stream")
+        self.assertIn("shock_of_stand_in", {finding["code"] for finding in told["findings"]})
+        self.assertFalse(told["protection"]["rule_verified"])
+        whole = self.report(vase, *DROP, "--mass", "1.2", "--drop-height", "d4169-2", "--wall", "80")
+        self.assertNotIn("shock_of_stand_in", {finding["code"] for finding in whole["findings"]})
+        quiet = self.report(vase, "--blocks", "auto", "--foam", "ethafoam-220", "--mass", "1.2")
+        self.assertNotIn("no_shock", {finding["code"] for finding in quiet["findings"]})
+        self.assertEqual(quiet["bearing"]["creep_kpa"], 17.2)
+
     def test_two_layers_of_items_meet_each_other(self):
         items = [f"{self.work / 'figurine.ply'}:layer={layer},name={name}" for layer, name in ((1, "low"), (2, "high"))]
         report = self.report(*items, *DROP, "--mass", "0.2", "--drop-height", "300", "--between", "30", "--wall", "60")

@@ -84,6 +84,9 @@ TEST(StressCurve, PlateausGoFrom5To70) {
 TEST(StressCurve, RefusesWhatIsNoCurve) {
     const auto problem = [](std::vector<StressPoint> points) { return problem_of(points).has_value(); };
     EXPECT_FALSE(problem({{0.1, 10}, {0.5, 10}}));
+    std::vector<StressPoint> many;
+    for (int i = 1; i <= 1001; ++i) many.push_back({i / 1002.0, 1.0 * i});
+    EXPECT_TRUE(problem(many));
     EXPECT_TRUE(problem({{0.1, 10}})) << "one point";
     EXPECT_TRUE(problem({{0.1, 10}, {0.5, 9}})) << "it falls";
     EXPECT_TRUE(problem({{0.5, 10}, {0.4, 20}}));
@@ -111,6 +114,8 @@ TEST(CushionPoints, AreRefusedWhereTheyAreFewOrDoNotAgree) {
     const auto wild = fit_cushion_points(points);
     ASSERT_FALSE(wild);
     EXPECT_EQ(wild.error().message.code, "cushion.residuals");
+    EXPECT_EQ(fit_cushion_points(std::vector<CushionPoint>(201, points.front())).error().message.code,
+              "cushion.many");
     points.back().g = 0;
     EXPECT_EQ(fit_cushion_points(points).error().message.code, "cushion.above_0");
 }

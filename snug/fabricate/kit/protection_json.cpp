@@ -91,8 +91,11 @@ std::optional<double> mass_of_all(const Protection& all) {
 Json protection_json(const Protection& all) {
     Json json{{"drop_mm", or_null(all.drop_mm, 1e6)},
               {"rule", all.rule ? Json(name_of(*all.rule)) : Json(nullptr)},
+              {"rule_verified", all.rule ? Json(is_verified(*all.rule)) : Json(nullptr)},
+              {"fragility_source", all.fragility ? Json(source_of(*all.fragility)) : Json(nullptr)},
               {"mass_kg", or_null(mass_of_all(all), 1e6)},
               {"gross_kg", or_null(all.gross_kg, 1e6)},
+              {"gross_of", all.gross_without_foam ? "items" : "items and foam"},
               {"foam", all.foam ? material_json(*all.foam) : Json(nullptr)}};
     if (all.items.size() == 1) {
         json.update(item_json(all.items.front()));

@@ -1,7 +1,7 @@
 #include "snug/fabricate/kit/shock_text.h"
 
 #include "snug/base/text.h"
-#include "snug/words/shocks.h"
+#include "snug/words/sides.h"
 
 namespace snug {
 namespace {
@@ -18,7 +18,9 @@ Message shock_of(const FaceShock& face) {
 
 Message drop_text(const Protection& all) {
     std::vector<Message> rule;
-    if (all.rule) rule.push_back(say("summary.drop_rule", {{"rule", title_of(*all.rule)}}));
+    if (all.rule)
+        rule.push_back(say(is_verified(*all.rule) ? "summary.drop_rule" : "summary.drop_rule/unverified",
+                           {{"rule", title_of(*all.rule)}}));
     return say("summary.drop_from", {{"height", number(*all.drop_mm, 0)},
                                      {"rule", rule},
                                      {"foam", all.foam->name},
