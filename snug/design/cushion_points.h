@@ -25,8 +25,8 @@ struct CushionFit {
 
 /// The plateau and the share of closed cells' air that give the points back best, by the energy balance of
 /// each drop (static_kpa * (height / thickness + strain) = energy up to that strain, g = stress / static_kpa
-/// - 1). Fails (kind usage) with fewer than five points or more than 200, points that are no numbers above 0, and where the
-/// worst residual is above 15 %: then the sentence shows them.
+/// - 1). Fails (kind usage) with fewer than five points or more than 200, points that are no numbers above 0,
+/// and where the worst residual is above 15 %: then the sentence shows them.
 [[nodiscard]] Result<CushionFit> fit_cushion_points(std::span<const CushionPoint> points);
 
 }  // namespace snug
