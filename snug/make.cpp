@@ -17,6 +17,7 @@
 #include "snug/foam/object_cut.h"
 #include "snug/foam/parting.h"
 #include "snug/foam/ribs.h"
+#include "snug/foam/zone_cuts.h"
 #include "snug/search/protecting_walls.h"
 #include "snug/space/place_items.h"
 #include "snug/space/space_for.h"
@@ -68,7 +69,12 @@ Result<ItemCuts> cut_each(std::span<const Object> objects, Packing& packing, int
     if (!depths) return tl::unexpected(depths.error());
     ItemCuts all{std::move(*depths), {}};
     packing.timing.depth_map = watch.lap();
-    for (const auto& each : all.depths) all.cuts.push_back(half_cuts(*each, packing.space));
+    for (std::size_t i = 0; i < all.depths.size(); ++i) {
+        all.cuts.push_back(half_cuts(*all.depths[i], packing.space));
+        const auto zones = cut_zones(packing.items[i], i, packing.space, all.cuts.back());
+        if (!zones) return tl::unexpected(zones.error());
+        packing.zone_cuts.insert(packing.zone_cuts.end(), zones->begin(), zones->end());
+    }
     for (std::size_t i = 0; i < all.cuts.size(); ++i)
         if (packing.items[i].layer == uncovered_layer) all.cuts[i].upper.reset();
     packing.timing.block_map = watch.lap();

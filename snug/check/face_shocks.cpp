@@ -151,12 +151,20 @@ std::optional<double> more_foam(const FaceTask& task, const Curves& curves, doub
     return does * kFoamStep;
 }
 
+/// Of stops that are all known.
+double farthest(const Stops& stops) {
+    double mm = stops.given->travel_mm;
+    for (const auto& stop : stops.possible) mm = std::max(mm, stop->travel_mm);
+    return mm;
+}
+
 FaceShock shock_of(const FaceTask& task, const Stops& stops, const Box3d& bounds) {
     FaceShock shock;
     shock.face = task.face;
     const auto& stop = stops.given;
     const Spread spread = spread_of(task, stops);
     shock.bottoms = !spread.high;
+    if (spread.high) shock.travel_most_mm = farthest(stops);
     if (stop) {
         const double end = task.face % 2 == 1 ? bounds.max[task.axis()] : bounds.min[task.axis()];
         shock.travel_mm = stop->travel_mm;

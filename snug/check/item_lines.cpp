@@ -3,27 +3,17 @@
 #include <algorithm>
 #include <cstddef>
 #include <tuple>
+#include <unordered_map>
 
+#include "snug/base/axes.h"
 #include "snug/check/line_budget.h"
 #include "snug/check/line_hits.h"
+#include "snug/object/zone_surface.h"
 
 namespace snug {
 namespace {
 
 constexpr LineBudget kBudget{1 << 16, 1 << 22};
-
-/// The axis first, the others behind it in their order, so that right-handed stays right-handed.
-template <class T>
-Vec3<T> with_first(Vec3<T> v, int axis) {
-    return {v[axis], v[(axis + 1) % 3], v[(axis + 2) % 3]};
-}
-
-template <class T>
-Vec3<T> with_own_axes(Vec3<T> v, int axis) {
-    Vec3<T> own;
-    for (int i = 0; i < 3; ++i) own[(axis + i) % 3] = v[i];
-    return own;
-}
 
 std::vector<Vec3d> placed_along(const Mesh& mesh, const Placement& placement, int axis) {
     std::vector<Vec3d> placed;
@@ -93,6 +83,66 @@ int finest_bits(std::span<const Object> objects, const std::vector<Item>& items,
     return bits;
 }
 
+/// Finds an item's line where the lattice has it.
+class LinesByPlace {
+  public:
+    LinesByPlace(std::vector<ItemLine>& lines, const std::vector<Item>& items) {
+        for (ItemLine& line : lines)
+            if (!items[line.item].zones.empty()) lines_.emplace(key(line.row, line.column, line.item), &line);
+    }
+    [[nodiscard]] ItemLine* find(int row, int column, std::size_t item) const {
+        const auto found = lines_.find(key(row, column, static_cast<std::uint32_t>(item)));
+        return found == lines_.end() ? nullptr : found->second;
+    }
+
+  private:
+    /// A lattice has less than 2^20 rows or columns.
+    static std::uint64_t key(int row, int column, std::uint32_t item) {
+        return (std::uint64_t{item} << 40U) | (static_cast<std::uint64_t>(row) << 20U) |
+               static_cast<std::uint64_t>(column);
+    }
+    std::unordered_map<std::uint64_t, ItemLine*> lines_;
+};
+
+/// Tells the item's lines which of their ends lie in a zone.
+Result<void> mark_zone(const LineLattice& lattice, const Mesh& zone, const Placement& placement, int axis,
+                       std::size_t item, std::int16_t number, const LinesByPlace& lines,
+                       const Progress& progress) {
+    constexpr double kSame = 0.01;  // mm: pieces of triangles are rounded anew
+    const auto visit = [&](const LineBand& band) {
+        for (int row = band.first_row; row < band.end_row(); ++row)
+            for (int column = band.first_column; column < band.end_column(); ++column) {
+                const auto met = band.line(row, column);
+                ItemLine* const line = met.empty() ? nullptr : lines.find(row, column, item);
+                if (!line) continue;
+                if (met.front().x <= line->low + kSame) line->low_zone = number;
+                if (met.back().x >= line->high - kSame) line->high_zone = number;
+            }
+    };
+    return sweep_lines(lattice, placed_along(zone, placement, axis), zone.triangles, visit, progress);
+}
+
+Result<void> mark_zones(std::span<const Object> objects, const std::vector<Item>& items,
+                        const LineLattice& lattice, AxisLines& all, const Progress& progress) {
+    const bool any =
+        std::any_of(items.begin(), items.end(), [](const Item& item) { return !item.zones.empty(); });
+    if (!any) return {};
+    const LinesByPlace lines(all.lines, items);
+    for (std::size_t i = 0; i < items.size(); ++i)
+        for (std::size_t zone = 0; zone < items[i].zones.size(); ++zone) {
+            const ItemZone& each = items[i].zones[zone];
+            const Object& object = objects[items[i].object];
+            const Mesh stand_in = object.whole() ? Mesh() : zone_of_mesh(object, each.asked);
+            const Mesh& mesh = object.whole() ? each.surface->mesh : stand_in;
+            if (mesh.triangles.empty()) continue;
+            if (auto done = mark_zone(lattice, mesh, items[i].placement, all.axis, i,
+                                      static_cast<std::int16_t>(zone), lines, progress);
+                !done)
+                return done;
+        }
+    return {};
+}
+
 }  // namespace
 
 Result<AxisLines> axis_lines(std::span<const Object> objects, const std::vector<Item>& items,
@@ -130,6 +180,8 @@ Result<AxisLines> axis_lines(std::span<const Object> objects, const std::vector<
         if (!done) return tl::unexpected(done.error());
         all.spreads.push_back(sums.spread(axis));
     }
+    if (auto done = mark_zones(objects, items, lattice, all, progress); !done)
+        return tl::unexpected(done.error());
     std::sort(all.lines.begin(), all.lines.end(), [axis](const ItemLine& p, const ItemLine& q) {
         const auto key = [axis](const ItemLine& line) {
             return std::make_tuple(axis == 2 ? line.c : line.b, axis == 2 ? line.b : line.c, line.row,

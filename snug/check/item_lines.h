@@ -21,6 +21,8 @@ struct ItemLine {
     double low = 0, high = 0;          ///< mm, design coordinates
     double u = 0, v = 0;               ///< where it stands along axis + 1 and axis + 2, mm
     double area_mm2 = 0;               ///< that it stands for
+    /// Of the item's zones the one that the line meets at either end; -1: none.
+    std::int16_t low_zone = -1, high_zone = -1;
 };
 
 /// How the mass of an item is spread, which is taken to be of one density.

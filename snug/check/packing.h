@@ -13,6 +13,7 @@
 #include "snug/foam/foams.h"
 #include "snug/foam/lift_slots.h"
 #include "snug/foam/notches.h"
+#include "snug/foam/zone_cuts.h"
 #include "snug/space/case_space.h"
 #include "snug/space/design_space.h"
 #include "snug/space/item.h"
@@ -32,6 +33,7 @@ struct Packing {
     Grid<Run> available;                   ///< blocks that exist in `space`
     std::vector<BlockMap> layers;          ///< what each layer of items cuts, the lowest first
     std::vector<BlockMap> pockets;         ///< what each of several items cuts, where drops are looked at
+    std::vector<ZoneCut> zone_cuts;        ///< of the zones that foam keeps away from
     std::vector<Notch> notches;  ///< beside the items, where the design wants them and there is room
     LiftSlots lift;              ///< in the pieces that are lifted, where the design wants them
     long long rib_blocks = 0;    ///< cut because they stood too thin between cavities

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <compare>
 #include <cstddef>
+#include <cstdint>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "snug/check/runs_along.h"
@@ -99,7 +102,8 @@ std::array<double, 2> filler_mm(const Packing& packing, int axis) {
 class Contacts {
   public:
     Contacts(const AxisLines& lines, const Packing& packing, std::span<const BlockMap> pockets)
-        : line_(packing, pockets, lines.axis),
+        : packing_(packing),
+          line_(packing, pockets, lines.axis),
           filler_(filler_mm(packing, lines.axis)),
           open_above_(lines.axis == 0 && packing.foams->open()) {
         const auto& all = lines.lines;
@@ -110,6 +114,13 @@ class Contacts {
         }
     }
 
+    std::vector<ZonePads> take_zones() {
+        std::vector<ZonePads> zones;
+        for (auto& [end, columns] : zones_)
+            zones.push_back({end.item, end.zone, end.high, std::move(columns)});
+        return zones;
+    }
+
     std::vector<PadContact> take() {
         std::vector<PadContact> contacts;
         for (auto& [ends, found] : found_)
@@ -118,6 +129,12 @@ class Contacts {
     }
 
   private:
+    /// A zone at an end of a line.
+    struct ZoneEnd {
+        std::size_t item = 0, zone = 0;
+        bool high = false;
+        friend auto operator<=>(const ZoneEnd&, const ZoneEnd&) = default;
+    };
     struct Found {
         std::vector<PadColumn> columns;
         double bare_mm = std::numeric_limits<double>::infinity();
@@ -134,34 +151,57 @@ class Contacts {
             }
             const int own = static_cast<int>(item.item);
             if (below)
-                add(item, {static_cast<int>(below->item), own}, below->high, item.low, 0);
+                add(item, {static_cast<int>(below->item), own}, below->high, item.low, 0,
+                    {zone_of(item, false), zone_of(*below, true)});
             else
-                add(item, {PadContact::kCase, own}, line_.low(), item.low, filler_[0]);
+                add(item, {PadContact::kCase, own}, line_.low(), item.low, filler_[0],
+                    {zone_of(item, false), {}});
             if (!above && !open_above_)
-                add(item, {own, PadContact::kCase}, item.high, line_.high(), filler_[1]);
+                add(item, {own, PadContact::kCase}, item.high, line_.high(), filler_[1],
+                    {zone_of(item, true), {}});
         }
     }
 
-    void add(const ItemLine& item, Ends ends, double from, double to, double filler) {
+    static std::optional<ZoneEnd> zone_of(const ItemLine& line, bool high) {
+        const std::int16_t zone = high ? line.high_zone : line.low_zone;
+        if (zone < 0) return {};
+        return ZoneEnd{line.item, static_cast<std::size_t>(zone), high};
+    }
+    [[nodiscard]] const Zone& asked(const ZoneEnd& end) const {
+        return packing_.items[end.item].zones[end.zone].asked;
+    }
+
+    using ZoneEnds = std::array<std::optional<ZoneEnd>, 2>;
+    void add(const ItemLine& item, Ends ends, double from, double to, double filler, const ZoneEnds& zones) {
         if (line_.crosses_pocket(from, to, ends)) return;
         const Way way = line_.between(from, to);
         Found& found = found_[ends];
-        if (way.thickness_mm + filler > 0)
-            found.columns.push_back({way.thickness_mm + filler, way.gap_mm, item.area_mm2, item.u, item.v});
-        else
+        if (!(way.thickness_mm + filler > 0)) {
             found.bare_mm = std::min(found.bare_mm, std::max(0.0, way.gap_mm));
+            return;
+        }
+        const PadColumn column{way.thickness_mm + filler, way.gap_mm, item.area_mm2, item.u, item.v};
+        for (const auto& zone : zones)
+            if (zone && asked(*zone).press_kpa) zones_[*zone].push_back(column);
+        const bool kept_off = std::any_of(zones.begin(), zones.end(), [&](const auto& zone) {
+            return zone && asked(*zone).keep_off_mm > 0;
+        });
+        if (!kept_off) found.columns.push_back(column);
     }
 
+    const Packing& packing_;
     Line line_;
     std::array<double, 2> filler_;
     bool open_above_;
     std::map<Ends, Found> found_;
+    std::map<ZoneEnd, std::vector<PadColumn>> zones_;
 };
 
 }  // namespace
 
 AxisContacts pad_contacts(const AxisLines& lines, const Packing& packing, std::span<const BlockMap> pockets) {
-    AxisContacts all{lines.axis, Contacts(lines, packing, pockets).take(), {}, lines.spreads};
+    Contacts contacts(lines, packing, pockets);
+    AxisContacts all{lines.axis, contacts.take(), {}, lines.spreads, contacts.take_zones()};
     std::vector<std::vector<Vec2d>> points(packing.items.size());
     for (const ItemLine& line : lines.lines) points[line.item].push_back({line.u, line.v});
     for (std::vector<Vec2d>& each : points) all.outlines.push_back(convex_hull(std::move(each)));

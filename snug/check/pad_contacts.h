@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <span>
 #include <vector>
@@ -20,19 +21,27 @@ struct PadContact {
     double bare_mm = std::numeric_limits<double>::infinity();
 };
 
+/// The foam before a zone that may be pressed so much at most, towards one side.
+struct ZonePads {
+    std::size_t item = 0, zone = 0;  ///< of Packing::items, of its zones
+    bool high = false;
+    std::vector<PadColumn> columns;
+};
+
 /// All of them along an axis.
 struct AxisContacts {
     int axis = 0;
     std::vector<PadContact> contacts;
     std::vector<std::vector<Vec2d>> outlines;  ///< of each item, the hull of it across the axis, mm
     std::vector<MassSpread> spreads;           ///< of each item
+    std::vector<ZonePads> zones;
 };
 
 /// What the foams of a packing hold every item with along the axis of the lines, each line a column of foam:
 /// its thickness what foam stands on it between the two ends, its gap the rest of the way. Foam on a way to
 /// the case that crosses the pocket of another item does not count, unless that item stands there: then it
-/// lies between the two. `pockets`: the blocks that each item cuts. Blocks that the case has no room for are
-/// the case's own.
+/// lies between the two. What lies in a zone that foam keeps away from is not held. `pockets`: the blocks
+/// that each item cuts. Blocks that the case has no room for are the case's own.
 [[nodiscard]] AxisContacts pad_contacts(const AxisLines& lines, const Packing& packing,
                                         std::span<const BlockMap> pockets);
 

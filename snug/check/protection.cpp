@@ -10,6 +10,8 @@
 #include "snug/check/item_lines.h"
 #include "snug/check/pad_contacts.h"
 #include "snug/check/stability.h"
+#include "snug/check/zones_in_drops.h"
+#include "snug/object/zone_surface.h"
 
 namespace snug {
 namespace {
@@ -30,7 +32,7 @@ ItemProtection begun(const Object& object, const Item& item, const ItemOptions& 
     all.mass_kg = item.mass_kg;
     all.asked_g = own.fragility_g ? own.fragility_g : design.protection.asked_g();
     all.centre_given = centre.has_value();
-    all.centre = centre ? item.placement.rotation(*centre - object.mesh.origin) + item.placement.shift
+    all.centre = centre ? item.placement.rotation(*centre - origin_mm(object)) + item.placement.shift
                         : centre_of_mass(object, item.placement);
     if (!item.mass_kg) all.rest.why_none = NoShock::no_mass;
     for (int i = 0; i < 6; ++i) all.faces[static_cast<std::size_t>(i)].face = static_cast<Side>(i);
@@ -56,6 +58,11 @@ Protection begun(std::span<const Object> objects, const Packing& packing, const 
     return all;
 }
 
+bool any_zones(const Design& design) {
+    return std::any_of(design.items.begin(), design.items.end(),
+                       [&](const ItemOptions& item) { return !zones_of(item, design).empty(); });
+}
+
 }  // namespace
 
 std::size_t Protection::worst_item(Side face) const {
@@ -71,12 +78,15 @@ std::size_t Protection::worst_item(Side face) const {
 }
 
 bool wants_protection(const Design& design) {
-    return design.protection.drops() || design.protection.foam;
+    return design.protection.drops() || design.protection.foam || any_zones(design);
 }
 
 Result<Protection> protection(std::span<const Object> objects, Packing& packing, const Design& design,
                               const Progress& progress) {
     Protection all = begun(objects, packing, design);
+    auto zones = zone_reports(packing, progress);
+    if (!zones) return tl::unexpected(zones.error());
+    all.zones = std::move(*zones);
     const bool curve = all.foam && !all.foam->curve.empty();
     if (!curve) {
         for (ItemProtection& item : all.items) {
@@ -89,10 +99,13 @@ Result<Protection> protection(std::span<const Object> objects, Packing& packing,
             const auto lines = axis_lines(objects, packing.items, packing.space, axis,
                                           part_of(progress, axis / 3.0, (axis + 1) / 3.0));
             if (!lines) return tl::unexpected(lines.error());
-            add_face_shocks(pad_contacts(*lines, packing, packing.pockets), packing, curves, all);
+            const AxisContacts contacts = pad_contacts(*lines, packing, packing.pockets);
+            add_face_shocks(contacts, packing, curves, all);
+            add_zone_pressures(contacts, curves, all);
         }
     }
     find_shocks(all, packing, packing.findings);
+    find_zones(all, packing, packing.findings);
     const bool whole =
         std::all_of(objects.begin(), objects.end(), [](const Object& each) { return each.whole(); });
     if (curve && !whole) {

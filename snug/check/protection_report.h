@@ -11,6 +11,7 @@
 #include "snug/base/vec.h"
 #include "snug/design/drop_rules.h"
 #include "snug/design/foam_material.h"
+#include "snug/design/zone.h"
 
 // What every item meets when the closed case falls flat on one of its sides, estimated from the foam behind
 // each fine line through the item, the foam's stress-strain curve and the mass: an energy balance, columns of
@@ -45,6 +46,8 @@ struct FaceShock {
     bool bottoms = false;         ///< with some curve of the range, on it or on what it reaches through foam
     bool bottoms_itself = false;  ///< of items that reach one another: on this one
     bool meets_item = false;      ///< another item, with some curve of the range
+    /// The farthest with some curve of the range; none where it may bottom.
+    std::optional<double> travel_most_mm;
     // With the curve as it is given; none where it bottoms:
     std::optional<double> travel_mm;  ///< from the drawn place, gap included
     double strain = 0;                ///< the greatest
@@ -61,6 +64,28 @@ struct FaceShock {
 struct RestReport {
     NoShock why_none = NoShock::none;
     double sink_mm = 0, strain = 0, peak_kpa = 0, area_cm2 = 0;
+};
+
+/// What becomes of a zone of an item.
+struct ZoneReport {
+    std::size_t item = 0, number = 1;  ///< numbered from 1 within its item
+    Zone asked;
+    Vec3d where;               ///< its middle, design coordinates
+    long long cut_blocks = 0;  ///< for its sake alone
+    /// Of a zone that foam keeps away from: how far it is free towards each side (by Side), see
+    /// zone_room_mm(); and what is left of that after the farthest travel of the drop on it, none where that
+    /// is not known.
+    std::array<double, 6> room_mm{};
+    std::array<std::optional<double>, 6> left_mm{};
+    /// Of a zone that may be pressed: the greatest mean over 1 cm2 with the curve as it is given, by Side,
+    /// and at rest; none where that is not known.
+    std::array<std::optional<double>, 6> press_kpa{};
+    std::optional<double> rest_kpa;
+
+    /// The side with the least left; none where nothing is known.
+    [[nodiscard]] std::optional<Side> nearest() const;
+    /// The most of all that is known.
+    [[nodiscard]] std::optional<double> most_kpa() const;
 };
 
 struct ItemProtection {
@@ -80,6 +105,7 @@ struct Protection {
     bool gross_without_foam = false;   ///< the density of the foam is not known
     std::optional<FoamMaterial> foam;  ///< none: nothing is known of it
     std::vector<ItemProtection> items;
+    std::vector<ZoneReport> zones;
 
     /// The item and face with the greatest shock for what it bears, those that bottom first.
     [[nodiscard]] std::size_t worst_item(Side face) const;

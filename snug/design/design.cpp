@@ -114,6 +114,9 @@ DesignProblem problem_of(const Design& design) {
     for (std::size_t i = 0; i < design.items.size(); ++i)
         if (auto found = problem_of_clearance(cut_of(design.items[i], design), design.space.block_mm))
             return OptionProblem{"items." + std::to_string(i) + ".clearance_mm", found->message};
+    for (std::size_t i = 0; i < design.items.size(); ++i)
+        if (auto wrong = problem_of(design.items[i].zones))
+            return OptionProblem{"items." + std::to_string(i) + ".zones", std::move(*wrong)};
     if (auto found = problem_of_layers(design)) return found;
     if (auto found = problem_of_parting(design)) return found;
     if (design.output.formats.empty()) return OptionProblem{"output.formats", say("formats.none")};
@@ -130,6 +133,10 @@ CutOptions cut_of(const ItemOptions& item, const Design& design) {
     CutOptions cut = design.cut;
     cut.clearance_mm = item.clearance_mm.value_or(cut.clearance_mm);
     return cut;
+}
+
+const Zones& zones_of(const ItemOptions& item, const Design& design) {
+    return item.zones.empty() ? design.protection.zones : item.zones;
 }
 
 std::optional<double> mass_kg(const Design& design) {

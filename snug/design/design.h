@@ -343,6 +343,8 @@ void visit_options(Visit& visit, Design& design) {
 [[nodiscard]] double least_clearance_mm(Vec3d block_mm);
 /// What foam gives way to an item: the design's choices with the item's own clearance.
 [[nodiscard]] CutOptions cut_of(const ItemOptions& item, const Design& design);
+/// Its own or the design's.
+[[nodiscard]] const Zones& zones_of(const ItemOptions& item, const Design& design);
 /// An item's own mass or the one that holds for each; and of all items, where all are known.
 [[nodiscard]] std::optional<double> mass_kg(const ItemOptions& item, const Design& design);
 [[nodiscard]] std::optional<double> mass_kg(const Design& design);

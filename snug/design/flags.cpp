@@ -43,6 +43,18 @@ bool takes_many(const Option& option) {
            std::holds_alternative<std::vector<BrickStock>*>(option.value);
 }
 
+bool repeats(const Option& option) {
+    return std::holds_alternative<Zones*>(option.value);
+}
+
+/// All that was typed behind a flag that repeats.
+TypedFlag joined(std::span<const TypedFlag> typed, const std::string& flag) {
+    TypedFlag all{flag, {}};
+    for (const TypedFlag& each : typed)
+        if (each.flag == flag) all.text += (all.text.empty() ? "" : ",") + each.text;
+    return all;
+}
+
 /// Whether the text is meant as sizes ("425x284x155:45"), not as a name.
 bool looks_like_sizes(std::string_view text) {
     return text.find('x') != std::string_view::npos &&
@@ -161,7 +173,8 @@ std::vector<Flag> flags_of_the_table(Language language) {
         const OptionRow& row = option.row;
         if (row.flag.empty() || list.find_flag(row.flag)) continue;
         flags.push_back({std::string(row.flag), takes_of(option),
-                         with_default(row.help, row.usual, text_of(option), language), takes_many(option)});
+                         with_default(row.help, row.usual, text_of(option), language), takes_many(option),
+                         repeats(option)});
     }
     add_shared(list.options.size());
     flags.push_back({"--set", "PATH=VALUE",
@@ -201,7 +214,9 @@ Result<Design> with_flags(std::span<const TypedFlag> typed, Design design, bool 
     for (const Flag& flag : design_flags()) {
         const TypedFlag* const found = find_typed(typed, flag.name);
         if (!found || flag.name == "--preset" || flag.name == "--foam" || flag.name == "--set") continue;
-        const auto done = flag.name == "--case" ? take_case(*found, design, known) : take_from(list, *found);
+        const auto done = flag.name == "--case"
+                              ? take_case(*found, design, known)
+                              : take_from(list, flag.repeats ? joined(typed, flag.name) : *found);
         if (!done) return tl::unexpected(done.error());
         if (makes_a_group(list, flag.name)) list = options_of(design);
     }

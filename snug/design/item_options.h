@@ -7,6 +7,7 @@
 #include "snug/design/clearance.h"
 #include "snug/design/option.h"
 #include "snug/design/search_options.h"
+#include "snug/design/zone.h"
 
 namespace snug {
 
@@ -28,6 +29,7 @@ struct ItemOptions {
     std::optional<double> mass_kg;
     std::optional<Vec3d> centre_mm;     ///< of its mass, in the coordinates of its file
     std::optional<double> fragility_g;  ///< what it bears
+    Zones zones;                        ///< that foam keeps away from; none: the design's
     bool lock = false;                  ///< an arrangement leaves it where it is
     friend bool operator==(const ItemOptions&, const ItemOptions&) = default;
 };
@@ -114,6 +116,12 @@ void visit_options(Visit& visit, ItemOptions& item) {
                                     .usual = {"the design's", "全体の設定"},
                                     .scope = Scope::item,
                                     .word = "fragility"});
+    visit.option(item.zones, {.json = "zones",
+                              .label = {"the places to keep off", "触れない場所"},
+                              .help = {"Places on it that foam keeps away from", "フォームを離しておく場所"},
+                              .usual = {"the design's", "全体の設定"},
+                              .scope = Scope::item,
+                              .word = "keep-off"});
     visit.option(item.lock,
                  {.json = "lock",
                   .label = {"the lock", "固定"},

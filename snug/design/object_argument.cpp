@@ -35,7 +35,13 @@ bool is_switch(std::string_view text) {
     return std::find(std::begin(kSwitches), std::end(kSwitches), text) != std::end(kSwitches);
 }
 
+/// "part=4:15" goes on with a list of zones.
+bool is_part(std::string_view text) {
+    return text.starts_with("part=");
+}
+
 bool begins_a_choice(std::string_view text) {
+    if (is_part(text)) return false;
     const std::size_t equals = text.find('=');
     return equals == std::string_view::npos ? is_switch(text) : is_word(text.substr(0, equals));
 }
@@ -153,6 +159,7 @@ Result<Taken> take_choices(const ObjectArgument& argument, const ItemOptions& us
     if (chosen(kUpright) && chosen("rotate"))
         return fail(ErrorKind::usage, say("object.turned_twice", {{"one", "rotate"}, {"other", kUpright}}));
     if (const auto found = out_of_range(taken.item)) return fail(ErrorKind::usage, found->message);
+    if (auto wrong = problem_of(taken.item.zones)) return fail(ErrorKind::usage, std::move(*wrong));
     if (taken.own)
         if (const auto found = problem_of(*taken.own)) return fail(ErrorKind::usage, found->message);
     return taken;
@@ -192,15 +199,16 @@ std::string typed_choices(Options options, Options usual) {
 }  // namespace
 
 ObjectArgument object_argument(std::string_view text) {
-    const std::size_t colon = text.rfind(':');
-    if (colon == std::string_view::npos || colon == 0) return {std::string(text), {}};
-    auto choices = choices_of(text.substr(colon + 1));
-    // "C:name" is a file of another system.
-    const bool any = std::any_of(choices.begin(), choices.end(), [](const auto& each) {
-        return !each.second.empty() || is_switch(each.first);
-    });
-    if (!any) return {std::string(text), {}};
-    return {std::string(text.substr(0, colon)), std::move(choices)};
+    // The first colon behind which choices stand: some have colons themselves.
+    for (std::size_t colon = text.find(':', 1); colon < text.size(); colon = text.find(':', colon + 1)) {
+        auto choices = choices_of(text.substr(colon + 1));
+        // "C:name" is a file of another system.
+        const bool any = std::any_of(choices.begin(), choices.end(), [](const auto& each) {
+            return !each.second.empty() || is_switch(each.first);
+        });
+        if (any) return {std::string(text.substr(0, colon)), std::move(choices)};
+    }
+    return {std::string(text), {}};
 }
 
 Result<Project> with_objects(std::span<const ObjectArgument> arguments, Design design,

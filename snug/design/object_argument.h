@@ -18,7 +18,8 @@ struct ObjectArgument {
     std::vector<std::pair<std::string, std::string>> choices;  ///< "move", "0x40x0"
 };
 
-/// Takes the choices off behind the last colon. A text without any, such as "C:/a.stl", is a file alone.
+/// Takes the choices off behind the first colon that any follow. A text without any, such as "C:/a.stl", is a
+/// file alone.
 [[nodiscard]] ObjectArgument object_argument(std::string_view text);
 
 /// Objects and items from what was typed, one after the other; the design is that of the other flags. Files

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "snug/design/json_reader.h"
+#include "snug/design/zone_json.h"
 
 namespace snug {
 namespace {
@@ -53,6 +54,7 @@ struct Writing {
         for (const StressPoint& each : *points) json.push_back({each.strain, each.kpa});
         return json;
     }
+    Written operator()(const Zones* zones) const { return zones_json(*zones); }
     Written operator()(const Choice& choice) const {
         const int at = choice.get();
         return at < 0 ? Written(nullptr) : Written(choice.words[static_cast<std::size_t>(at)]);
@@ -105,6 +107,7 @@ struct Reading {
     bool operator()(CrossSection* v) const { return each({&v->width, &v->length}); }
     bool operator()(StressPoint* v) const { return each({&v->strain, &v->kpa}); }
     bool operator()(std::vector<StressPoint>* value) const { return list(*value); }
+    bool operator()(Zones* zones) const { return read_zones(json, *zones); }
     template <class T>
     bool operator()(Vec3<T>* v) const {
         return each({&v->x, &v->y, &v->z});
@@ -207,6 +210,7 @@ struct Expected {
     Message operator()(const std::vector<std::string>*) const { return say("json.text_list"); }
     Message operator()(const std::vector<BrickStock>*) const { return say("json.pieces"); }
     Message operator()(const std::vector<StressPoint>*) const { return say("json.curve"); }
+    Message operator()(const Zones*) const { return say("json.zones"); }
     Message operator()(const Choice& choice) const {
         std::vector<Message> words = each_as_it_is(choice.words);
         if (choice.may_be_none) words.push_back(as_it_is("null"));

@@ -142,6 +142,11 @@ struct Taking {
         }
         return true;
     }
+    bool operator()(Zones* value) const {
+        auto zones = text == "none" ? Zones() : typed_zones(text);
+        if (zones) *value = std::move(*zones);
+        return zones.has_value();
+    }
     /// "cut=1,bearing=0.5"; a name alone weighs 1.
     bool operator()(Weights* value) const {
         value->fill(0);
@@ -217,6 +222,9 @@ struct Takes {
     Message operator()(const std::vector<StressPoint>*) const {
         return say("takes.curve", {{"example", "0.25:40,0.4:75"}});
     }
+    Message operator()(const Zones*) const {
+        return say("takes.zones", {{"example", "part=3:15"}, {"other", "10,20,30,25:15"}});
+    }
     Message operator()(const Weights*) const {
         return say("takes.weights",
                    {{"words", each_as_it_is(names_of<Objective>())}, {"example", "cut=1,bearing=0.5"}});
@@ -279,6 +287,7 @@ struct Saying {
     Text operator()(const std::vector<StressPoint>* value) const {
         return joined(*value, [](const StressPoint& each) { return exact({each.strain, each.kpa}, ':'); });
     }
+    Text operator()(const Zones* value) const { return snug::text_of(*value).value_or("none"); }
     Text operator()(const Weights* value) const {
         std::vector<std::string> words;
         for (std::size_t i = 0; i < kObjectives; ++i)

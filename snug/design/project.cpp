@@ -118,6 +118,7 @@ void take_over_one_item(Project& project) {
     take(item.clearance_mm, design.cut.clearance_mm);
     take(item.mass_kg, design.workshop.mass_kg);
     take(item.centre_mm, design.protection.centre_mm);
+    if (!item.zones.empty()) design.protection.zones = std::exchange(item.zones, {});
     if (item.fragility_g) design.protection.fragility.reset();
     take(item.fragility_g, design.protection.fragility_g);
 }

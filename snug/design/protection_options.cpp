@@ -77,6 +77,7 @@ SharedFlag<ProtectionOptions> fragility_flag() {
 
 std::optional<OptionProblem> problem_of(const ProtectionOptions& options) {
     if (auto found = out_of_range(options)) return found;
+    if (auto wrong = problem_of(options.zones)) return OptionProblem{"zones", *wrong};
     if (options.height_mm && options.rule) return OptionProblem{"rule", say("protection.height_or_rule")};
     if (options.fragility_g && options.fragility)
         return OptionProblem{"fragility", say("protection.g_or_class")};

@@ -8,6 +8,7 @@
 #include "snug/design/drop_rules.h"
 #include "snug/design/foam_material.h"
 #include "snug/design/option.h"
+#include "snug/design/zone.h"
 
 namespace snug {
 
@@ -19,6 +20,7 @@ struct ProtectionOptions {
     std::optional<FragilityClass> fragility;  ///< none of both: a shock is told but not judged
     /// Where the item's mass is centred, in the coordinates of its file, mm; none: of one density throughout.
     std::optional<Vec3d> centre_mm;
+    Zones zones;                       ///< of each item that has none of its own
     std::optional<FoamMaterial> foam;  ///< none: nothing is known of it
     friend bool operator==(const ProtectionOptions&, const ProtectionOptions&) = default;
 
@@ -82,6 +84,19 @@ void visit_options(Visit& visit, ProtectionOptions& protection) {
                   .usual = {"one density is assumed", "密度は一様とみなします"},
                   .separator = ',',
                   .scope = Scope::item});
+    visit.option(
+        protection.zones,
+        {.json = "zones",
+         .flag = "--keep-off",
+         .takes = "PLACE:MM",
+         .label = {"the places to keep off", "触れない場所"},
+         .help = {"Places that foam keeps away from, by so many mm: part=3:15, or X,Y,Z,R:15 for what "
+                  "lies within R mm of a point of the file; :press=2kPa tells what they bear, :loose "
+                  "that nothing may touch them",
+                  "フォームを離しておく場所と距離（mm）：part=3:15、またはファイルの点から R mm 以内なら "
+                  "X,Y,Z,R:15。:press=2kPa は耐える圧力、:loose は何も触れてはならないことを表します"},
+         .usual = {"none", "なし"},
+         .scope = Scope::item});
     visit.group(protection.foam,
                 {.json = "foam", .title = {"The foam's data", "フォームのデータ"}, .flag = "--foam"});
 }

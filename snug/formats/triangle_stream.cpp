@@ -74,6 +74,20 @@ Result<TriangleStream> TriangleStream::open(ByteSource source, const Progress& p
     return open_stl(std::move(source));
 }
 
+TriangleStream TriangleStream::only(std::function<bool(const Corners&)> wanted) const {
+    TriangleStream some = *this;
+    some.decode_ = [decode = decode_, wanted = std::move(wanted)](
+                       const RecordPiece& piece, std::span<Corners> corners) -> Result<std::size_t> {
+        const auto usable = decode(piece, corners);
+        if (!usable) return usable;
+        const auto all = corners.first(*usable);
+        const auto end =
+            std::remove_if(all.begin(), all.end(), [&](const Corners& each) { return !wanted(each); });
+        return static_cast<std::size_t>(end - all.begin());
+    };
+    return some;
+}
+
 Result<void> TriangleStream::pass(const std::function<void(std::span<const Corners>, std::size_t)>& visit,
                                   const Progress& progress) const {
     std::vector<std::vector<Corners>> rooms(worker_count());

@@ -47,6 +47,9 @@ class TriangleStream {
         const std::function<void(std::span<const Corners> piece, std::size_t worker)>& visit,
         const Progress& progress = {}) const;
 
+    /// The same file without the triangles that `wanted` refuses; it is asked from several threads.
+    [[nodiscard]] TriangleStream only(std::function<bool(const Corners&)> wanted) const;
+
     TriangleStream& with_vertices(std::uint64_t count, Vec3d origin) {
         vertices_ = count;
         origin_ = origin;

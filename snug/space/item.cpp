@@ -3,25 +3,33 @@
 namespace snug {
 namespace {
 
-void shift(Placement& placement, Vec3d by) {
-    placement.shift = placement.shift + by;
-    placement.bounds = {placement.bounds.min + by, placement.bounds.max + by};
+Box3d shifted(const Box3d& box, Vec3d by) {
+    return {box.min + by, box.max + by};
+}
+
+void shift(Item& item, Vec3d by) {
+    item.placement.shift = item.placement.shift + by;
+    item.placement.bounds = shifted(item.placement.bounds, by);
+    for (ItemZone& zone : item.zones) zone.bounds = shifted(zone.bounds, by);
 }
 
 }  // namespace
 
 void move(Item& item, Vec3d by) {
     item.offset_mm = item.offset_mm + by;
-    shift(item.placement, by);
+    shift(item, by);
 }
 
 void raise(Item& item, double mm) {
     item.rise_mm += mm;
-    shift(item.placement, {mm, 0, 0});
+    shift(item, {mm, 0, 0});
 }
 
 Box3d room_of(const Item& item) {
-    return grown(item.placement.bounds, item.cut.whole_clearance_mm());
+    Box3d room = grown(item.placement.bounds, item.cut.whole_clearance_mm());
+    for (const ItemZone& zone : item.zones)
+        if (zone.asked.keep_off_mm > 0) room.include(grown(zone.bounds, zone.clearance_mm(item.cut)));
+    return room;
 }
 
 Box3d room_of(const std::vector<Item>& items) {

@@ -1,15 +1,31 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "snug/base/vec.h"
 #include "snug/design/design.h"
+#include "snug/object/object.h"
 #include "snug/space/placement.h"
 
 namespace snug {
+
+/// A zone of an item, see zone_surface().
+struct ItemZone {
+    Zone asked;
+    std::shared_ptr<const Object> surface;
+    Box3d bounds;  ///< of the surface where it lies, or more; design coordinates
+
+    /// How far the foam stays away: studs stand into the cavity here, too.
+    [[nodiscard]] Clearance clearance_mm(const CutOptions& cut) const {
+        const Vec3d studs{cut.stud_mm, 0, 0};
+        const Vec3d kept = Vec3d{asked.keep_off_mm, asked.keep_off_mm, asked.keep_off_mm} + studs;
+        return {kept, kept};
+    }
+};
 
 /// An object where it lies in the case: its own choices and, where it has none, the design's.
 struct Item {
@@ -22,6 +38,7 @@ struct Item {
     CutOptions cut;
     std::optional<double> mass_kg;
     Placement placement;
+    std::vector<ItemZone> zones = {};
     double rise_mm = 0;  ///< in a tray, how far it was shifted along x beside its offset, see tray.h
     std::optional<double> tip_deg = {};  ///< in a tray, how far it may be tilted, see tip_angle_deg()
 };
@@ -31,7 +48,8 @@ void move(Item& item, Vec3d by);
 /// The same along x in a tray: not an offset of its own.
 void raise(Item& item, double mm);
 
-/// What an item takes up with its clearance; and what all of them take up together.
+/// What an item takes up with its clearance and what its zones keep free; and what all of them take up
+/// together.
 [[nodiscard]] Box3d room_of(const Item& item);
 [[nodiscard]] Box3d room_of(const std::vector<Item>& items);
 /// Where pictures number an item, in design coordinates.

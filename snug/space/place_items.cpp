@@ -8,6 +8,7 @@
 
 #include "snug/space/fitted_space.h"
 #include "snug/space/place_object.h"
+#include "snug/space/place_zones.h"
 #include "snug/space/space_for.h"
 #include "snug/space/tray.h"
 
@@ -28,10 +29,14 @@ Result<Item> placed(std::span<const Object> objects, const ItemOptions& options,
               options.offset_mm.value_or(design.placement.offset_mm),
               cut_of(options, design),
               mass_kg(options, design),
+              {},
               {}};
     const auto placement = place(objects[index], item.rotation_deg, item.offset_mm + walls_shift, progress);
     if (!placement) return tl::unexpected(placement.error());
     item.placement = *placement;
+    auto zones = place_zones(objects[index], zones_of(options, design), item.placement);
+    if (!zones) return tl::unexpected(zones.error());
+    item.zones = std::move(*zones);
     return item;
 }
 

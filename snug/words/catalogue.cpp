@@ -38,6 +38,7 @@ std::span<const Wording> words_of_sponge_pages();
 std::span<const Wording> words_of_summary();
 std::span<const Wording> words_of_usage();
 std::span<const Wording> words_of_walls();
+std::span<const Wording> words_of_zones();
 
 const Wording* wording(std::string_view code) {
     for (const auto topic : {words_of_archives,
@@ -74,7 +75,8 @@ const Wording* wording(std::string_view code) {
                              words_of_sponge_pages,
                              words_of_summary,
                              words_of_usage,
-                             words_of_walls})
+                             words_of_walls,
+                             words_of_zones})
         for (const Wording& row : topic())
             if (row.code == code) return &row;
     return nullptr;

@@ -74,6 +74,17 @@ struct Drawing {
             points->push_back(point);
         }
     }
+    void operator()(Zones* zones) const {
+        list(*zones, [&](Zone& zone) {
+            if (random.chance(0.4)) zone.part = random.integer(1, 9);
+            for (int i = zone.part == 0 ? 1 : random.integer(0, 2); i > 0; --i)
+                zone.balls.push_back({{random.between(-9, 9), random.between(-9, 9), random.between(-9, 9)},
+                                      random.between(0.1, 30)});
+            zone.keep_off_mm = random.between(0.1, 30);
+            zone.loose = random.chance(0.3);
+            if (!zone.loose && random.chance(0.4)) zone.press_kpa = random.between(0.1, 9);
+        });
+    }
     /// Of one layer, since what is random elsewhere has no more.
     void operator()(PartingLevels* levels) const {
         levels->each.resize(1);

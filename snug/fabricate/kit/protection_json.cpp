@@ -1,9 +1,14 @@
 #include "snug/fabricate/kit/protection_json.h"
 
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
 #include <string>
 
 #include <nlohmann/json.hpp>
 
+#include "snug/check/zone_room.h"
 #include "snug/fabricate/kit/json_values.h"
 
 namespace snug {
@@ -77,6 +82,40 @@ Json protected_items(const Protection& all) {
     return list;
 }
 
+/// A length by side; null where nothing stands in the way or nothing is known.
+template <class T>
+Json by_side(const std::array<T, 6>& values, double steps) {
+    Json json = Json::object();
+    for (std::size_t side = 0; side < 6; ++side) {
+        const std::optional<double> value = values[side];
+        json[std::string(side_name(static_cast<Side>(side)))] =
+            value && std::isfinite(*value) ? Json(rounded(*value, steps)) : Json(nullptr);
+    }
+    return json;
+}
+
+Json zone_json(const ZoneReport& zone) {
+    const Zone& asked = zone.asked;
+    Json json{{"item", zone.item + 1},
+              {"zone", zone.number},
+              {"keep_off_mm", rounded(asked.keep_off_mm, 1e6)},
+              {"loose", asked.loose},
+              {"where_mm", array(zone.where)}};
+    if (asked.keep_off_mm > 0) {
+        const auto nearest = zone.nearest();
+        json["cut_blocks"] = zone.cut_blocks;
+        json["room_mm"] = by_side(zone.room_mm, 1e3);
+        json["left_mm"] = by_side(zone.left_mm, 1e3);
+        json["reached"] = nearest ? Json(*zone.left_mm[*nearest] < kZoneRoom) : Json(nullptr);
+    }
+    if (asked.press_kpa) {
+        json["press_kpa"] = rounded(*asked.press_kpa, 1e6);
+        json["rest_kpa"] = or_null(zone.rest_kpa, 1e4);
+        json["peak_kpa"] = by_side(zone.press_kpa, 1e4);
+    }
+    return json;
+}
+
 std::optional<double> mass_of_all(const Protection& all) {
     double sum = 0;
     for (const ItemProtection& item : all.items) {
@@ -110,6 +149,7 @@ Json protection_json(const Protection& all) {
         json["items"] = protected_items(all);
     }
     json["zones"] = Json::array();
+    for (const ZoneReport& zone : all.zones) json["zones"].push_back(zone_json(zone));
     json["not_computed"] = kNotComputed;
     return json;
 }

@@ -15,7 +15,7 @@ namespace {
 constexpr long long kNestingWork = 6'000'000;  // of each colour
 constexpr int kMostSteps = 6;                  // of the lattice along a cell's side
 constexpr int kMostAcross = 600;               // along the stock's side
-constexpr std::size_t kMostPieces = 400;       // every two are looked at
+constexpr std::size_t kMostNested = 400;       // every two are looked at
 constexpr double kStepRounding = 1e-6;         // mm
 
 /// The lattice along one axis: a cell's side is so many steps, and so many of them keep cuts apart.
@@ -136,7 +136,7 @@ class CloseNester {
 
     [[nodiscard]] std::optional<PackedSheets> pack(const std::vector<std::size_t>& which,
                                                    const Known& known) const {
-        if (which.empty() || which.size() > kMostPieces) return {};
+        if (which.empty() || which.size() > kMostNested) return {};
         const auto steps = [](double mm, double step) {
             return static_cast<int>(std::floor(mm / step + kStepRounding));
         };

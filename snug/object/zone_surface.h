@@ -1,0 +1,26 @@
+#pragma once
+
+#include "snug/base/result.h"
+#include "snug/base/vec.h"
+#include "snug/design/zone.h"
+#include "snug/mesh/mesh.h"
+#include "snug/object/object.h"
+
+namespace snug {
+
+/// Where the object's (0, 0, 0) lies in the coordinates of its file, mm.
+[[nodiscard]] Vec3d origin_mm(const Object& object);
+
+/// The part of a surface that lies in a zone, as an object of the same kind: for depth maps, and its
+/// `measure.bounds`. Triangles that a ball's edge crosses are divided until no piece is longer than 1 mm or a
+/// 256th of the ball, and the pieces that it meets count; what is read in pieces counts by whole triangles,
+/// the points of a cloud by their balls. Of a stream the bounds may be too large, and whether there is any
+/// surface is not known. Fails (kind `usage`) where no surface lies in the zone, all of it does, or there is
+/// no such part.
+[[nodiscard]] Result<Object> zone_surface(const Object& object, const Zone& zone);
+
+/// The same of the object's own mesh, which of another kind is a stand-in around it: what of it lies within
+/// the zone grown by so much as the stand-in may stand off. May be empty.
+[[nodiscard]] Mesh zone_of_mesh(const Object& object, const Zone& zone);
+
+}  // namespace snug

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "snug/base/result.h"
+#include "snug/space/item.h"
+
+namespace snug {
+
+/// What of an object's surface lies in each zone, and where it lies with the object. Fails as zone_surface()
+/// does; the sentence tells which zone.
+[[nodiscard]] Result<std::vector<ItemZone>> place_zones(const Object& object, const Zones& zones,
+                                                        const Placement& placement);
+/// The same of zones that are known, of the object in another place.
+[[nodiscard]] std::vector<ItemZone> place_zones(std::vector<ItemZone> zones, const Placement& placement);
+
+}  // namespace snug
