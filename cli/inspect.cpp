@@ -127,6 +127,17 @@ void add_parts(const Mesh& mesh, const MeshMeasure& measure, Lines& lines) {
     if (shares.size() > kPartsShown) lines.text += "  " + lines.said(smaller_parts(shares)) + "\n";
 }
 
+/// Where it lies in its file: where zones are kept off.
+Message reach_of(const Mesh& mesh, const Box3d& bounds) {
+    const auto place = [&](Vec3d p) {
+        p = p + mesh.origin;
+        return number(p.x, 3) + ", " + number(p.y, 3) + ", " + number(p.z, 3);
+    };
+    return say("inspect.from_to", {{"from", place(bounds.min)},
+                                   {"to", place(bounds.max)},
+                                   {"unit", mesh.read.in_mm ? as_it_is("mm") : say("inspect.file_unit")}});
+}
+
 std::string described(const std::string& name, const Mesh& mesh, const MeshMeasure& measure,
                       Language language) {
     Lines lines{language};
@@ -144,6 +155,7 @@ std::string described(const std::string& name, const Mesh& mesh, const MeshMeasu
                                                                      : "inspect.no"));
         add_parts(mesh, measure, lines);
     }
+    lines.add(say("inspect.reaches"), reach_of(mesh, measure.bounds));
     add_size(measure.bounds.size(), mesh.read.in_mm, lines);
     if (!mesh.is_cloud()) add_volume(measure.volume, mesh.read.in_mm, lines);
     add_findings(mesh, lines);
@@ -152,13 +164,14 @@ std::string described(const std::string& name, const Mesh& mesh, const MeshMeasu
 
 std::string described_json(const std::string& name, const Mesh& mesh, const MeshMeasure& measure,
                            Language language) {
-    const Vec3d size = measure.bounds.size();
+    const Vec3d size = measure.bounds.size(), low = measure.bounds.min + mesh.origin;
     const Unit* best = mesh.read.in_mm ? nullptr : likely_unit(std::max({size.x, size.y, size.z}));
     using Described = nlohmann::ordered_json;
     Described json{{"file", name},
                    {"vertices", mesh.vertices.size()},
                    {"triangles", mesh.triangles.size()},
                    {"size", {size.x, size.y, size.z}},
+                   {"from", {low.x, low.y, low.z}},
                    {"watertight", measure.watertight},
                    {"holes", measure.holes.size()},
                    {"volume", measure.volume ? Described(*measure.volume) : Described(nullptr)},

@@ -8,6 +8,7 @@
 #include "snug/base/one_line.h"
 #include "snug/base/text.h"
 #include "snug/fabricate/kit/shock_text.h"
+#include "snug/fabricate/kit/zone_text.h"
 #include "snug/words/pieces.h"
 #include "snug/words/sides.h"
 #include "snug/words/words.h"
@@ -100,7 +101,8 @@ struct Lines {
         text += padded(label, kLabel) + wrapped(one_line(snug::text(message, language)), kLabel) + "\n";
     }
     void add_sentence(const char* label, const Message& message) { add_sentence(worded(label), message); }
-    [[nodiscard]] std::string worded(const char* label) const { return snug::text(say(label), language); }
+    [[nodiscard]] std::string worded(const char* label) const { return worded(say(label)); }
+    [[nodiscard]] std::string worded(const Message& label) const { return snug::text(label, language); }
 };
 
 /// "lens.stl x2" where it lies there twice.
@@ -109,6 +111,12 @@ std::string listed_name(std::size_t object, const Project& project) {
         project.design.items.begin(), project.design.items.end(),
         [&](const ItemOptions& item) { return static_cast<std::size_t>(item.object) == object; });
     return project.objects[object].file.name + (count > 1 ? " x" + std::to_string(count) : "");
+}
+
+/// What is said of an item, whose name it bears where there are several.
+Message of_item(const Packing& packing, std::size_t item, const Message& what) {
+    if (packing.items.size() == 1) return what;
+    return say("summary.named", {{"name", one_line(packing.items[item].name)}, {"what", what}});
 }
 
 }  // namespace
@@ -164,11 +172,7 @@ std::string summary(std::span<const Object> objects, const Project& project, con
                   say("summary.lift_at", {{"piece", foam_of(slot.piece)}, {"side", side_text(slot.side)}}));
     for (const Notch& notch : packing.notches) {
         const Message what = notch_text(notch);
-        lines.add(
-            "summary.notch",
-            packing.items.size() == 1
-                ? what
-                : say("summary.named", {{"name", one_line(packing.items[notch.item].name)}, {"what", what}}));
+        lines.add("summary.notch", of_item(packing, notch.item, what));
     }
     if (made.fit.gap) lines.add("summary.gaps", gap_text(*made.fit.gap));
     if (made.fit.bearing)
@@ -179,6 +183,10 @@ std::string summary(std::span<const Object> objects, const Project& project, con
         for (const Message& face : face_texts(*made.packing.protection)) lines.add(std::string_view(), face);
         lines.add_sentence(std::string_view(), say("summary.drop_claim"));
     }
+    if (packing.protection)
+        for (const ZoneReport& zone : packing.protection->zones)
+            lines.add_sentence(lines.worded(say("summary.zone", {{"zone", zone.number}})),
+                               of_item(packing, zone.item, zone_text(zone)));
     for (const Finding& finding : packing.findings)
         lines.add_sentence(label_of(finding.severity), said_of_item(finding));
     lines.add("summary.files",

@@ -36,25 +36,28 @@ std::string name_of(const Packing& packing, std::size_t item) {
     return packing.items.size() > 1 ? packing.items[item].name : std::string();
 }
 
+/// Whatever the blocks, foam that keeps so far off lets the item travel as far as it does.
+double enough_mm(const ItemProtection& item) {
+    double farthest = 0;
+    for (const FaceShock& face : item.faces) farthest = std::max(farthest, face.travel_most_mm.value_or(0));
+    return std::ceil(farthest + kZoneRoom);
+}
+
 /// Where foam or case is nearer after a drop than kZoneRoom.
 void find_reached(const ZoneReport& zone, const Protection& all, const Packing& packing,
                   std::vector<Finding>& findings) {
     const auto nearest = zone.nearest();
-    if (!nearest) return;
-    const auto side = static_cast<std::size_t>(*nearest);
-    const double left = *zone.left_mm[side];
-    if (left >= kZoneRoom) return;
-    const double travel = *all.items[zone.item].faces[side].travel_most_mm;
-    findings.push_back(
-        {Severity::danger,
-         say("zone_reached", {{"zone", zone.number},
-                              {"cm", number(*all.drop_mm / 10, 0)},
-                              {"fallen", fallen_on(*nearest)},
-                              {"travel", number(travel, 0)},
-                              {"room", number(zone.room_mm[side], 0)},
-                              {"least", number(kZoneRoom, 0)},
-                              {"mm", number(std::ceil(zone.asked.keep_off_mm + kZoneRoom - left), 0)}}),
-         zone.where, name_of(packing, zone.item)});
+    if (!nearest || *zone.left_mm[*nearest] >= kZoneRoom) return;
+    const ItemProtection& item = all.items[zone.item];
+    findings.push_back({Severity::danger,
+                        say("zone_reached", {{"zone", zone.number},
+                                             {"cm", number(*all.drop_mm / 10, 0)},
+                                             {"fallen", fallen_on(*nearest)},
+                                             {"travel", number(*item.faces[*nearest].travel_most_mm, 0)},
+                                             {"room", number(zone.room_mm[*nearest], 0)},
+                                             {"least", number(kZoneRoom, 0)},
+                                             {"mm", number(enough_mm(item), 0)}}),
+                        zone.where, name_of(packing, zone.item)});
 }
 
 void find_pressed(const ZoneReport& zone, const Packing& packing, std::vector<Finding>& findings) {

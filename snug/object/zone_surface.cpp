@@ -86,7 +86,7 @@ Result<Object> of_mesh(const Object& object, const Zone& zone) {
                     say("zone.no_part", {{"part", std::to_string(zone.part)}, {"parts", parts}}));
     Gathering gathering(object, ZoneBalls(zone, origin_mm(object)), zone.part);
     Object part = begun(object);
-    if (gathering.all()) return fail(ErrorKind::usage, say("zone.all"));
+    if (gathering.all() && zone.keep_off_mm > 0) return fail(ErrorKind::usage, say("zone.all"));
     part.mesh = gathering.take();
     if (part.mesh.triangles.empty()) return no_surface(object);
     part.measure.bounds = bounds(part.mesh);
@@ -108,7 +108,7 @@ Result<Object> of_cloud(const Object& object, const PointBalls& points, const Zo
         part.measure.bounds.include(p + Vec3d{radius, radius, radius});
     }
     if (met.cloud.vertices.empty()) return no_surface(object);
-    if (met.cloud.vertices.size() == points.cloud.vertices.size())
+    if (met.cloud.vertices.size() == points.cloud.vertices.size() && zone.keep_off_mm > 0)
         return fail(ErrorKind::usage, say("zone.all"));
     part.surface = std::move(met);
     return part;

@@ -15,8 +15,8 @@ namespace snug {
 /// `measure.bounds`. Triangles that a ball's edge crosses are divided until no piece is longer than 1 mm or a
 /// 256th of the ball, and the pieces that it meets count; what is read in pieces counts by whole triangles,
 /// the points of a cloud by their balls. Of a stream the bounds may be too large, and whether there is any
-/// surface is not known. Fails (kind `usage`) where no surface lies in the zone, all of it does, or there is
-/// no such part.
+/// surface is not known. Fails (kind `usage`) where no surface lies in the zone, where foam is to keep away
+/// from all of it, and where there is no such part.
 [[nodiscard]] Result<Object> zone_surface(const Object& object, const Zone& zone);
 
 /// The same of the object's own mesh, which of another kind is a stand-in around it: what of it lies within

@@ -42,6 +42,8 @@ constexpr Wording kWordsOfLists[] = {
     {"inspect.part",
      "{size} in {unit}, {triangles} {triangles|triangle|triangles}, {percent} % of the surface",
      "{size}（{unit}）、三角形 {triangles} 個、表面の {percent} %"},
+    {"inspect.reaches", "Lies", "位置"},
+    {"inspect.from_to", "from {from} to {to} in {unit}", "{from} から {to} まで（{unit}）"},
     {"inspect.file_unit", "the file's unit", "ファイルの単位"},
     {"inspect.smaller_parts",
      "and {parts} more, at most {longest} long, {percent} % of the surface; --json lists all",

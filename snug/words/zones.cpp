@@ -10,7 +10,7 @@ constexpr Wording kWordsOfZones[] = {
      "場所と離す距離（mm）、たとえば {example} または {other}（ファイルの X,Y,Z,R、続けて mm）"},
     {"json.zones",
      "a list of zones, each with balls as [x, y, z, r] or a part, keep_off_mm, press_kpa or loose",
-     "場所のリスト（それぞれ balls の [x, y, z, r] または part、keep_off_mm、press_kpa、loose）"},
+     "場所のリスト（それぞれ球 [x, y, z, r] か部品番号と、離す距離か耐える圧力）"},
     {"zone_reached",
      "from {cm} cm {fallen} zone {zone} would be reached: the item travels up to {travel} mm, and {room} mm "
      "are "
@@ -29,6 +29,26 @@ constexpr Wording kWordsOfZones[] = {
      "inertia is not computed",
      "離しておく場所は宙に浮いています。それは保護されているという意味ではなく、その部分自身の慣性による力は"
      "計算していません"},
+    {"zone.told", "{parts;}", "{parts;}"},
+    {"zone.kept_off", "kept off by {mm} mm, {blocks} {blocks|block|blocks} cut for it{left}",
+     "{mm} mm 離す（そのために {blocks} ブロック切る）{left}"},
+    {"zone.left", ", and {mm} mm stay free in a drop {fallen}", "、{fallen}を下に落としても {mm} mm 残る"},
+    {"zone.pressed", "pressed with {kpa} kPa at most, of {asked} that it bears",
+     "最大 {kpa} kPa で押される（耐える圧力 {asked} kPa）"},
+    {"zone.press_unknown", "bears {asked} kPa; what foam presses with is not known",
+     "耐える圧力 {asked} kPa（フォームの押す圧力は不明）"},
+    {"zone.loose", "loose: nothing may touch it", "剝がれやすいため、触れてはならない"},
+    {"summary.zone", "Zone {zone}", "場所 {zone}"},
+    {"packing.zones", "Places to keep off", "触れない場所"},
+    {"packing.zones_claim",
+     "Free is not protected: what such a part meets through its own inertia is not computed.",
+     "空いていることは、保護されていることではありません。その部分自身の慣性による力は計算していません。"},
+    {"searched_zones",
+     "places and arrangements are looked for without the zones that foam keeps away from; it is cut around "
+     "them "
+     "afterwards. Look whether the walls there, and the foam between items, are still as wanted",
+     "置き方や並べ方は、触れない場所を考えずに探し、その後でそのまわりを切っています。そこの壁や、もの同士の"
+     "間のフォームが足りるか確かめてください"},
     {"zone.numbered", "zone {zone}: {why}", "場所 {zone}：{why}"},
     {"zone.no_place", "zone {zone} must have a place: a part from 1 upward, or balls such as {example}",
      "場所 {zone} には、1 以上の部品番号か {example} のような球が必要です"},

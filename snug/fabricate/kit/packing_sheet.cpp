@@ -13,6 +13,7 @@
 #include "snug/fabricate/kit/finger_room.h"
 #include "snug/fabricate/kit/packing_record.h"
 #include "snug/fabricate/kit/shock_text.h"
+#include "snug/fabricate/kit/zone_text.h"
 #include "snug/words/pieces.h"
 #include "snug/words/sides.h"
 #include "snug/words/words.h"
@@ -278,6 +279,20 @@ void tell_drops(PageFlow& flow, const PackedObject& packed) {
     flow.paragraph(say("packing.drops_claim"));
 }
 
+void tell_zones(PageFlow& flow, const PackedObject& packed) {
+    if (!packed.protection || packed.protection->zones.empty()) return;
+    flow.heading(say("packing.zones"));
+    for (const ZoneReport& zone : packed.protection->zones) {
+        const Message what = zone_text(zone);
+        const bool alone = packed.items.size() == 1;
+        flow.item(
+            as_it_is(std::to_string(zone.number)),
+            alone ? what : say("summary.named", {{"name", packed.items[zone.item].name}, {"what", what}}),
+            {kBodyText, kSoftInk}, 6);
+    }
+    flow.paragraph(say("packing.zones_claim"));
+}
+
 void tell_unchecked(PageFlow& flow, bool dropped) {
     flow.heading(say("packing.unchecked"));
     for (const char* const code :
@@ -300,6 +315,7 @@ DrawingDocument packing_sheet(const PackedObject& packed) {
     tell_order(flow, packed);
     tell_facts(flow, packed);
     tell_drops(flow, packed);
+    tell_zones(flow, packed);
     tell_findings(flow, packed.findings);
     tell_unchecked(flow, drops_are_told(packed));
     draw_packing_record(flow, {packed.items.size(), content_kg(packed)});

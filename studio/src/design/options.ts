@@ -5,6 +5,9 @@ import type {Design, OptionPath} from './table';
 
 export type {OptionPath};
 
+/** A place on an item that foam keeps away from (snug/design/zone.h): balls in its file's coordinates, mm, or a part. */
+export type Zone = Design['protection']['zones'][number];
+
 export interface OptionRow {
   kind:
     | 'switch'
@@ -18,6 +21,7 @@ export interface OptionRow {
     | 'words'
     | 'pieces'
     | 'curve'
+    | 'zones'
     | 'weights'
     | 'group'
     | 'list';

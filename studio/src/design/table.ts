@@ -64,6 +64,8 @@ export interface Design {
     centre_mm: [number, number, number] | null;
     /** The greatest shock that it bears (G). */
     fragility_g: number | null;
+    /** Places on it that foam keeps away from. */
+    zones: {balls?: [number, number, number, number][]; part?: number; keep_off_mm?: number; press_kpa?: number; loose?: boolean}[];
     /** An arrangement leaves it where it is. */
     lock: boolean;
   }[];
@@ -140,6 +142,8 @@ export interface Design {
     fragility: 'museum' | 'extremely-fragile' | 'very-delicate' | 'delicate' | 'moderately-delicate' | 'moderately-rugged' | 'rugged' | null;
     /** Where the object's mass is centred, in the coordinates of its file in mm (mm). */
     centre_mm: [number, number, number] | null;
+    /** Places that foam keeps away from, by so many mm: part=3:15, or X,Y,Z,R:15 for what lies within R mm of a point of the file; :press=2kPa tells what they bear, :loose that nothing may touch them. */
+    zones: {balls?: [number, number, number, number][]; part?: number; keep_off_mm?: number; press_kpa?: number; loose?: boolean}[];
     foam: {
       /** A foam that `snug foams` lists: how it pushes back in a drop. */
       name: string;
@@ -311,6 +315,7 @@ export type OptionPath =
   | 'items.0.mass_kg'
   | 'items.0.centre_mm'
   | 'items.0.fragility_g'
+  | 'items.0.zones'
   | 'items.0.lock'
   | 'cut.clearance_mm'
   | 'cut.liner_mm'
@@ -341,6 +346,7 @@ export type OptionPath =
   | 'protection.fragility_g'
   | 'protection.fragility'
   | 'protection.centre_mm'
+  | 'protection.zones'
   | 'protection.foam.name'
   | 'protection.foam.title'
   | 'protection.foam.curve'

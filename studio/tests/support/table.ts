@@ -16,6 +16,7 @@ function typeOf(row: OptionRow): string {
     words: words ? `(${words})[]` : 'string[]',
     pieces: 'Record<string, number>',
     curve: '[number, number][]',
+    zones: '{balls?: [number, number, number, number][]; part?: number; keep_off_mm?: number; press_kpa?: number; loose?: boolean}[]',
     weights: 'Record<string, number>',
     group: '',
     list: '',
