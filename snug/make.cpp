@@ -12,6 +12,7 @@
 #include "snug/check/find_item_notes.h"
 #include "snug/check/find_near_items.h"
 #include "snug/check/find_object_problems.h"
+#include "snug/check/near_collections.h"
 #include "snug/check/protection.h"
 #include "snug/check/stability.h"
 #include "snug/foam/object_cut.h"
@@ -323,6 +324,7 @@ Result<Made> make(std::span<Object> objects, Project& project, const Tools& tool
         made.packing.protection = std::move(*held);
     }
 
+    find_near_collections(design, made.packing.findings);
     if (design.workshop.work != Workshop::none) {
         auto pack = workshop_pack(objects, made.packing, project,
                                   {tools.solve_lp, told(tools, Stage::workshop), tools.language});

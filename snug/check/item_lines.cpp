@@ -15,11 +15,14 @@ namespace {
 
 constexpr LineBudget kBudget{1 << 16, 1 << 22};
 
-std::vector<Vec3d> placed_along(const Mesh& mesh, const Placement& placement, int axis) {
-    std::vector<Vec3d> placed;
-    placed.reserve(mesh.vertices.size());
-    for (const Vec3f& vertex : mesh.vertices) placed.push_back(with_first(placement(vertex), axis));
-    return placed;
+/// As lines along an axis see a mesh. `lattice`: any of the space by that axis.
+std::vector<SnappedVertex> snapped_along(const Mesh& mesh, const Placement& placement,
+                                         const LineLattice& lattice, int axis) {
+    std::vector<SnappedVertex> vertices;
+    vertices.reserve(mesh.vertices.size());
+    for (const Vec3f& vertex : mesh.vertices)
+        vertices.push_back(lattice.snap(with_first(placement(vertex), axis)));
+    return vertices;
 }
 
 /// Sums of length, place and squares over the parts of lines that lie in a solid.
@@ -71,17 +74,34 @@ void for_each_inside(std::span<const Crossing> line, bool closed, Visit visit) {
     }
 }
 
-int finest_bits(std::span<const Object> objects, const std::vector<Item>& items, const DesignSpace& space,
-                int axis) {
-    int bits = LineLattice::kFinest + 1;
-    for (const Item& item : items) {
-        const Mesh& mesh = objects[item.object].mesh;
-        bits = std::max(
-            bits, lattice_within(kBudget, space, placed_along(mesh, item.placement, axis), mesh.triangles)
-                      .cell_bits());
+/// The items as lines along an axis see them; that of an only one is kept.
+class SnappedItems {
+  public:
+    SnappedItems(std::span<const Object> objects, const std::vector<Item>& items, const DesignSpace& along,
+                 int axis)
+        : objects_(objects), items_(items), lattice_(along), axis_(axis) {}
+
+    [[nodiscard]] const Mesh& mesh(std::size_t item) const { return objects_[items_[item].object].mesh; }
+    [[nodiscard]] std::span<const SnappedVertex> vertices(std::size_t item) {
+        if (items_.size() > 1 || kept_.empty())
+            kept_ = snapped_along(mesh(item), items_[item].placement, lattice_, axis_);
+        return kept_;
     }
-    return bits;
-}
+    /// Of the finest lattice that is not too much work for any of them.
+    [[nodiscard]] int cell_bits(const DesignSpace& along) {
+        int bits = LineLattice::kFinest + 1;
+        for (std::size_t i = 0; i < items_.size(); ++i)
+            bits = std::max(bits, lattice_within(kBudget, along, vertices(i), mesh(i).triangles).cell_bits());
+        return bits;
+    }
+
+  private:
+    std::span<const Object> objects_;
+    const std::vector<Item>& items_;
+    LineLattice lattice_;
+    int axis_;
+    std::vector<SnappedVertex> kept_;
+};
 
 /// Finds an item's line where the lattice has it.
 class LinesByPlace {
@@ -119,7 +139,8 @@ Result<void> mark_zone(const LineLattice& lattice, const Mesh& zone, const Place
                 if (met.back().x >= line->high - kSame) line->high_zone = number;
             }
     };
-    return sweep_lines(lattice, placed_along(zone, placement, axis), zone.triangles, visit, progress);
+    return sweep_lines(lattice, snapped_along(zone, placement, lattice, axis), zone.triangles, visit,
+                       progress);
 }
 
 Result<void> mark_zones(std::span<const Object> objects, const std::vector<Item>& items,
@@ -148,7 +169,8 @@ Result<void> mark_zones(std::span<const Object> objects, const std::vector<Item>
 Result<AxisLines> axis_lines(std::span<const Object> objects, const std::vector<Item>& items,
                              const DesignSpace& space, int axis, const Progress& progress) {
     const DesignSpace along{with_first(space.blocks, axis), with_first(space.block_mm, axis)};
-    const LineLattice lattice(along, finest_bits(objects, items, along, axis));
+    SnappedItems snapped_items(objects, items, along, axis);
+    const LineLattice lattice(along, snapped_items.cell_bits(along));
     const double whole_area = along.block_mm.y * along.block_mm.z / lattice.lines_per_column();
     AxisLines all{axis, {}, {}};
     for (std::size_t i = 0; i < items.size(); ++i) {
@@ -173,10 +195,10 @@ Result<AxisLines> axis_lines(std::span<const Object> objects, const std::vector<
                 }
             }
         };
-        const auto done = sweep_lines(
-            lattice, placed_along(object.mesh, items[i].placement, axis), object.mesh.triangles, visit,
-            part_of(progress, static_cast<double>(i) / static_cast<double>(items.size()),
-                    static_cast<double>(i + 1) / static_cast<double>(items.size())));
+        const auto done =
+            sweep_lines(lattice, snapped_items.vertices(i), object.mesh.triangles, visit,
+                        part_of(progress, static_cast<double>(i) / static_cast<double>(items.size()),
+                                static_cast<double>(i + 1) / static_cast<double>(items.size())));
         if (!done) return tl::unexpected(done.error());
         all.spreads.push_back(sums.spread(axis));
     }

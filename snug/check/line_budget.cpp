@@ -18,14 +18,13 @@ double within(std::int32_t low, std::int32_t high, double end) {
     return std::max(std::min<double>(high, end) - std::max<double>(low, 0), 0.0);
 }
 
-Shadow shadow_of(const LineLattice& lattice, const DesignSpace& space, std::span<const Vec3d> vertices,
+Shadow shadow_of(const DesignSpace& space, std::span<const SnappedVertex> vertices,
                  std::span<const Triangle> triangles) {
     constexpr double kColumn = LineLattice::kPerColumn * LineLattice::kUnitsPerCell;
     const double u_end = space.blocks.y * kColumn, v_end = space.blocks.z * kColumn;
     Shadow shadow;
     for (const Triangle& t : triangles) {
-        const SnappedVertex a = lattice.snap(vertices[t[0]]), b = lattice.snap(vertices[t[1]]),
-                            c = lattice.snap(vertices[t[2]]);
+        const SnappedVertex &a = vertices[t[0]], &b = vertices[t[1]], &c = vertices[t[2]];
         const double area = std::fabs(static_cast<double>(doubled_shadow(a, b, c))) / 2;
         if (area == 0) continue;
         const double height = within(std::min({a.u, b.u, c.u}), std::max({a.u, b.u, c.u}), u_end);
@@ -40,7 +39,12 @@ Shadow shadow_of(const LineLattice& lattice, const DesignSpace& space, std::span
 
 LineLattice lattice_within(const LineBudget& budget, const DesignSpace& space,
                            std::span<const Vec3d> vertices, std::span<const Triangle> triangles) {
-    const Shadow shadow = shadow_of(LineLattice(space), space, vertices, triangles);
+    return lattice_within(budget, space, snapped(LineLattice(space), vertices), triangles);
+}
+
+LineLattice lattice_within(const LineBudget& budget, const DesignSpace& space,
+                           std::span<const SnappedVertex> vertices, std::span<const Triangle> triangles) {
+    const Shadow shadow = shadow_of(space, vertices, triangles);
     for (int bits = LineLattice::kFinest;; ++bits) {
         const LineLattice lattice(space, bits);
         const double cell = 1 << bits;

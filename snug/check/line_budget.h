@@ -16,7 +16,10 @@ struct LineBudget {
 };
 
 /// The finest lattice whose lines stay within the budget (16 x 16 lines a column wherever they do), for a
-/// surface in design coordinates. The same on every machine.
+/// surface in design coordinates, or as lines see it. The same on every machine.
+[[nodiscard]] LineLattice lattice_within(const LineBudget& budget, const DesignSpace& space,
+                                         std::span<const SnappedVertex> vertices,
+                                         std::span<const Triangle> triangles);
 [[nodiscard]] LineLattice lattice_within(const LineBudget& budget, const DesignSpace& space,
                                          std::span<const Vec3d> vertices,
                                          std::span<const Triangle> triangles);

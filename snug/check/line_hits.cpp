@@ -21,18 +21,16 @@ Cells cells_between(std::int32_t low, std::int32_t high, int bits, int count) {
 
 class Sweep {
   public:
-    Sweep(const LineLattice& lattice, std::span<const Vec3d> vertices, std::span<const Triangle> triangles,
-          const Progress& progress, std::size_t most_hits)
+    Sweep(const LineLattice& lattice, std::span<const SnappedVertex> vertices,
+          std::span<const Triangle> triangles, const Progress& progress, std::size_t most_hits)
         : lattice_(lattice),
           triangles_(triangles),
           progress_(progress),
           most_hits_(most_hits),
           bits_(lattice.cell_bits()),
           rows_(lattice.lines_along_column()),
-          bands_((lattice.rows() - 1) / rows_ + 1) {
-        vertices_.reserve(vertices.size());
-        for (const Vec3d& v : vertices) vertices_.push_back(lattice.snap(v));
-    }
+          bands_((lattice.rows() - 1) / rows_ + 1),
+          vertices_(vertices) {}
 
     bool run(const std::function<void(const LineBand&)>& visit) {
         if (!sort_triangles_by_first_band()) return false;
@@ -234,7 +232,7 @@ class Sweep {
     int rows_;  ///< of lines in a band
     int bands_;
     std::size_t work_ = 0;
-    std::vector<SnappedVertex> vertices_;
+    std::span<const SnappedVertex> vertices_;
     std::vector<std::uint32_t> order_;          ///< triangles by first band
     std::vector<std::uint32_t> first_of_band_;  ///< into order_
     std::vector<Hit> hits_;                     ///< of the band, in the order of the triangles
@@ -245,6 +243,13 @@ class Sweep {
 }  // namespace
 
 Result<void> sweep_lines(const LineLattice& lattice, std::span<const Vec3d> vertices,
+                         std::span<const Triangle> triangles,
+                         const std::function<void(const LineBand&)>& visit, const Progress& progress,
+                         std::size_t most_hits) {
+    return sweep_lines(lattice, snapped(lattice, vertices), triangles, visit, progress, most_hits);
+}
+
+Result<void> sweep_lines(const LineLattice& lattice, std::span<const SnappedVertex> vertices,
                          std::span<const Triangle> triangles,
                          const std::function<void(const LineBand&)>& visit, const Progress& progress,
                          std::size_t most_hits) {

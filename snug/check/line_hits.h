@@ -40,10 +40,15 @@ struct LineBand {
     }
 };
 
-/// Meets all lines of the lattice with the surface (vertices in design coordinates), one band after the other
-/// from -y to +y, and shows each band to `visit`. A band never divides the lines of a column along z. Memory
-/// follows the mesh and one band, of about `most_hits` crossings at most. Triangles seen edge-on along x are
-/// not met. Fails only when cancelled.
+/// Meets all lines of the lattice with the surface (vertices in design coordinates, or as lines see them),
+/// one band after the other from -y to +y, and shows each band to `visit`. A band never divides the lines of
+/// a column along z. Memory follows the mesh and one band, of about `most_hits` crossings at most. Triangles
+/// seen edge-on along x are not met. Fails only when cancelled.
+[[nodiscard]] Result<void> sweep_lines(const LineLattice& lattice, std::span<const SnappedVertex> vertices,
+                                       std::span<const Triangle> triangles,
+                                       const std::function<void(const LineBand&)>& visit,
+                                       const Progress& progress = {},
+                                       std::size_t most_hits = std::size_t{1} << 20);
 [[nodiscard]] Result<void> sweep_lines(const LineLattice& lattice, std::span<const Vec3d> vertices,
                                        std::span<const Triangle> triangles,
                                        const std::function<void(const LineBand&)>& visit,

@@ -61,6 +61,13 @@ SnappedVertex LineLattice::snap(Vec3d p) const {
     return {snapped((p.y - y_begin_) * units_per_mm_y_), snapped((p.z - z_begin_) * units_per_mm_z_), p.x};
 }
 
+std::vector<SnappedVertex> snapped(const LineLattice& lattice, std::span<const Vec3d> points) {
+    std::vector<SnappedVertex> all;
+    all.reserve(points.size());
+    for (const Vec3d& point : points) all.push_back(lattice.snap(point));
+    return all;
+}
+
 std::int64_t doubled_shadow(const SnappedVertex& a, const SnappedVertex& b, const SnappedVertex& c) {
     return edge_function(a, b, c.u, c.v);
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "snug/base/vec.h"
 #include "snug/space/design_space.h"
@@ -93,6 +95,9 @@ class LineLattice {
     double units_per_mm_y_;
     double units_per_mm_z_;
 };
+
+/// The same of many points, for every lattice of one space: how fine it is does not matter.
+[[nodiscard]] std::vector<SnappedVertex> snapped(const LineLattice& lattice, std::span<const Vec3d> points);
 
 /// Twice the area of a triangle's shadow on the y-z plane, in squared units: positive where it faces +x.
 /// Exact.

@@ -1,10 +1,15 @@
 #include "snug/check/protection.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
+#include <mutex>
+#include <optional>
 #include <utility>
+#include <vector>
 
+#include "snug/base/parallel.h"
 #include "snug/check/face_shocks.h"
 #include "snug/check/find_shocks.h"
 #include "snug/check/item_lines.h"
@@ -63,6 +68,32 @@ bool any_zones(const Design& design) {
                        [&](const ItemOptions& item) { return !zones_of(item, design).empty(); });
 }
 
+/// What holds the items along each axis; the axes are worked out side by side.
+Result<std::vector<AxisContacts>> contacts_by_axis(std::span<const Object> objects, const Packing& packing,
+                                                   const Progress& progress) {
+    std::vector<std::optional<Result<AxisContacts>>> found(3);
+    std::mutex telling;
+    std::array<double, 3> done{};
+    parallel_for(found.size(), [&](std::size_t axis) {
+        const auto told = [&](double share) {
+            const std::lock_guard lock(telling);
+            done[axis] = share;
+            return go_on(progress, (done[0] + done[1] + done[2]) / 3);
+        };
+        auto lines = axis_lines(objects, packing.items, packing.space, static_cast<int>(axis), told);
+        if (lines)
+            found[axis] = pad_contacts(*lines, packing, packing.pockets);
+        else
+            found[axis] = tl::unexpected(lines.error());
+    });
+    std::vector<AxisContacts> contacts;
+    for (auto& each : found) {
+        if (!*each) return tl::unexpected(each->error());
+        contacts.push_back(std::move(**each));
+    }
+    return contacts;
+}
+
 }  // namespace
 
 std::size_t Protection::worst_item(Side face) const {
@@ -95,13 +126,11 @@ Result<Protection> protection(std::span<const Object> objects, Packing& packing,
         }
     } else {
         const Curves curves(*all.foam);
-        for (int axis = 0; axis < 3; ++axis) {
-            const auto lines = axis_lines(objects, packing.items, packing.space, axis,
-                                          part_of(progress, axis / 3.0, (axis + 1) / 3.0));
-            if (!lines) return tl::unexpected(lines.error());
-            const AxisContacts contacts = pad_contacts(*lines, packing, packing.pockets);
-            add_face_shocks(contacts, packing, curves, all);
-            add_zone_pressures(contacts, curves, all);
+        const auto contacts = contacts_by_axis(objects, packing, progress);
+        if (!contacts) return tl::unexpected(contacts.error());
+        for (const AxisContacts& each : *contacts) {
+            add_face_shocks(each, packing, curves, all);
+            add_zone_pressures(each, curves, all);
         }
     }
     find_shocks(all, packing, packing.findings);

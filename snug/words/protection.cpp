@@ -163,6 +163,23 @@ constexpr Wording kWordsOfProtection[] = {
      "点群、または分割して読み込んだ対象物のため、落下と静止の値は、わずかに外側を囲む写しで計算していま"
      "す"},
     {"no_shock/open", "a tray is not dropped: no shock is estimated", "トレイは落下の対象にしていません"},
+    {"near_collections", "near collections:{known}", "収蔵品の近くで：{known}"},
+    {"near.ethafoam",
+     " Ethafoam, one interlaboratory Oddy test: permanent in 5 laboratories, temporary in 2; Oddy judges "
+     "metals "
+     "only.",
+     "Ethafoam は、ある共同 Oddy 試験で 5 か所が永続使用可、2 か所が一時使用可としました。Oddy "
+     "試験が見るのは金属だけです。"},
+    {"near.plastazote", " White Plastazote LD45 degraded cellulose in ageing.",
+     "白い Plastazote LD45 は、劣化試験でセルロースを傷めました。"},
+    {"near.printed", " One PLA filament was unsuitable in 7 of 7 laboratories.",
+     "ある PLA フィラメントは 7 か所中 7 か所で不適でした。"},
+    {"near.unknown", " Unknown sponge: no contact, no storage.",
+     "素性の分からないスポンジは、触れさせず、保管にも使わないでください。"},
+    {"near.name_it", " Name product, batch and colour, and have it tested.",
+     "製品名、ロット、色を記録し、試験を受けてください。"},
+    {"near.liner", " Cut faces are abrasive: lay a liner between.",
+     "切断面は擦れます。間に布などを敷いてください。"},
     {"summary.drop", "Drop", "落下"},
     {"summary.drop_from",
      "from {height} mm{rule} in {foam} ({status}):", "{height} mm から{rule}、{foam}（{status}）："},

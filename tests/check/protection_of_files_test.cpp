@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -11,49 +10,23 @@
 #include "snug/check/gravity.h"
 #include "snug/check/protection.h"
 #include "snug/design/known_foams.h"
-#include "snug/fabricate/kit/output_files.h"
-#include "snug/formats/read.h"
 #include "snug/make.h"
 #include "snug/samples/samples.h"
 
 #include "tests/support/cases.h"
+#include "tests/support/foams_of_files.h"
 #include "tests/support/random.h"
 #include "tests/support/random_options.h"
 #include "tests/support/shapes.h"
-#include "tests/support/solid_lines.h"
 
 namespace snug {
 namespace {
 
 constexpr int kLines = 240;
 
-std::vector<test::Corners> corners_of(const Mesh& mesh, const std::function<Vec3d(Vec3f)>& place) {
-    std::vector<test::Corners> triangles;
-    for (const Triangle& t : mesh.triangles)
-        triangles.push_back(
-            {place(mesh.vertices[t[0]]), place(mesh.vertices[t[1]]), place(mesh.vertices[t[2]])});
-    return triangles;
-}
-
-/// Every foam that is written as STL, in design coordinates.
-std::vector<std::vector<test::Corners>> foams_of_files(std::span<const Object> objects,
-                                                       const Project& project, Made& made) {
-    std::vector<std::vector<test::Corners>> foams;
-    const auto done = make_output_files(objects, project, made, [&](const PackFile& file) {
-        if (file.name.ends_with(".stl")) {
-            const auto mesh = read_stl(file.bytes);
-            EXPECT_TRUE(mesh) << file.name;
-            foams.push_back(corners_of(*mesh, [&](Vec3f v) { return vec_cast<double>(v) + mesh->origin; }));
-        }
-        return Result<void>();
-    });
-    EXPECT_TRUE(done);
-    return foams;
-}
-
-struct Spring {
-    double gap, thickness, area;
-};
+using test::corners_of;
+using test::foams_of_files;
+using test::Spring;
 
 /// The G of a fall onto springs, each of a stress that is given; none where one is squeezed beyond the data.
 std::optional<double> g_of_fall(const std::vector<Spring>& springs, const StressCurve& curve, double kg,
