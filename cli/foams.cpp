@@ -35,12 +35,6 @@ std::string or_dash(const std::optional<double>& value) {
     return value ? number(*value) : std::string("-");
 }
 
-Message curve_text(const FoamMaterial& foam) {
-    if (foam.curve.empty()) return as_it_is("-");
-    return say(foam.dynamic() ? "list.curve_of_drops" : "list.curve_of_pressing",
-               {{"percent", number(foam.curve.back().strain * 100, 0)}});
-}
-
 std::string foams_text(const std::vector<FoamMaterial>& foams, Language language) {
     const auto said = [&](const Message& message) { return snug::text(message, language); };
     std::string text = line({said(say("list.name")), said(say("list.density")), said(say("list.bears")),

@@ -17,6 +17,7 @@ namespace {
 constexpr double kLeastSpread = 0.2;    // of G to either side
 constexpr double kMostThinShare = 0.1;  // of the energy
 constexpr double kMostMoreFoam = 200;   // mm
+constexpr int kForceSteps = 40;         // of a curve that people look at
 constexpr double kFoamStep = 5;         // mm, that are proposed
 
 /// One item on one axis of the case.
@@ -239,6 +240,7 @@ class AxisDrops {
             face =
                 shock_of(task, stops_on(task.cushioned(), task, curves_), packing_.items[i].placement.bounds);
             face.bottoms_itself = face.bottoms;
+            face.force = force_on_the_way(task.cushioned(), curves_.given, kForceSteps);
             if (item.asked_g && !is_enough(face, *item.asked_g))
                 face.more_foam_mm = more_foam(task, curves_, *item.asked_g);
         }

@@ -100,6 +100,19 @@ std::optional<Stop> at_rest(const Cushioned& item, const StressCurve& curve) {
     return balance.stop_at(high, 0);
 }
 
+std::vector<Vec2d> force_on_the_way(const Cushioned& item, const StressCurve& curve, int steps) {
+    if (!has_foam(item)) return {};
+    const Balance balance(item, curve);
+    const double longest = balance.longest_mm();
+    if (!(longest > 0)) return {};
+    std::vector<Vec2d> points;
+    for (int i = 0; i <= steps; ++i) {
+        const double travel = longest * i / steps;
+        points.push_back({travel, balance.newton(travel)});
+    }
+    return points;
+}
+
 double shock_g(const Stop& stop, double mass_kg) {
     const double weight = mass_kg * kStandardGravity;
     return (stop.newton - weight) / weight;

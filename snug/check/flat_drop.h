@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "snug/base/vec2.h"
 #include "snug/check/pad_contacts.h"
@@ -36,6 +37,10 @@ struct Stop {
 
 /// At rest: m g = F(d). None as above.
 [[nodiscard]] std::optional<Stop> at_rest(const Cushioned& item, const StressCurve& curve);
+
+/// Travel in mm and the newtons that the foam pushes with there, `steps` + 1 points from the drawn place to
+/// where the data end or the case is met.
+[[nodiscard]] std::vector<Vec2d> force_on_the_way(const Cushioned& item, const StressCurve& curve, int steps);
 
 /// What a stop is felt as, in units of gravity: (F - m g) / (m g).
 [[nodiscard]] double shock_g(const Stop& stop, double mass_kg);

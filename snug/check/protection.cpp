@@ -94,18 +94,27 @@ Result<std::vector<AxisContacts>> contacts_by_axis(std::span<const Object> objec
     return contacts;
 }
 
+/// What a shock is for what the item bears; infinite where the foam may bottom.
+double badness(const ItemProtection& item, Side face) {
+    const FaceShock& shock = item.faces[static_cast<std::size_t>(face)];
+    if (shock.bottoms) return std::numeric_limits<double>::infinity();
+    return shock.g_high.value_or(0) / item.asked_g.value_or(1);
+}
+
 }  // namespace
 
 std::size_t Protection::worst_item(Side face) const {
-    const auto badness = [&](const ItemProtection& item) {
-        const FaceShock& shock = item.faces[static_cast<std::size_t>(face)];
-        if (shock.bottoms) return std::numeric_limits<double>::infinity();
-        return shock.g_high.value_or(0) / item.asked_g.value_or(1);
-    };
     std::size_t worst = 0;
     for (std::size_t i = 1; i < items.size(); ++i)
-        if (badness(items[i]) > badness(items[worst])) worst = i;
+        if (badness(items[i], face) > badness(items[worst], face)) worst = i;
     return worst;
+}
+
+std::array<Side, 6> Protection::worst_first() const {
+    std::array<Side, 6> sides{kFloor, kRoof, kBack, kFront, kLeft, kRight};
+    const auto worst_on = [&](Side side) { return badness(items[worst_item(side)], side); };
+    std::stable_sort(sides.begin(), sides.end(), [&](Side a, Side b) { return worst_on(a) > worst_on(b); });
+    return sides;
 }
 
 bool wants_protection(const Design& design) {

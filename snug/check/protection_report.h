@@ -9,6 +9,7 @@
 #include "snug/base/names.h"
 #include "snug/base/side.h"
 #include "snug/base/vec.h"
+#include "snug/base/vec2.h"
 #include "snug/design/drop_rules.h"
 #include "snug/design/foam_material.h"
 #include "snug/design/zone.h"
@@ -55,6 +56,9 @@ struct FaceShock {
     Vec3d peak_at;        ///< design coordinates
     double area_cm2 = 0;  ///< of the foam that is squeezed
     double tilt_mm = 0;   ///< how far beside the centre of mass the foam pushes
+    /// What the foam pushes with on the way: travel in mm and newtons, with the curve as it is given, up to
+    /// where its data end. Empty for items that reach one another.
+    std::vector<Vec2d> force;
     /// Where what was asked for is not shown to hold: so much more foam behind it would do; none: no
     /// thickness up to 200 mm would, or it holds.
     std::optional<double> more_foam_mm;
@@ -109,6 +113,8 @@ struct Protection {
 
     /// The item and face with the greatest shock for what it bears, those that bottom first.
     [[nodiscard]] std::size_t worst_item(Side face) const;
+    /// The sides by what their worst item meets, the worst first.
+    [[nodiscard]] std::array<Side, 6> worst_first() const;
 };
 
 }  // namespace snug

@@ -108,21 +108,30 @@ constexpr Wording kWordsOfProtection[] = {
     {"fall.front", "on its front", "手前の面"},
     {"fall.left", "on its left side", "左の面"},
     {"fall.right", "on its right side", "右の面"},
-    {"shock",
-     "from {cm} cm {fallen}: about {low} to {high} G; you asked for {asked}: not shown to be "
-     "enough{more}. {advice}",
-     "{cm} cm から{fallen}を下に落とすと約 {low}〜{high} G です。求められた {asked} G "
-     "で足りるとは示せません{more}。{advice}"},
-    {"bottoms",
+    {"drop.g", "from {cm} cm {fallen}: about {low} to {high} G",
+     "{cm} cm から{fallen}を下に落とすと約 {low}〜{high} G です"},
+    {"drop.over", "{drop}; you asked for {asked}: not shown to be enough",
+     "{drop}。求められた {asked} G で足りるとは示せません"},
+    {"drop.within", "{drop}; you asked for {asked}: no more than that, as far as is estimated",
+     "{drop}。計算した範囲では、求められた {asked} G を超えません"},
+    {"drop.bottoms",
      "from {cm} cm {fallen} the foam may be squeezed beyond its data or the case be met: no shock can "
-     "be told{more}. {advice}",
+     "be told",
      "{cm} cm から{fallen}を下に落とすと、フォームがデータの範囲を超えてつぶれるか、ケースに当たるお"
-     "それがあり、衝撃を示せません{more}。{advice}"},
-    {"thin_pads",
+     "それがあり、衝撃を示せません"},
+    {"drop.thin",
      "from {cm} cm {fallen} over a tenth of the energy would be taken by foam thinner than its data "
-     "({mm} mm): no shock can be told{more}. Thicker walls there would do",
+     "({mm} mm): no shock can be told",
      "{cm} cm から{fallen}を下に落とすと、データの厚さ（{mm} mm）より薄いフォームがエネルギーの一割以"
-     "上を受けるため、衝撃を示せません{more}。その側の壁を厚くしてください"},
+     "上を受けるため、衝撃を示せません"},
+    {"drop.items_meet",
+     "from {cm} cm {fallen} the foam to another item may be squeezed beyond its data, or they meet",
+     "{cm} cm から{fallen}を下に落とすと、隣のものとの間のフォームがデータの範囲を超えてつぶれるか、ぶ"
+     "つかるおそれがあります"},
+    {"shock", "{drop}{more}. {advice}", "{drop}{more}。{advice}"},
+    {"bottoms", "{drop}{more}. {advice}", "{drop}{more}。{advice}"},
+    {"thin_pads", "{drop}{more}. {advice}", "{drop}{more}。{advice}"},
+    {"shock.thicker_walls", "Thicker walls there would do", "その側の壁を厚くしてください"},
     {"shock.others", " ({items} more {items|item|items} likewise)", "（ほか {items} 個も同様）"},
     {"shock.more_foam", "{mm} mm more foam behind it would do",
      "後ろのフォームをあと {mm} mm 厚くすれば足ります"},
@@ -147,11 +156,9 @@ constexpr Wording kWordsOfProtection[] = {
      "落下の衝撃は計算していません。規格にはすべてのものの質量が必要で、規格の範囲より重い梱包には使えません"
      "。"
      "高さを mm で指定することもできます"},
-    {"items_meet",
-     "from {cm} cm {fallen} the foam to another item may be squeezed beyond its data, or they "
-     "meet{more}: put more foam between them (--between), or into layers of their own",
-     "{cm} cm から{fallen}を下に落とすと、隣のものとの間のフォームがデータの範囲を超えてつぶれるか、ぶ"
-     "つかるおそれがあります{more}。間のフォーム（--between）を増やすか、別の段に置いてください"},
+    {"items_meet", "{drop}{more}. {advice}", "{drop}{more}。{advice}"},
+    {"shock.more_between", "Put more foam between them (--between), or lay them into layers of their own",
+     "間のフォーム（--between）を増やすか、別の段に置いてください"},
     {"no_shock/unsettled",
      "what items meet in a drop is not estimated: they reach one another through foam, and their motion "
      "does not come to an end in the steps that are allowed",
@@ -180,9 +187,17 @@ constexpr Wording kWordsOfProtection[] = {
      "製品名、ロット、色を記録し、試験を受けてください。"},
     {"near.liner", " Cut faces are abrasive: lay a liner between.",
      "切断面は擦れます。間に布などを敷いてください。"},
+    {"not_computed.rim", "friction and shear at the rim", "縁での摩擦とせん断"},
+    {"not_computed.air", "trapped air", "閉じ込められた空気"},
+    {"not_computed.case", "what the case gives, and its play", "ケースのたわみと遊び"},
+    {"not_computed.rebound", "rebound and later drops", "はね返りと二回目以降の落下"},
+    {"not_computed.corners", "drops on corners and edges", "角や辺からの落下"},
+    {"not_computed.cold", "temperatures other than 23 C", "23 ℃ 以外の温度"},
+    {"not_computed.resonance", "the object's own resonance", "対象物そのものの共振"},
+    {"not_computed.ageing", "ageing", "経年変化"},
     {"summary.drop", "Drop", "落下"},
     {"summary.drop_from",
-     "from {height} mm{rule} in {foam} ({status}):", "{height} mm から{rule}、{foam}（{status}）："},
+     "from {height} mm{rule}, in {foam} ({status}):", "{height} mm から{rule}、{foam}（{status}）："},
     {"summary.drop_rule", ", height from {rule}; not a test of it", "、{rule} の高さ（試験ではありません）"},
     {"summary.drop_rule/unverified",
      ", height as {rule} is said to have it, which is not verified; not a test of it",

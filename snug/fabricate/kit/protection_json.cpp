@@ -10,17 +10,20 @@
 
 #include "snug/check/zone_room.h"
 #include "snug/fabricate/kit/json_values.h"
+#include "snug/fabricate/kit/shock_text.h"
+#include "snug/words/words.h"
 
 namespace snug {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// What the estimate leaves out, by words for programs.
-constexpr const char* kNotComputed[] = {"friction and shear at the rim",     "trapped air",
-                                        "what the case gives, and its play", "rebound and later drops",
-                                        "drops on corners and edges",        "temperatures other than 23 C",
-                                        "the object's own resonance",        "ageing"};
+/// By words for programs, which are the same in every language.
+Json left_out() {
+    Json list = Json::array();
+    for (const Message& what : not_computed()) list.push_back(text(what));
+    return list;
+}
 
 Json material_json(const FoamMaterial& foam) {
     return {{"name", foam.name},
@@ -150,7 +153,7 @@ Json protection_json(const Protection& all) {
     }
     json["zones"] = Json::array();
     for (const ZoneReport& zone : all.zones) json["zones"].push_back(zone_json(zone));
-    json["not_computed"] = kNotComputed;
+    json["not_computed"] = left_out();
     return json;
 }
 

@@ -38,6 +38,18 @@ std::vector<Message> face_texts(const Protection& all) {
     return texts;
 }
 
+std::vector<Message> not_computed() {
+    return {say("not_computed.rim"),       say("not_computed.air"),     say("not_computed.case"),
+            say("not_computed.rebound"),   say("not_computed.corners"), say("not_computed.cold"),
+            say("not_computed.resonance"), say("not_computed.ageing")};
+}
+
+Message curve_text(const FoamMaterial& foam) {
+    if (foam.curve.empty()) return as_it_is("-");
+    return say(foam.dynamic() ? "list.curve_of_drops" : "list.curve_of_pressing",
+               {{"percent", number(foam.curve.back().strain * 100, 0)}});
+}
+
 Message status_text(FoamStatus status) {
     constexpr const char* kCodes[] = {"foam_status.measured", "foam_status.sheet", "foam_status.model",
                                       "foam_status.unverified"};

@@ -14,6 +14,12 @@ namespace snug {
 /// "on its back 34 to 49 G, 21 mm deep", of the item that is worst off on each face, or what is missing.
 [[nodiscard]] std::vector<Message> face_texts(const Protection& protection);
 
+/// What the estimate leaves out: "trapped air".
+[[nodiscard]] std::vector<Message> not_computed();
+
+/// What is known of how a foam pushes back: "to 60 %, pressed slowly"; "-" where nothing is.
+[[nodiscard]] Message curve_text(const FoamMaterial& foam);
+
 /// "maker's sheet"
 [[nodiscard]] Message status_text(FoamStatus status);
 
