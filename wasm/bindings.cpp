@@ -14,6 +14,7 @@
 #include "snug/samples/samples.h"
 
 #include "wasm/projects.h"
+#include "wasm/protection_values.h"
 #include "wasm/scene_tools.h"
 #include "wasm/session.h"
 #include "wasm/values.h"
@@ -118,6 +119,7 @@ EMSCRIPTEN_BINDINGS(snug) {
     function("projectText", &bound::project_text);
     function("commandLine", &bound::command_line_text);
     function("optionsSchema", &snug::options_schema);
+    function("protectionChoices", &bound::protection_choices);
     function("samples", &bound::samples);
     function("sampleFile", &bound::sample_file);
     function("make", &bound::make);
@@ -129,6 +131,8 @@ EMSCRIPTEN_BINDINGS(snug) {
         .function("mesh", &bound::Session::mesh)
         .function("pack", &bound::Session::pack)
         .function("gaps", &bound::Session::gaps)
+        .function("drops", &bound::Session::drops)
+        .function("protectingWalls", &bound::Session::protecting_walls)
         .function("distances", &bound::Session::distances)
         .function("startSearch", &bound::Session::start_search)
         .function("searchStep", &bound::Session::search_step)

@@ -6,15 +6,18 @@
 #include <utility>
 
 #include "snug/base/stopwatch.h"
+#include "snug/check/protection.h"
 #include "snug/design/options_schema.h"
 #include "snug/formats/read_object.h"
 #include "snug/make.h"
+#include "snug/search/protecting_walls.h"
 #include "snug/search/rank_cases.h"
 #include "snug/search/search_design.h"
 #include "snug/space/place_items.h"
 
 #include "wasm/arrangements.h"
 #include "wasm/projects.h"
+#include "wasm/protection_values.h"
 #include "wasm/scene_tools.h"
 #include "wasm/workshop_values.h"
 
@@ -176,6 +179,29 @@ val Session::gaps(const val& progress) {
     val result = to_val(*measured->gap, measured->layer_gaps);
     result.set("bearing", to_val(*measured->bearing, packed_));
     result.set("findings", to_val(packing.findings, packing.items));
+    return result;
+}
+
+val Session::drops() {
+    if (!packing_ || !packing_->foams) return to_val(kNoFoams);
+    Packing packing = *packing_;
+    packing.findings.clear();  // those of drops alone are told
+    const auto found = protection(store_.objects(), packing, packed_);
+    return found ? to_val(*found, packing) : to_val(found.error());
+}
+
+val Session::protecting_walls(const std::string& design, const val& objects, const val& progress) {
+    auto project = lay_out(design, objects);
+    if (!project) return to_val(project.error());
+    for (Object& object : store_.objects()) prepare_for_many(object);
+    KeptDepths kept;
+    const auto pack_it = [&](const Design& tried) { return snug::pack(store_.objects(), tried, {}, &kept); };
+    const auto walls =
+        snug::protecting_walls(store_.objects(), project->design, pack_it, progress_from(progress));
+    if (!walls) return to_val(walls.error());
+    project->design.space.wall_mm = *walls;
+    val result = val::object();
+    result.set("design", design_json(project->design));
     return result;
 }
 

@@ -43,6 +43,10 @@ class Session {
     val pack(const std::string& design, const val& objects);
     /// Of the last packing: its gaps, what the objects lie on, and all findings.
     [[nodiscard]] val gaps(const val& progress);
+    /// What the items of the last packing meet in a drop.
+    [[nodiscard]] val drops();
+    /// {design}: with the walls that the design asks for (protecting_walls.h).
+    val protecting_walls(const std::string& design, const val& objects, const val& progress);
     /// Of points (x, y, z after each other, design coordinates) from the surface of the last packing's
     /// objects.
     val distances(const val& points);
