@@ -131,9 +131,10 @@ export function withParting(design: Design, level: Design['parting']['level']): 
   return {...design, parting: {level}};
 }
 
-/** A tray, whose surface follows how deep its items are sunk; null: foams that close. */
+/** A tray, whose surface follows how deep its items are sunk, and which is not dropped; null: foams that close. */
 export function withTray(design: Design, open: Design['space']['open']): Design {
-  return withParting({...design, space: {...design.space, open}}, 'auto');
+  const protection = open === null ? design.protection : {...design.protection, height_mm: null, rule: null};
+  return withParting({...design, space: {...design.space, open}, protection}, 'auto');
 }
 
 export function withCap(design: Design, cap: boolean): Design {
@@ -190,7 +191,7 @@ export function firstDesign(defaults: Design, object = defaults.object): Design 
 
 /** What a fresh object starts with. To the person belongs how they work: the foam and its blocks, the way of working
  *  with its machines and prices, what a search looks for. To the object belongs all that was chosen to hold or to
- *  place it: walls, case, tray, clearance, notches, which axis is up, what it weighs. The latter begins anew, with the
+ *  place it: walls, case, tray, clearance, notches, which axis is up, what it weighs and bears. The latter begins anew, with the
  *  foam's own clearance, so that a thin wall for a ring never holds the next vase. */
 export function forNewObject(design: Design, defaults: Design, presets: readonly Preset[]): Design {
   const preset = presets.find(({name}) => name === design.space.preset);
@@ -206,6 +207,7 @@ export function forNewObject(design: Design, defaults: Design, presets: readonly
     fit: {...design.fit, notches: null},
     case: {...defaults.case, play_mm, division},
     search: {...design.search, upright: null},
+    protection: {...design.protection, fragility_g: null, fragility: null, centre_mm: null},
     workshop: {...design.workshop, mass_kg: null},
   };
 }

@@ -214,8 +214,13 @@ function alone(moment: Moment): Moment {
       ...design,
       object: objects[0]?.own ?? design.object,
       placement: {rotation_deg: item.rotation_deg ?? placement.rotation_deg, offset_mm: offset},
-      items: [{...item, rotation_deg: null, offset_mm: null, clearance_mm: null, mass_kg: null, lock: false}],
+      items: [{...item, rotation_deg: null, offset_mm: null, clearance_mm: null, mass_kg: null, centre_mm: null, fragility_g: null, lock: false}],
       cut: {...design.cut, clearance_mm},
+      protection: {
+        ...design.protection,
+        centre_mm: item.centre_mm ?? design.protection.centre_mm,
+        ...(item.fragility_g === null ? {} : {fragility_g: item.fragility_g, fragility: null}),
+      },
       workshop: {...design.workshop, mass_kg: item.mass_kg ?? design.workshop.mass_kg},
     },
   };

@@ -5,6 +5,7 @@ import type {BrickRange, Design, KnownCase, Preset, Triple} from '../design/desi
 import type {ObjectUse} from '../design/moment';
 import type {Dependent, Schema} from '../design/options';
 import type {Pair} from '../words/words';
+import type {DropChoices, Drops} from './drops';
 
 /** A file that came with the object. */
 export interface BesideFile {
@@ -280,6 +281,7 @@ export interface Engine {
   defaultDesign(): Promise<Design>;
   presets(): Promise<Preset[]>;
   bricks(): Promise<BrickRange>;
+  dropChoices(): Promise<DropChoices>;
   /** The table of options. */
   options(): Promise<Schema>;
   /** The objects that Snug generates itself, by name. */
@@ -323,6 +325,14 @@ export interface Engine {
   pack(design: Design, objects?: readonly ObjectUse[]): Promise<Packing | Failure>;
   /** Of the last packing. Cancelled by cancel(). */
   gaps(onProgress?: OnProgress): Promise<Gap | Failure>;
+  /** What the items of the last packing meet in a drop. */
+  drops(): Promise<Drops | Failure>;
+  /** The design with the walls that hold what it asks for in a drop. Cancelled by cancel(). */
+  protectingWalls(
+    design: Design,
+    onProgress?: OnProgress,
+    objects?: readonly ObjectUse[],
+  ): Promise<{design: Design} | Failure>;
   /** How far points (x, y, z after each other, design coordinates) lie from the surface of the objects in the last
    *  packing. */
   distances(points: Float32Array<ArrayBuffer>): Promise<Float32Array<ArrayBuffer> | Failure>;

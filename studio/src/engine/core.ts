@@ -1,10 +1,8 @@
-import type {ArrangementText, GivenObject, Pack, SceneTools, Session, SnugModule} from 'snug-wasm/snug.mjs';
+import type {GivenObject, Pack, SceneTools, Session, SnugModule} from 'snug-wasm/snug.mjs';
 import type {BrickRange, Design, Preset} from '../design/design';
 import type {ObjectUse} from '../design/moment';
 import type {Dependent, Schema} from '../design/options';
 import type {
-  Arranged,
-  ArrangedText,
   Arrangement,
   ArrangeStep,
   BesideFile,
@@ -25,11 +23,10 @@ import type {
   WorkshopFigures,
 } from './api';
 import {simplified} from './display_mesh';
+import {readChoices, type DropChoices, type Drops} from './drops';
 import {brokenModule, isFailure} from './failure';
+import {arranged, listeners, throttled} from './listeners';
 import {sha256} from './sha256';
-
-// Often enough for a progress bar.
-const PROGRESS_EVERY_MS = 50;
 
 const NO_FILE: ObjectFile = {name: '', bytes: 0, sha256: ''};
 
@@ -88,6 +85,10 @@ export class EngineCore {
 
   async bricks(): Promise<BrickRange> {
     return this.#snug.bricks();
+  }
+
+  async dropChoices(): Promise<DropChoices> {
+    return readChoices(this.#snug.protectionChoices());
   }
 
   async options(): Promise<Schema> {
@@ -209,6 +210,16 @@ export class EngineCore {
     return guarded(() => this.#session.gaps(throttled(onProgress)));
   }
 
+  async drops(): Promise<Drops | Failure> {
+    return guarded(() => this.#session.drops());
+  }
+
+  /** Blocks its thread until it is done. */
+  async protectingWalls(design: Design, onProgress?: OnProgress, objects?: Objects): Promise<{design: Design} | Failure> {
+    const given = await this.#given(objects);
+    return designOf(guarded(() => this.#session.protectingWalls(JSON.stringify(design), given, throttled(onProgress))));
+  }
+
   /** Of the last packing. Builds the search tree of the object at the first call. */
   async distances(points: Float32Array): Promise<Float32Array<ArrayBuffer> | Failure> {
     return guarded(() => this.#session.distances(points));
@@ -238,8 +249,7 @@ export class EngineCore {
     objects?: Objects,
   ): Promise<{design: Design} | Failure> {
     const given = await this.#given(objects);
-    const fitted = guarded(() => this.#session.fitCase(JSON.stringify(design), given, throttled(onProgress)));
-    return isFailure(fitted) ? fitted : {design: JSON.parse(fitted.design) as Design};
+    return designOf(guarded(() => this.#session.fitCase(JSON.stringify(design), given, throttled(onProgress))));
   }
 
   /** Blocks its thread until it is done. */
@@ -338,34 +348,12 @@ function guarded<T>(call: () => T): T | Failure {
   }
 }
 
+function designOf(found: {design: string} | Failure): {design: Design} | Failure {
+  return isFailure(found) ? found : {design: JSON.parse(found.design) as Design};
+}
+
 function told<T extends object>({ended: _, ...step}: T & {ended: boolean}): T {
   return step as unknown as T;
-}
-
-function throttled(onProgress?: OnProgress): ((fraction: number) => boolean) | null {
-  if (!onProgress) return null;
-  let told = performance.now();
-  return (fraction) => {
-    const now = performance.now();
-    if (now - told >= PROGRESS_EVERY_MS) {
-      told = now;
-      onProgress(fraction);
-    }
-    return true;
-  };
-}
-
-function listeners(onStep: (step: ArrangeStep) => void) {
-  let fraction = 0;
-  const progress = throttled((share) => onStep({fraction: (fraction = share), better: null}));
-  return {progress, better: (design: string) => onStep({fraction, better: JSON.parse(design) as Design})};
-}
-
-function arranged(answer: ArrangementText | Failure): Arrangement | Failure {
-  if (isFailure(answer)) return answer;
-  const read = (choice: ArrangedText): Arranged => ({...choice, design: JSON.parse(choice.design) as Design});
-  const choices = answer.choices.map(read);
-  return {design: choices[0]!.design, choices};
 }
 
 function withoutFolders(name: string): string {

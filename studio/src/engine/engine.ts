@@ -1,7 +1,6 @@
 import {proxy} from 'comlink';
 import type {Design} from '../design/design';
 import {firstDesign} from '../design/edit';
-import type {ObjectUse} from '../design/moment';
 import {failures} from '../words/failures';
 import type {
   Arrangement,
@@ -22,8 +21,10 @@ import type {
   SearchStep,
   WorkshopFigures,
 } from './api';
+import type {Drops} from './drops';
 import {brokenModule, CANCELLED, failure, isFailure} from './failure';
 import {latest} from './latest';
+import {copied, loadAgain, sent, type Kept, type Objects} from './sent';
 import type {CoreHandle} from './worker_link';
 
 export interface EngineOptions {
@@ -41,17 +42,6 @@ export async function createEngine(options: EngineOptions): Promise<Engine> {
 }
 
 const SUPERSEDED = failure('cancelled', failures.failures.superseded);
-
-type Objects = readonly ObjectUse[] | undefined;
-
-/** What a new core needs of an object. A Blob lies outside the page's memory. */
-interface Kept {
-  id: string;
-  name: string;
-  content: Blob;
-  options: Design['object'];
-  beside: readonly BesideFile[];
-}
 
 /** Two cores: one answers while sliders move; the other, started when it is first needed, does what takes long,
  *  so that the first stays free and the second can be ended in the middle. */
@@ -85,6 +75,7 @@ class PageEngine implements Engine {
   defaultDesign = () => this.#quickly((core) => core.defaultDesign()).then(orThrow);
   presets = () => this.#quickly((core) => core.presets()).then(orThrow);
   bricks = () => this.#quickly((core) => core.bricks()).then(orThrow);
+  dropChoices = () => this.#quickly((core) => core.dropChoices()).then(orThrow);
   options = () => this.#quickly((core) => core.options()).then(orThrow);
   samples = () => this.#quickly((core) => core.samples()).then(orThrow);
   sampleFile = (name: string) => this.#quickly((core) => core.sampleFile(name));
@@ -261,6 +252,13 @@ class PageEngine implements Engine {
     return this.#slowly('outputs', (core) => core.fitCase(plain, onProgress && proxy(onProgress), uses));
   }
 
+  drops = (): Promise<Drops | Failure> => this.#quickly((core) => core.drops());
+
+  protectingWalls(design: Design, onProgress?: OnProgress, objects?: Objects): Promise<{design: Design} | Failure> {
+    const [plain, uses] = sent(design, objects);
+    return this.#slowly('outputs', (core) => core.protectingWalls(plain, onProgress && proxy(onProgress), uses));
+  }
+
   rankCases(design: Design, objects?: Objects): Promise<CaseRanking | Failure> {
     const [plain, uses] = sent(design, objects);
     return this.#quickly((core) => core.rankCases(plain, uses));
@@ -368,25 +366,6 @@ class PageEngine implements Engine {
     this.#slow = null;
     this.#slowWork = {gaps: 0, searches: 0, outputs: 0};
   }
-}
-
-/** What came of the last one; of the first that failed. */
-async function loadAgain(core: CoreHandle['core'], kept: readonly Kept[]): Promise<ObjectInfo | Failure | null> {
-  let answer: ObjectInfo | Failure | null = null;
-  for (const {id, name, content, options, beside} of kept) {
-    answer = await core.load(name, content, options, beside, {id, joins: true});
-    if (isFailure(answer)) break;
-  }
-  return answer;
-}
-
-/** As it is now, and as a plain value: a page's reactive state cannot be sent to a worker. */
-function copied<T>(value: T): T {
-  return JSON.parse(JSON.stringify(value)) as T;
-}
-
-function sent(design: Design, objects: Objects): [Design, Objects] {
-  return [copied(design), objects && copied(objects)];
 }
 
 function orThrow<T>(answer: T | Failure): T {

@@ -16,6 +16,7 @@ declare module 'snug-wasm/snug.mjs' {
     SearchStep,
     WorkshopFigures,
   } from './api';
+  import type {DropChoicesText, Drops} from './drops';
 
   type Progress = ((fraction: number) => boolean) | null;
   type BetterDesign = ((design: string) => void) | null;
@@ -61,6 +62,8 @@ declare module 'snug-wasm/snug.mjs' {
     /** `dependent`: a JSON text. */
     pack(design: string, objects: GivenObject[]): (Omit<Packing, 'dependent'> & {dependent: string}) | Failure;
     gaps(progress: Progress): Gap | Failure;
+    drops(): Drops | Failure;
+    protectingWalls(design: string, objects: GivenObject[], progress: Progress): {design: string} | Failure;
     distances(points: Float32Array): Float32Array<ArrayBuffer> | Failure;
     startSearch(design: string, objects: GivenObject[]): (SearchStep & {ended: boolean}) | Failure;
     searchStep(): (SearchStep & {ended: boolean}) | Failure;
@@ -81,6 +84,8 @@ declare module 'snug-wasm/snug.mjs' {
     defaultDesign(): string;
     presets(): Preset[];
     bricks(): BrickRange;
+    /** A foam's `design`: a JSON text. */
+    protectionChoices(): DropChoicesText;
     samples(): string[];
     sampleFile(name: string): OutputFile | Failure;
     parseProject(text: string): {objects: {name: string; bytes: number; sha256: string; own: string | null}[]; design: string; dependent: string} | Failure;

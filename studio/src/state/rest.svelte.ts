@@ -1,4 +1,6 @@
 const REST_MS = 900;
+/** Above this a gap report takes long enough that it is made only when asked for. */
+const BY_ITSELF = 200_000;
 
 /** What happens by itself when nobody changes anything. */
 export class Rest {
@@ -6,8 +8,10 @@ export class Rest {
   comes = $state(false);
   #timer: ReturnType<typeof setTimeout> | undefined;
 
-  begin(run: () => Promise<void>): void {
+  begin(objects: readonly {triangles: number}[], run: () => Promise<void>): void {
     this.stop();
+    const triangles = objects.reduce((sum, object) => sum + object.triangles, 0);
+    if (objects.length === 0 || triangles > BY_ITSELF) return;
     this.comes = true;
     const timer = setTimeout(async () => {
       await run();

@@ -9,6 +9,7 @@ import type {Pair} from '../words/words';
 import {Arrangements} from './arrangements.svelte';
 import type {StoredObject} from './autosave';
 import {commanded, type Commanded} from './commanded';
+import {DropsOnScreen} from './drops.svelte';
 import {factsOf, type Facts} from './facts';
 import {gravestFirst} from './findings';
 import {Keeping} from './keeping.svelte';
@@ -21,9 +22,6 @@ import {Placements} from './placements.svelte';
 import {Readings} from './readings';
 import {Rest} from './rest.svelte';
 import type {Works} from './works.svelte';
-
-/** Above this a gap report takes long enough that it is made only when asked for. */
-const GAPS_BY_THEMSELVES = 200_000;
 
 /** Refusals that no later change of a control answers: they stay until they are read. */
 const LASTING: readonly string[] = ['object', 'project', 'make'];
@@ -74,8 +72,9 @@ export class Studio {
   unitLater = $state(false);
   /** What the way of working adds; null while it is being looked at. */
   workshopFindings: readonly Finding[] | null = $state.raw([]);
+  readonly drops: DropsOnScreen;
   /** All that is known to say about the foams, the worst first. */
-  findings = $derived(gravestFirst([...(this.gap ?? this.packing)?.findings ?? [], ...(this.workshopFindings ?? [])]));
+  findings = $derived.by(() => gravestFirst([...(this.gap ?? this.packing)?.findings ?? [], ...this.drops.findings, ...(this.workshopFindings ?? [])]));
   canUndo = $derived(canUndo(this.#history));
   canRedo = $derived(canRedo(this.#history));
 
@@ -115,6 +114,7 @@ export class Studio {
     this.presets = facts.presets;
     this.bricks = facts.bricks;
     this.options = new Options(facts.rows, () => this.design);
+    this.drops = new DropsOnScreen(this, facts.drops);
     this.samples = facts.samples;
     this.version = facts.version;
     this.moment = momentOf(firstDesign(facts.defaults), null);
@@ -392,9 +392,6 @@ export class Studio {
 
   /** What may take its time happens when nobody changes anything. */
   #rest() {
-    this.#resting.stop();
-    const triangles = this.objects.reduce((sum, object) => sum + object.triangles, 0);
-    if (this.#shown.none || triangles > GAPS_BY_THEMSELVES) return;
-    this.#resting.begin(this.measureGaps);
+    this.#resting.begin(this.objects, this.measureGaps);
   }
 }

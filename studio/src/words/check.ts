@@ -128,7 +128,6 @@ export const check = words({
     bearingSunk: (mm: number) => [`sunk ${mm} mm`, `沈み ${mm} mm`],
     pressure: ['Pressure at rest', '静止時の圧力'],
     creep: (kpa: string) => [`The foam bears ${kpa} for long.`, `このフォームが長く耐えるのは ${kpa} までです。`],
-    drops: ['Drops were not checked.', '落下は確かめていません。'],
     gapMeasure: ['Measure the gaps', 'すきまを測る'],
     gapColours: ['Colour the foam by its distance to the object', '対象物までの距離でフォームを色分け'],
     gapColoursTip: [

@@ -144,6 +144,13 @@ export const fields = {
       name: ['Object weighs', '対象物の重さ'],
       tip: ['For the packing sheet and the pressure on the foam; 0: not known', '梱包票とフォームにかかる圧力のため。0 なら不明。'],
     },
+    'items.0.fragility_g': {
+      name: ['Bears', '耐える衝撃'],
+      tip: [
+        'The greatest shock in a drop that this one bears, in G. 0: as is chosen for all in step 4.',
+        'これだけの、落下で耐えられる最大の衝撃（G）。0 なら手順4で選んだ値。',
+      ],
+    },
     'workshop.sheets.thickness_mm': {
       name: ['Sheet', 'シート'],
       tip: ['Thickness: a block’s depth, a whole part of it, or a multiple', '厚さ：ブロックの深さ、その整数分の一、または倍数'],

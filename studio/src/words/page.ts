@@ -82,6 +82,7 @@ export const page = words({
     search: ['Looking for the best placement …', '最良の配置を探索中 …'],
     arrange: ['Arranging …', '並べ方を探索中 …'],
     map: ['Looking in every direction …', 'すべての方向を調査中 …'],
+    walls: ['Choosing the walls …', '壁の厚さを決めています …'],
     make: ['Making the files …', 'ファイルを作成中 …'],
     cancel: ['Cancel', '中止'],
   },

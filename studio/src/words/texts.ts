@@ -1,4 +1,5 @@
 import {check} from './check';
+import {drops} from './drops';
 import {failures} from './failures';
 import {fields} from './fields';
 import {files} from './files';
@@ -14,7 +15,7 @@ import {spoken, words} from './words';
 import {workshop} from './workshop';
 
 /** Every text of the studio. Sentences of the library come from the library. */
-export const ALL = words({...page, ...object, ...items, ...foam, ...pieces, ...workshop, ...placement, ...check, ...make, ...views, ...files, ...failures, ...fields});
+export const ALL = words({...page, ...object, ...items, ...foam, ...pieces, ...workshop, ...placement, ...check, ...drops, ...make, ...views, ...files, ...failures, ...fields});
 
 export const en = spoken(ALL, 0);
 export const ja = spoken(ALL, 1);

@@ -1,0 +1,70 @@
+import type {Moment} from '../design/moment';
+import type {Engine, Failure, Finding, Packing} from '../engine/api';
+import type {DropChoices, Drops} from '../engine/drops';
+import {isFailure} from '../engine/failure';
+import type {Work} from './on_the_page';
+
+/** What is dropped. */
+interface Pack {
+  readonly engine: Engine;
+  readonly moment: Moment;
+  readonly packing: Packing | null;
+  becomes(next: Moment, control: string): void;
+  refuse(control: string, text: Failure['error']): void;
+  long<T>(work: Work, run: (onProgress: (fraction: number) => void) => Promise<T>): Promise<T>;
+}
+
+/** So long nothing may have changed: a slider that moves needs the library for itself. */
+const STILL_MS = 150;
+
+/** What the pack on the screen meets in a drop, and the walls that are chosen for it. */
+export class DropsOnScreen {
+  readonly choices: DropChoices;
+  readonly #pack: Pack;
+  #found = $state.raw<{of: Packing; drops: Drops} | null>(null);
+  /** They are of the foams on the screen. */
+  current = $derived.by(() => this.#found !== null && this.#found.of === this.#pack.packing);
+
+  constructor(pack: Pack, choices: DropChoices) {
+    this.#pack = pack;
+    this.choices = choices;
+  }
+
+  /** Anything was asked that drops, or a rest, could answer. */
+  get wanted(): boolean {
+    const {foam, height_mm, rule} = this.#pack.moment.design.protection ?? {};
+    return foam != null || height_mm != null || rule != null;
+  }
+
+  /** The last that were estimated, of what was there just before where they are not `current`. */
+  get last(): Drops | null {
+    return this.wanted && this.#pack.packing?.fit ? (this.#found?.drops ?? null) : null;
+  }
+
+  /** What is missing is said where it is entered. */
+  get findings(): readonly Finding[] {
+    return (this.current && this.last ? this.last.findings : []).filter(({code}) => code !== 'no_shock');
+  }
+
+  /** Looks a little after a change; the function that it gives stops that. */
+  lookSoon(): () => void {
+    if (!this.wanted || !this.#pack.packing?.fit) return () => {};
+    const timer = setTimeout(() => void this.look(), STILL_MS);
+    return () => clearTimeout(timer);
+  }
+
+  async look(): Promise<void> {
+    const {packing, engine} = this.#pack;
+    if (!packing?.fit || !this.wanted) return;
+    const drops = await engine.drops();
+    if (!isFailure(drops) && packing === this.#pack.packing) this.#found = {of: packing, drops};
+  }
+
+  /** The walls that what lies in the case needs. */
+  chooseWalls = async (): Promise<void> => {
+    const {moment, engine} = this.#pack;
+    const found = await this.#pack.long('walls', (onProgress) => engine.protectingWalls(moment.design, onProgress, moment.objects));
+    if (!isFailure(found)) this.#pack.becomes({...moment, design: found.design}, '');
+    else if (found.kind !== 'cancelled') this.#pack.refuse('walls', found.error);
+  };
+}
