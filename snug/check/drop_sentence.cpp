@@ -9,10 +9,8 @@ namespace snug {
 namespace {
 
 Message shock_text(const FaceShock& face, const ItemProtection& item, const std::string& cm) {
-    const Message drop = say("drop.g", {{"cm", cm},
-                                        {"fallen", fallen_on(face.face)},
-                                        {"low", number(*face.g_low, 0)},
-                                        {"high", number(*face.g_high, 0)}});
+    const Message drop =
+        say("drop.g", {{"cm", cm}, {"fallen", fallen_on(face.face)}, {"range", drop_range(face)}});
     if (!item.asked_g) return drop;
     const std::string asked = number(*item.asked_g, 0);
     if (verdict_on(face, item) == DropVerdict::over)
@@ -36,6 +34,21 @@ DropVerdict verdict_on(const FaceShock& face, const ItemProtection& item) {
     if (!face.g_low || !face.g_high) return DropVerdict::unknown;
     if (!item.asked_g) return DropVerdict::unasked;
     return *face.g_high > *item.asked_g ? DropVerdict::over : DropVerdict::within;
+}
+
+bool is_enough(const FaceShock& face, const ItemProtection& item) {
+    const DropVerdict verdict = verdict_on(face, item);
+    return verdict == DropVerdict::within || verdict == DropVerdict::unasked;
+}
+
+Message drop_range(const FaceShock& face) {
+    if (face.bottoms || face.why_none == NoShock::bottoms) return say("summary.drop_bottoms");
+    if (!face.g_low || !face.g_high) return say("summary.drop_none");
+    return say("drop.range", {{"low", number(*face.g_low, 0)}, {"high", number(*face.g_high, 0)}});
+}
+
+Message drop_depth(const FaceShock& face) {
+    return say("drop.deep", {{"mm", number(*face.travel_mm, 0)}});
 }
 
 Message drop_sentence(const FaceShock& face, const ItemProtection& item, const Protection& all) {

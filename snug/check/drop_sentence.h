@@ -25,6 +25,15 @@ struct Names<DropVerdict> {
 };
 [[nodiscard]] DropVerdict verdict_on(const FaceShock& face, const ItemProtection& item);
 
+/// Whether it is shown, or nothing was asked.
+[[nodiscard]] bool is_enough(const FaceShock& face, const ItemProtection& item);
+
+/// "34 to 49 G", or that there is no such figure.
+[[nodiscard]] Message drop_range(const FaceShock& face);
+
+/// "21 mm deep", of a drop that has a travel.
+[[nodiscard]] Message drop_depth(const FaceShock& face);
+
 /// "from 76 cm on its back: about 34 to 49 G; you asked for 40: not shown to be enough", or why there is no
 /// such figure.
 [[nodiscard]] Message drop_sentence(const FaceShock& face, const ItemProtection& item, const Protection& all);

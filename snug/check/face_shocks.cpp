@@ -187,7 +187,7 @@ FaceShock shock_of(const FaceTask& task, const Stops& stops, const Box3d& bounds
     return shock;
 }
 
-bool is_enough(const FaceShock& shock, double asked_g) {
+bool holds(const FaceShock& shock, double asked_g) {
     return shock.g_high && *shock.g_high <= asked_g;
 }
 
@@ -241,7 +241,7 @@ class AxisDrops {
                 shock_of(task, stops_on(task.cushioned(), task, curves_), packing_.items[i].placement.bounds);
             face.bottoms_itself = face.bottoms;
             face.force = force_on_the_way(task.cushioned(), curves_.given, kForceSteps);
-            if (item.asked_g && !is_enough(face, *item.asked_g))
+            if (item.asked_g && !holds(face, *item.asked_g))
                 face.more_foam_mm = more_foam(task, curves_, *item.asked_g);
         }
     }

@@ -199,7 +199,7 @@ double lay_out(std::vector<Book>& books, const DesignSpace& space) {
 }  // namespace
 
 Drawing preview_drawing(const Foams& foams, const DesignSpace& space, std::span<const PreviewLayer> layers,
-                        const std::string& caption, Language language) {
+                        const std::string& caption, Language language, const PreviewFalls* falls) {
     std::vector<Book> books;
     for (std::size_t i = 0; i < layers.size(); ++i)
         books.push_back(opened_book(foams, space, static_cast<int>(i), layers[i]));
@@ -230,12 +230,17 @@ Drawing preview_drawing(const Foams& foams, const DesignSpace& space, std::span<
                              {foams.at(layer), foams.at(layer + 1), books[i].lid.has_value()}, space, end,
                              language);
     }
+    if (falls) {
+        std::vector<FallingMesh> meshes;
+        for (const PreviewLayer& layer : layers) meshes.push_back({layer.mesh, layer.placement});
+        end += draw_falls(canvas, fall_pictures(foams, space, meshes), *falls, end, language);
+    }
     return canvas.finish({kPageWidth, end});
 }
 
 std::string preview_svg(const Foams& foams, const DesignSpace& space, std::span<const PreviewLayer> layers,
-                        const std::string& caption, Language language) {
-    return drawing_svg(preview_drawing(foams, space, layers, caption, language));
+                        const std::string& caption, Language language, const PreviewFalls* falls) {
+    return drawing_svg(preview_drawing(foams, space, layers, caption, language, falls));
 }
 
 std::string preview_svg(const Foams& foams, const DesignSpace& space, const Mesh& mesh,

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 
 #include "snug/base/stopwatch.h"
 #include "snug/base/text.h"
 #include "snug/drawing/page_builder.h"
 #include "snug/fabricate/kit/piece_names.h"
+#include "snug/fabricate/kit/shock_text.h"
 #include "snug/formats/mesh_files.h"
 #include "snug/picture/preview.h"
 #include "snug/solid/solid.h"
@@ -91,9 +93,13 @@ Result<void> make_output_files(std::span<const Object> objects, const Project& p
         layers.push_back({meshes[i].mesh(), meshes[i].placement(),
                           made.fit.gap ? &made.fit.layer_gaps[i] : nullptr,
                           numbered_places(packing.items, static_cast<int>(i) + 1)});
-    const std::string preview =
-        preview_svg(foams, packing.space, layers,
-                    text(caption(packing, names_of_items(project)), made.language), made.language);
+    const auto& drops = packing.protection;
+    const auto falls = drops && drops->drop_mm && drops->foam
+                           ? std::optional(PreviewFalls{*drops, text(drop_text(*drops), made.language)})
+                           : std::nullopt;
+    const std::string preview = preview_svg(foams, packing.space, layers,
+                                            text(caption(packing, names_of_items(project)), made.language),
+                                            made.language, falls ? &*falls : nullptr);
     if (auto done = take(text_file("preview.svg", preview)); !done) return done;
     return take(text_file("project.snug.json", project_json(project)));
 }

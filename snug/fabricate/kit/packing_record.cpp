@@ -2,6 +2,7 @@
 
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "snug/base/text.h"
@@ -31,6 +32,18 @@ void draw_this_way_up(PageBuilder& page, Vec2d corner) {
     }
     page.loops(arrows, kInk);
     page.rectangle(corner + Vec2d{0, kArrowsHeight - 1.4}, {14, 1.4}, kInk);
+}
+
+/// A glass with a crack, likewise ("fragile").
+void draw_fragile(PageBuilder& page, Vec2d corner) {
+    // On a square of 100 x 100, the crack from the rim down into the bowl.
+    const std::vector<Vec2d> glass{{22, 0},  {42, 0},  {37, 14}, {49, 25},  {42, 40},  {53, 24},
+                                   {42, 13}, {50, 0},  {78, 0},  {78, 24},  {74, 40},  {66, 50},
+                                   {55, 55}, {55, 84}, {74, 90}, {74, 100}, {26, 100}, {26, 90},
+                                   {45, 84}, {45, 55}, {34, 50}, {26, 40},  {22, 24}};
+    std::vector<Vec2d> loop;
+    for (const Vec2d point : glass) loop.push_back(corner + point * (kArrowsHeight / 100));
+    page.loops({std::move(loop)}, kInk);
 }
 
 void draw_ways(PageFlow& flow, const PackingRecord& record) {
@@ -80,7 +93,12 @@ void draw_packing_record(PageFlow& flow, const PackingRecord& record) {
     draw_lines(flow, record);
     const Vec2d corner = flow.room(kArrowsHeight + 5);
     draw_this_way_up(flow.page(), corner + Vec2d{0, 3});
-    flow.page().text(corner + Vec2d{18, 3 + kArrowsHeight / 2 + 1.2}, say("packing.record_up"), kLabel);
+    double right = 18;  // mm
+    if (record.fragile) {
+        draw_fragile(flow.page(), corner + Vec2d{right, 3});
+        right += kArrowsHeight + 4;
+    }
+    flow.page().text(corner + Vec2d{right, 3 + kArrowsHeight / 2 + 1.2}, say("packing.record_up"), kLabel);
 }
 
 }  // namespace snug

@@ -11,6 +11,7 @@ namespace snug {
 struct PackingRecord {
     std::size_t items = 1;             ///< to be counted
     std::optional<double> content_kg;  ///< of items and foam; none where either is not known
+    bool fragile = false;              ///< a drop was asked for: the case is marked so
 };
 
 /// Lines for who packed and unpacked it when, how many items there were and in what condition, the gross

@@ -10,6 +10,7 @@
 #include "snug/base/text.h"
 #include "snug/drawing/page_builder.h"
 #include "snug/fabricate/kit/block_names.h"
+#include "snug/fabricate/kit/drop_pictures.h"
 #include "snug/fabricate/kit/finger_room.h"
 #include "snug/fabricate/kit/packing_record.h"
 #include "snug/fabricate/kit/shock_text.h"
@@ -274,8 +275,10 @@ void tell_drops(PageFlow& flow, const PackedObject& packed) {
     if (!drops_are_told(packed)) return;
     flow.heading(say("packing.drops"));
     flow.paragraph(drop_text(*packed.protection));
-    for (const Message& face : face_texts(*packed.protection))
-        flow.item(as_it_is("-"), face, {kBodyText, kSoftInk}, 4);
+    std::vector<FallingMesh> meshes;
+    for (const PackedItem& item : packed.items) meshes.push_back({item.mesh, item.placement});
+    draw_drop_pictures(flow, fall_pictures(packed.design.foams, packed.design.space, meshes),
+                       *packed.protection);
     flow.paragraph(say("packing.drops_claim"));
 }
 
@@ -318,7 +321,7 @@ DrawingDocument packing_sheet(const PackedObject& packed) {
     tell_zones(flow, packed);
     tell_findings(flow, packed.findings);
     tell_unchecked(flow, drops_are_told(packed));
-    draw_packing_record(flow, {packed.items.size(), content_kg(packed)});
+    draw_packing_record(flow, {packed.items.size(), content_kg(packed), drops_are_told(packed)});
     DrawingDocument document{"packing-sheet", title, flow.finish(), false};
     for (Drawing& page : document.pages) page.title = title;
     return document;

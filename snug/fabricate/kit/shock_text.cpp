@@ -1,17 +1,15 @@
 #include "snug/fabricate/kit/shock_text.h"
 
 #include "snug/base/text.h"
+#include "snug/check/drop_sentence.h"
 #include "snug/words/sides.h"
 
 namespace snug {
 namespace {
 
 Message shock_of(const FaceShock& face) {
-    if (face.bottoms || face.why_none == NoShock::bottoms) return say("summary.drop_bottoms");
-    if (!face.g_low || !face.g_high) return say("summary.drop_none");
-    return say("summary.drop_g", {{"low", number(*face.g_low, 0)},
-                                  {"high", number(*face.g_high, 0)},
-                                  {"travel", number(*face.travel_mm, 0)}});
+    if (!face.g_low || !face.g_high) return drop_range(face);
+    return say("summary.drop_g", {{"range", drop_range(face)}, {"deep", drop_depth(face)}});
 }
 
 }  // namespace
