@@ -68,8 +68,12 @@ TEST(FallPictures, ThePiecesFillTheCaseWhateverSideIsBelow) {
         const auto area = [](const Extent& e) { return (e.most.x - e.least.x) * (e.most.y - e.least.y); };
         EXPECT_NEAR(area(lower) + area(lid), picture.size.x * picture.size.y, 1e-6);
         EXPECT_NEAR(area(lower) / area(lid), 4.0 / 6, 1e-9);
-        if (picture.face == kFloor) EXPECT_GT(lower.most.y, lid.most.y);
-        if (picture.face == kRoof) EXPECT_LT(lower.most.y, lid.most.y);
+        if (picture.face == kFloor) {
+            EXPECT_GT(lower.most.y, lid.most.y);
+        }
+        if (picture.face == kRoof) {
+            EXPECT_LT(lower.most.y, lid.most.y);
+        }
     }
 }
 
