@@ -133,6 +133,7 @@ EMSCRIPTEN_BINDINGS(snug) {
         .function("gaps", &bound::Session::gaps)
         .function("drops", &bound::Session::drops)
         .function("protectingWalls", &bound::Session::protecting_walls)
+        .function("zones", &bound::Session::zones)
         .function("distances", &bound::Session::distances)
         .function("startSearch", &bound::Session::start_search)
         .function("searchStep", &bound::Session::search_step)

@@ -20,6 +20,7 @@
 #include "wasm/protection_values.h"
 #include "wasm/scene_tools.h"
 #include "wasm/workshop_values.h"
+#include "wasm/zone_values.h"
 
 namespace snug::wasm {
 namespace {
@@ -135,7 +136,11 @@ val Session::describe(int number, const std::string& design_text) {
 val Session::mesh(int number) const {
     const ObjectStore::Entry* const entry = store_.find(number);
     if (!entry) return to_val(Mesh{});
-    return to_val(entry->prepared ? store_.object_of(*entry).mesh : entry->read);
+    if (!entry->prepared) return to_val(entry->read);
+    const Object& object = store_.object_of(*entry);
+    val result = to_val(object.mesh);
+    result.set("parts", part_numbers(object));
+    return result;
 }
 
 /// The first packing should be seen at once. After it what changes may change many times: all objects, but
@@ -203,6 +208,14 @@ val Session::protecting_walls(const std::string& design, const val& objects, con
     val result = val::object();
     result.set("design", design_json(project->design));
     return result;
+}
+
+val Session::zones() {
+    if (!packing_ || !packing_->foams) return to_val(kNoFoams);
+    Packing packing = *packing_;
+    packing.findings.clear();  // those of zones alone are told
+    const auto found = protection(store_.objects(), packing, packed_);
+    return found ? zones_val(found->zones, packing) : to_val(found.error());
 }
 
 val Session::distances(const val& points) {

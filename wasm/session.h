@@ -38,7 +38,7 @@ class Session {
     /// What the design's object options make of an object.
     val describe(int number, const std::string& design);
     /// An object in mm, before the placement; as the file has it while it has no size in mm. {positions,
-    /// indices}.
+    /// indices, parts}: of each vertex the number of its part, null where there is one alone.
     [[nodiscard]] val mesh(int number) const;
     val pack(const std::string& design, const val& objects);
     /// Of the last packing: its gaps, what the objects lie on, and all findings.
@@ -47,6 +47,8 @@ class Session {
     [[nodiscard]] val drops();
     /// {design}: with the walls that the design asks for (protecting_walls.h).
     val protecting_walls(const std::string& design, const val& objects, const val& progress);
+    /// Of the last packing: what becomes of the zones of its items, {zones, findings} (zone_values.h).
+    [[nodiscard]] val zones();
     /// Of points (x, y, z after each other, design coordinates) from the surface of the last packing's
     /// objects.
     val distances(const val& points);

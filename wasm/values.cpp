@@ -5,6 +5,8 @@
 #include <variant>
 #include <vector>
 
+#include "snug/object/zone_surface.h"
+
 namespace snug::wasm {
 namespace {
 
@@ -198,6 +200,7 @@ val to_val(const Object& object, Vec3d file_size, const std::optional<Error>& re
     result.set("triangles", object.read.triangles);
     result.set("fileSize", to_val(file_size));
     result.set("size_mm", refused ? val::null() : to_val(measure.bounds.size()));
+    result.set("origin_mm", refused ? val::null() : to_val(origin_mm(object)));
     result.set("statesUnit", object.mesh.read.in_mm);
     result.set("sizeProblem", refused ? to_val(refused->message) : val::null());
     result.set("cloud", object.is_cloud());

@@ -207,7 +207,7 @@ export function forNewObject(design: Design, defaults: Design, presets: readonly
     fit: {...design.fit, notches: null},
     case: {...defaults.case, play_mm, division},
     search: {...design.search, upright: null},
-    protection: {...design.protection, fragility_g: null, fragility: null, centre_mm: null},
+    protection: {...design.protection, fragility_g: null, fragility: null, centre_mm: null, zones: defaults.protection.zones},
     workshop: {...design.workshop, mass_kg: null},
   };
 }

@@ -186,6 +186,7 @@ function spread(moment: Moment, defaults: Design): Moment {
     rotation_deg: same(rotation_deg, defaults.placement.rotation_deg) ? null : rotation_deg,
     offset_mm: same(offset_mm, defaults.placement.offset_mm) ? null : offset_mm,
     mass_kg: design.workshop.mass_kg,
+    zones: item.zones.length > 0 ? item.zones : design.protection.zones,
   };
   return {
     ...moment,
@@ -195,6 +196,7 @@ function spread(moment: Moment, defaults: Design): Moment {
       object: defaults.object,
       placement: defaults.placement,
       items: [own],
+      protection: {...design.protection, zones: []},
       workshop: {...design.workshop, mass_kg: null},
     },
   };
@@ -214,12 +216,13 @@ function alone(moment: Moment): Moment {
       ...design,
       object: objects[0]?.own ?? design.object,
       placement: {rotation_deg: item.rotation_deg ?? placement.rotation_deg, offset_mm: offset},
-      items: [{...item, rotation_deg: null, offset_mm: null, clearance_mm: null, mass_kg: null, centre_mm: null, fragility_g: null, lock: false}],
+      items: [{...item, rotation_deg: null, offset_mm: null, clearance_mm: null, mass_kg: null, centre_mm: null, fragility_g: null, zones: [], lock: false}],
       cut: {...design.cut, clearance_mm},
       protection: {
         ...design.protection,
         centre_mm: item.centre_mm ?? design.protection.centre_mm,
         ...(item.fragility_g === null ? {} : {fragility_g: item.fragility_g, fragility: null}),
+        zones: item.zones.length > 0 ? item.zones : design.protection.zones,
       },
       workshop: {...design.workshop, mass_kg: item.mass_kg ?? design.workshop.mass_kg},
     },

@@ -6,6 +6,7 @@ import type {ObjectUse} from '../design/moment';
 import type {Dependent, Schema} from '../design/options';
 import type {Pair} from '../words/words';
 import type {DropChoices, Drops} from './drops';
+import type {ZoneResults} from './zones';
 
 /** A file that came with the object. */
 export interface BesideFile {
@@ -82,6 +83,8 @@ export interface ObjectInfo {
   statesUnit: boolean;
   /** What the design makes of it; null while the size is implausible and no unit is chosen. */
   size_mm: Triple | null;
+  /** Where its (0, 0, 0) lies in the coordinates of its file, mm; null while size_mm is. */
+  origin_mm: Triple | null;
   /** Why size_mm is null: the library's sentence. */
   sizeProblem: Pair | null;
   /** Points without triangles: `vertices` counts them, and whether they are closed, volume and parts are not known. */
@@ -99,6 +102,8 @@ export interface ObjectInfo {
 export interface DisplayMesh {
   positions: Float32Array<ArrayBuffer>;
   indices: Uint32Array<ArrayBuffer>;
+  /** Of each vertex the number of its part; null where there is one alone. */
+  parts?: Uint32Array<ArrayBuffer> | null;
   /** How far the copy lies from the original, as the simplifier estimates it, in the same unit; 0 if it is the
    *  original. */
   deviation: number;
@@ -333,6 +338,8 @@ export interface Engine {
     onProgress?: OnProgress,
     objects?: readonly ObjectUse[],
   ): Promise<{design: Design} | Failure>;
+  /** What becomes of the places of the last packing that foam keeps away from. */
+  zones(): Promise<ZoneResults | Failure>;
   /** How far points (x, y, z after each other, design coordinates) lie from the surface of the objects in the last
    *  packing. */
   distances(points: Float32Array<ArrayBuffer>): Promise<Float32Array<ArrayBuffer> | Failure>;

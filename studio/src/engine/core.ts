@@ -27,6 +27,7 @@ import {readChoices, type DropChoices, type Drops} from './drops';
 import {brokenModule, isFailure} from './failure';
 import {arranged, listeners, throttled} from './listeners';
 import {sha256} from './sha256';
+import type {ZoneResults} from './zones';
 
 const NO_FILE: ObjectFile = {name: '', bytes: 0, sha256: ''};
 
@@ -218,6 +219,10 @@ export class EngineCore {
   async protectingWalls(design: Design, onProgress?: OnProgress, objects?: Objects): Promise<{design: Design} | Failure> {
     const given = await this.#given(objects);
     return designOf(guarded(() => this.#session.protectingWalls(JSON.stringify(design), given, throttled(onProgress))));
+  }
+
+  async zones(): Promise<ZoneResults | Failure> {
+    return guarded(() => this.#session.zones());
   }
 
   /** Of the last packing. Builds the search tree of the object at the first call. */

@@ -182,6 +182,8 @@ class PageEngine implements Engine {
     });
   }
 
+  zones = () => this.#quickly((core) => core.zones());
+
   async distances(points: Float32Array<ArrayBuffer>): Promise<Float32Array<ArrayBuffer> | Failure> {
     const packed = this.#packed;
     if (!packed) return this.#quickly((core) => core.distances(points));

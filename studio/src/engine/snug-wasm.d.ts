@@ -17,6 +17,7 @@ declare module 'snug-wasm/snug.mjs' {
     WorkshopFigures,
   } from './api';
   import type {DropChoicesText, Drops} from './drops';
+  import type {ZoneResults} from './zones';
 
   type Progress = ((fraction: number) => boolean) | null;
   type BetterDesign = ((design: string) => void) | null;
@@ -64,6 +65,7 @@ declare module 'snug-wasm/snug.mjs' {
     gaps(progress: Progress): Gap | Failure;
     drops(): Drops | Failure;
     protectingWalls(design: string, objects: GivenObject[], progress: Progress): {design: string} | Failure;
+    zones(): ZoneResults | Failure;
     distances(points: Float32Array): Float32Array<ArrayBuffer> | Failure;
     startSearch(design: string, objects: GivenObject[]): (SearchStep & {ended: boolean}) | Failure;
     searchStep(): (SearchStep & {ended: boolean}) | Failure;

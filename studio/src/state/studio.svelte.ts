@@ -22,6 +22,7 @@ import {Placements} from './placements.svelte';
 import {Readings} from './readings';
 import {Rest} from './rest.svelte';
 import type {Works} from './works.svelte';
+import {ZonesOnScreen} from './zones_on_screen.svelte';
 
 /** Refusals that no later change of a control answers: they stay until they are read. */
 const LASTING: readonly string[] = ['object', 'project', 'make'];
@@ -73,8 +74,9 @@ export class Studio {
   /** What the way of working adds; null while it is being looked at. */
   workshopFindings: readonly Finding[] | null = $state.raw([]);
   readonly drops: DropsOnScreen;
+  readonly zones = new ZonesOnScreen(this);
   /** All that is known to say about the foams, the worst first. */
-  findings = $derived.by(() => gravestFirst([...(this.gap ?? this.packing)?.findings ?? [], ...this.drops.findings, ...(this.workshopFindings ?? [])]));
+  findings = $derived.by(() => gravestFirst([...(this.gap ?? this.packing)?.findings ?? [], ...this.drops.findings, ...this.zones.findings, ...(this.workshopFindings ?? [])]));
   canUndo = $derived(canUndo(this.#history));
   canRedo = $derived(canRedo(this.#history));
 

@@ -1,5 +1,6 @@
 import type {Triple} from '../design/design';
 import type {PieceKind} from '../engine/pieces';
+import {Painting} from './painting.svelte';
 
 export type Part = 'object' | 'space' | PieceKind;
 export type Look = 'shown' | 'glass' | 'hidden';
@@ -27,6 +28,8 @@ export class View {
   gapColours = $state(false);
   /** The two clicks on the object, in its own mm, while a length is being shown to Snug. */
   measuring: Triple[] | null = $state.raw(null);
+  /** Places to keep off, by hand. */
+  readonly painting = new Painting();
   /** A pointer or a key is moving something just now: draw less, but at once. */
   moving = $state(false);
   #still: ReturnType<typeof setTimeout> | undefined;

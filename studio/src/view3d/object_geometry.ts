@@ -5,7 +5,7 @@ import type {DisplayMesh} from '../engine/api';
 const CREASE_COSINE = Math.cos((40 * Math.PI) / 180);
 
 /** A mesh for drawing: smooth where the surface is, sharp at creases. Three corners a triangle. */
-export function objectGeometry({positions, indices}: DisplayMesh): BufferGeometry {
+export function objectGeometry({positions, indices, parts}: DisplayMesh): BufferGeometry {
   const faces = faceNormals(positions, indices);
   const smooth = vertexNormals(positions.length, indices, faces);
   makeUnit(faces);
@@ -27,6 +27,7 @@ export function objectGeometry({positions, indices}: DisplayMesh): BufferGeometr
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(corners, 3));
   geometry.setAttribute('normal', new BufferAttribute(normals, 3, true));
+  if (parts) geometry.setAttribute('part', new BufferAttribute(Float32Array.from(indices, (vertex) => parts[vertex] ?? 0), 1));
   return geometry;
 }
 

@@ -18,6 +18,7 @@ import {FoamMeshes, type PieceColours} from './foam_meshes';
 import {arrow, boxEdges, columnBox, ruler} from './furniture';
 import {objectGeometry} from './object_geometry';
 import {GLASS, objectShading} from './shading';
+import {ZonePaint, type PaintHint, type SeenZones} from './zone_paint';
 
 /** Around an item. */
 const FRAME_MM = 1;
@@ -34,6 +35,7 @@ export interface Colours {
   space: string;
   own: string;
   mark: string;
+  zone: string;
   /** Around the item that is selected, and around items that are too near each other. */
   selected: string;
   near: string;
@@ -42,12 +44,21 @@ export interface Colours {
 /** Design coordinates to the world of three.js: x up, y to the reader, z to the right. */
 export const TO_WORLD = new Matrix4().makeBasis(new Vector3(0, 1, 0), new Vector3(0, 0, 1), new Vector3(1, 0, 0));
 
+/** What lies under a pointer; of the object its part, 0 where it is one alone. */
+export interface Picked {
+  own: Triple | null;
+  cell: Cell | null;
+  item: number | null;
+  part: number;
+}
+
 interface Body {
   /** Where its layer is drawn, and in it where the object lies in the space. */
   lift: Group;
   group: Group;
   mesh: Mesh<BufferGeometry, ShaderMaterial>;
   geometries: Geometries;
+  paint: ZonePaint;
 }
 type Geometries = {moving: BufferGeometry; still: BufferGeometry};
 
@@ -115,7 +126,7 @@ export class FoamScene {
 
   paint(colours: Colours, words: {up: string; own: string}) {
     this.#colours = colours;
-    this.#objectShade.colour(colours.object, colours.edge);
+    this.#objectShade.colour(colours.object, colours.edge, colours.zone);
     this.#foams.paint(colours, colours.edge);
     this.#space.material.color.set(colours.space);
     this.#column.material.color.set(colours.mark);
@@ -133,7 +144,11 @@ export class FoamScene {
         geometry.dispose();
         this.#geometries.delete(mesh);
       }
-    while (this.#bodies.length > placed.length) this.#root.remove(this.#bodies.pop()!.lift);
+    while (this.#bodies.length > placed.length) {
+      const {lift, paint} = this.#bodies.pop()!;
+      this.#root.remove(lift);
+      paint.dispose();
+    }
     placed.forEach(({meshes: {moving, still}, placement}, i) => {
       const body = (this.#bodies[i] ??= this.#body());
       body.geometries = {moving: this.#geometry(moving), still: this.#geometry(still)};
@@ -154,7 +169,12 @@ export class FoamScene {
     group.matrixAutoUpdate = false;
     lift.add(group.add(mesh));
     this.#root.add(lift);
-    return {lift, group, mesh, geometries: {moving: mesh.geometry, still: mesh.geometry}};
+    const paint = new ZonePaint();
+    mesh.onBeforeRender = () => {
+      paint.apply(mesh.material);
+      mesh.material.uniformsNeedUpdate = true;
+    };
+    return {lift, group, mesh, geometries: {moving: mesh.geometry, still: mesh.geometry}, paint};
   }
 
   #geometry(mesh: DisplayMesh): BufferGeometry {
@@ -163,6 +183,14 @@ export class FoamScene {
     const made = objectGeometry(mesh);
     this.#geometries.set(mesh, made);
     return made;
+  }
+
+  /** Of each item its places to keep off, and what a hand is about to paint on the one that is selected. */
+  setZones(seen: readonly SeenZones[], hint: PaintHint | null) {
+    this.#bodies.forEach(({paint}, i) => {
+      paint.see(seen[i]);
+      paint.hint = i === this.#selected ? hint : null;
+    });
   }
 
   /** Frames around items: the one that is selected among several, and those that are too near each other. */
@@ -245,15 +273,16 @@ export class FoamScene {
   }
 
   /** What lies under a point of the picture (-1 to 1): on the object in its own mm, and the column of the space. */
-  pick(ray: Raycaster): {own: Triple | null; cell: Cell | null; item: number | null} {
+  pick(ray: Raycaster): Picked {
     const bodies = this.#bodies.map(({mesh}) => mesh);
     const targets = [...bodies.filter(({visible}) => visible), ...this.#foams.visible];
     const hit = ray.intersectObjects<Mesh>(targets, false)[0];
-    if (!hit) return {own: null, cell: null, item: null};
+    if (!hit) return {own: null, cell: null, item: null, part: 0};
     const item = bodies.findIndex((mesh) => mesh === hit.object);
     const own = item < 0 ? null : this.#bodies[item]!.group.worldToLocal(hit.point.clone());
     const design = this.#root.worldToLocal(hit.point.clone());
-    return {own: own && [own.x, own.y, own.z], cell: this.#cellAt(design), item: item < 0 ? null : item};
+    const part = (item >= 0 && hit.face && hit.object.geometry.getAttribute('part')?.getX(hit.face.a)) || 0;
+    return {own: own && [own.x, own.y, own.z], cell: this.#cellAt(design), item: item < 0 ? null : item, part};
   }
 
   #cellAt({y, z}: Vector3): Cell | null {

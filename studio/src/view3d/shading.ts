@@ -1,5 +1,6 @@
 import {Color, DoubleSide, ShaderMaterial, Vector3} from 'three';
 import type {Look} from '../state/view.svelte';
+import {ZONE_FRAGMENT, ZONE_VERTEX, zoneUniforms} from './zone_paint';
 
 // One small shader for the object and the foams: two lights that go with the camera, block edges drawn from the
 // design coordinates (so that they cost no triangles), and the colours of the gaps.
@@ -11,6 +12,8 @@ varying vec3 vNormal;
 #ifdef FOAM
 attribute float gap;
 varying float vGap;
+#else
+${ZONE_VERTEX}
 #endif
 void main() {
   vDesign = position;
@@ -18,6 +21,8 @@ void main() {
   vNormal = normalMatrix * normal;
   #ifdef FOAM
   vGap = gap;
+  #else
+  vPart = part;
   #endif
   gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
 }`;
@@ -49,6 +54,8 @@ float edges() {
   vec3 line = (1.0 - smoothstep(0.35, 1.25, distance)) * faded * step(abs(vOwnNormal), vec3(0.5));
   return max(line.x, max(line.y, line.z));
 }
+#else
+${ZONE_FRAGMENT}
 #endif
 void main() {
   vec3 normal = normalize(vNormal) * (gl_FrontFacing ? 1.0 : FLIP);
@@ -57,6 +64,8 @@ void main() {
   vec3 shaded = color;
   #ifdef FOAM
   if (showGaps > 0.5 && vGap >= 0.0) shaded = ramp(min(vGap, 1.0));
+  #else
+  shaded = zoned(shaded);
   #endif
   shaded *= 0.50 + 0.42 * key + 0.20 * fill;
   #ifdef FOAM
@@ -71,7 +80,7 @@ export const GLASS = 0.28;
 
 export interface Shading {
   material: ShaderMaterial;
-  colour(face: string, edge: string): void;
+  colour(face: string, edge: string, zone?: string): void;
   look(look: Look): void;
 }
 
@@ -83,6 +92,8 @@ function shading(defines: Record<string, string>): Shading {
     block: {value: new Vector3(1, 1, 1)},
     corner: {value: new Vector3()},
     showGaps: {value: 0},
+    zoneColor: {value: new Color()},
+    ...zoneUniforms(),
   };
   const material = new ShaderMaterial({
     vertexShader: VERTEX,
@@ -96,9 +107,10 @@ function shading(defines: Record<string, string>): Shading {
   });
   return {
     material,
-    colour(face, edge) {
+    colour(face, edge, zone = edge) {
       uniforms.color.value.set(face);
       uniforms.edgeColor.value.set(edge);
+      uniforms.zoneColor.value.set(zone);
     },
     look(look) {
       const glass = look === 'glass';

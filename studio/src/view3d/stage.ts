@@ -132,6 +132,13 @@ export class Stage {
     this.draw();
   }
 
+  /** Where the first button or one finger paints, the second button or two fingers turn. */
+  set painting(value: boolean) {
+    const {ROTATE, TRUCK, TOUCH_DOLLY_ROTATE, TOUCH_DOLLY_TRUCK} = CameraControls.ACTION;
+    this.#controls.mouseButtons.right = value ? ROTATE : TRUCK;
+    this.#controls.touches.two = value ? TOUCH_DOLLY_ROTATE : TOUCH_DOLLY_TRUCK;
+  }
+
   paintHandles(x: string, y: string, z: string, active: string) {
     // The world's x, y and z are the design's z, x and y.
     this.#handles.setColors(z, x, y, active);

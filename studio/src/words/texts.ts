@@ -13,9 +13,10 @@ import {placement} from './placement';
 import {views} from './views';
 import {spoken, words} from './words';
 import {workshop} from './workshop';
+import {zones} from './zones';
 
 /** Every text of the studio. Sentences of the library come from the library. */
-export const ALL = words({...page, ...object, ...items, ...foam, ...pieces, ...workshop, ...placement, ...check, ...drops, ...make, ...views, ...files, ...failures, ...fields});
+export const ALL = words({...page, ...object, ...items, ...foam, ...pieces, ...workshop, ...placement, ...check, ...drops, ...make, ...views, ...files, ...failures, ...fields, ...zones});
 
 export const en = spoken(ALL, 0);
 export const ja = spoken(ALL, 1);
