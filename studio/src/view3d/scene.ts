@@ -119,6 +119,10 @@ export class FoamScene {
     return this.drawnAt(middle, item.layer).applyMatrix4(this.#root.matrix);
   }
 
+  get objectRadius(): number {
+    return Math.max(this.#objectSize() / 2, 1);
+  }
+
   /** Where a place of a layer is drawn, design coordinates. */
   drawnAt(place: Vector3, layer: number): Vector3 {
     return place.setX(place.x + (this.#apart?.layer(layer) ?? 0));

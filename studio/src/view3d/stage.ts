@@ -71,6 +71,7 @@ export class Stage {
   #still = true;
   #fast = false;
   #measured = false;
+  #painting = false;
 
   /** Throws where there is no WebGL 2. */
   constructor(canvas: HTMLCanvasElement, content: FoamScene, events: StageEvents) {
@@ -133,7 +134,12 @@ export class Stage {
   }
 
   /** Where the first button or one finger paints, the second button or two fingers turn. */
+  get painting(): boolean {
+    return this.#painting;
+  }
+
   set painting(value: boolean) {
+    this.#painting = value;
     const {ROTATE, TRUCK, TOUCH_DOLLY_ROTATE, TOUCH_DOLLY_TRUCK} = CameraControls.ACTION;
     this.#controls.mouseButtons.right = value ? ROTATE : TRUCK;
     this.#controls.touches.two = value ? TOUCH_DOLLY_ROTATE : TOUCH_DOLLY_TRUCK;
@@ -164,6 +170,13 @@ export class Stage {
     // The controls lie over the lower edge of the picture.
     void this.#controls.setFocalOffset(0, radius * 0.18, 0, false);
     void this.#controls.fitToSphere(new Sphere(centre, radius * 0.92), smoothly);
+    this.draw();
+  }
+
+  /** The item that is selected, as large as it goes. */
+  showItem() {
+    void this.#controls.setFocalOffset(0, 0, 0, false);
+    void this.#controls.fitToSphere(new Sphere(this.#content.objectCentre, this.#content.objectRadius * 1.08), true);
     this.draw();
   }
 
