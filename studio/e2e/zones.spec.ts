@@ -140,6 +140,34 @@ test('of two items each has its own, in Japanese, and on a small screen', async 
   expect(await violations(page)).toEqual([]);
 });
 
+/** Two binary STLs as one, the second so much further along x. */
+function beside(one: Buffer, other: Buffer, by: number): Buffer {
+  const both = Buffer.concat([one, other.subarray(84)]);
+  both.writeUInt32LE((one.length + other.length - 168) / 50, 80);
+  for (let at = one.length; at < both.length; at += 50)
+    for (let corner = 1; corner <= 3; corner++) both.writeFloatLE(both.readFloatLE(at + 12 * corner) + by, at + 12 * corner);
+  return both;
+}
+
+test('a separate part is taken by a click', async ({studio: page}) => {
+  const two = {...RING, name: 'two.stl', buffer: beside(torusStl(24, 12, 40, 22), torusStl(24, 12, 30, 20), 150)};
+  await page.getByLabel('Open object', {exact: true}).setInputFiles(two);
+  await expect(status(page)).toContainText('F ');
+  await begin(page);
+  await page.getByRole('button', {name: 'Whole part'}).click();
+  await page.getByRole('button', {name: 'Top', exact: true}).click();
+  await page.waitForTimeout(500);
+  await shot(page, 'parts');
+  const {x, y, width, height} = (await page.locator('canvas').first().boundingBox())!;
+  for (let i = 1; i < 20 && !(await line(page).textContent())!.includes('part='); i++) {
+    await page.mouse.click(x + (width * i) / 20, y + height * 0.5);
+    await page.waitForTimeout(400);
+  }
+  await commandSays(page, '--keep-off=part=');
+  await expect.poll(() => cut(page)).toBeGreaterThan(0);
+  await shot(page, 'part');
+});
+
 test.describe('with fingers', () => {
   test.use({hasTouch: true});
   test('one paints, two turn', async ({studio: page}) => {

@@ -6,6 +6,8 @@ import type {Picked} from './scene';
 export interface Easel {
   readonly painting: Painting;
   readonly painted: Painted;
+  /** Nothing may change just now. */
+  readonly locked: boolean;
   /** What lies under a place of the page. */
   pick(at: {clientX: number; clientY: number}): Picked;
   /** Where the brush is, in the object's own mm. */
@@ -30,7 +32,7 @@ export function letPaint(around: HTMLElement, canvas: HTMLElement, easel: Easel)
 
   function down(event: PointerEvent) {
     const {painting, painted} = easel;
-    if (passing || event.target !== canvas || painting.tool === null || painting.tool === 'height') return;
+    if (passing || easel.locked || event.target !== canvas || painting.tool === null || painting.tool === 'height') return;
     if (held) return event.pointerType === 'touch' ? handOver() : event.stopPropagation();
     if (event.button !== 0) return;
     const under = met(event);

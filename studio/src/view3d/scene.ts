@@ -86,6 +86,7 @@ export class FoamScene {
   #apart: Apart | null = null;
   #shift: Triple = [0, 0, 0];
   #objectLook: Look = 'shown';
+  #alone = false;
 
   constructor() {
     this.#root.matrixAutoUpdate = false;
@@ -160,6 +161,7 @@ export class FoamScene {
       body.group.matrixWorldNeedsUpdate = true;
     });
     this.#selected = selected;
+    this.#uncover();
     const {group} = this.#bodies[selected] ?? this.#bodies[0] ?? {group: this.#root};
     group.add(this.#own.group, this.#ruler.group);
     this.#place();
@@ -168,7 +170,6 @@ export class FoamScene {
 
   #body(): Body {
     const mesh = new Mesh(new BufferGeometry(), this.#objectShade.material);
-    mesh.visible = this.#objectLook !== 'hidden';
     const [lift, group] = [new Group(), new Group()];
     group.matrixAutoUpdate = false;
     lift.add(group.add(mesh));
@@ -254,13 +255,24 @@ export class FoamScene {
 
   set looks(looks: Record<Part, Look>) {
     this.#objectLook = looks.object;
-    for (const {mesh} of this.#bodies) mesh.visible = looks.object !== 'hidden';
+    this.#uncover();
     this.#objectShade.look(looks.object);
     this.#foams.looks = looks;
     this.#space.visible = looks.space !== 'hidden';
     this.#space.material.transparent = looks.space === 'glass';
     this.#space.material.opacity = looks.space === 'glass' ? GLASS : 1;
     this.#placeOwnArrow();
+  }
+
+  /** Nothing but the item that is selected. */
+  set alone(value: boolean) {
+    this.#alone = value;
+    this.#uncover();
+  }
+
+  #uncover() {
+    const selected = this.#selectedBody();
+    for (const body of this.#bodies) body.mesh.visible = this.#objectLook !== 'hidden' && (!this.#alone || body === selected);
   }
 
   mark(cell: Cell | null) {
