@@ -100,10 +100,12 @@ export class FoamScene {
     this.show(null, null);
   }
 
-  /** Of the space with its pieces as far apart as they are, or of an object that has none; world coordinates. */
+  /** Of the space with its pieces as far apart as they are, or of an object that has none or is shown alone; world
+   *  coordinates. */
   get extent(): {centre: Vector3; radius: number} {
     const alone = this.#packing ? null : this.#sphere();
     if (alone) return {centre: alone.center.clone().applyMatrix4(this.#root.matrix), radius: alone.radius};
+    if (this.#alone) return {centre: this.objectCentre, radius: Math.max(this.#objectSize() / 2, 1)};
     const [x, y, z] = this.#size();
     const {low, high} = this.#apart ?? {low: -x / 2, high: x / 2};
     const centre = new Vector3((low + high) / 2, 0, 0).applyMatrix4(TO_WORLD);
@@ -118,10 +120,6 @@ export class FoamScene {
     const {min, max} = item.bounds;
     const middle = new Vector3(...min).add(new Vector3(...max)).multiplyScalar(0.5);
     return this.drawnAt(middle, item.layer).applyMatrix4(this.#root.matrix);
-  }
-
-  get objectRadius(): number {
-    return Math.max(this.#objectSize() / 2, 1);
   }
 
   /** Where a place of a layer is drawn, design coordinates. */
@@ -226,7 +224,7 @@ export class FoamScene {
     this.#space.scale.set(x, y, z).multiplyScalar(packing ? 1 : 0);
     this.#placeUpArrow();
     this.#up.group.scale.setScalar(Math.max(x, 1) * 0.32);
-    this.#up.group.visible = packing !== null;
+    this.#up.group.visible = packing !== null && !this.#alone;
     this.#foams.show(packing, colours);
     this.#place();
     this.#placeOwnArrow();
@@ -267,6 +265,7 @@ export class FoamScene {
   /** Nothing but the item that is selected. */
   set alone(value: boolean) {
     this.#alone = value;
+    this.#up.group.visible = this.#packing !== null && !value;
     this.#uncover();
   }
 

@@ -173,13 +173,6 @@ export class Stage {
     this.draw();
   }
 
-  /** The item that is selected, as large as it goes. */
-  showItem() {
-    void this.#controls.setFocalOffset(0, 0, 0, false);
-    void this.#controls.fitToSphere(new Sphere(this.#content.objectCentre, this.#content.objectRadius * 1.08), true);
-    this.draw();
-  }
-
   /** Brings the camera near a place, design coordinates. `layer`: that it belongs to. */
   lookAt(place: Triple, layer?: number) {
     const lies = new Vector3(...place);
