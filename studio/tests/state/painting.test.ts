@@ -121,6 +121,24 @@ test('of several items each has its own; what the library refuses leaves everyth
   expect(studio.moment.design).toEqual(before.design);
 });
 
+test('a drop that brings foam too near a place is told with it, and farther off it is not', async () => {
+  await openFiles(studio, [ring()]);
+  const foam = {curve: [[0.25, 20], [0.5, 40], [0.6, 75], [0.7, 160]], density_kg_m3: 30} as never;
+  await packed(() =>
+    studio.change((design) => ({...design, protection: {...design.protection, foam, height_mm: 500}, workshop: {...design.workshop, mass_kg: 0.5}}), ''),
+  );
+  painting.begin(studio);
+  painting.change(studio, {keep_off_mm: 5}, '');
+  await packed(() => stroke([80, 0, 0], [78, 10, 0], [78, -10, 0]));
+  await studio.zones.look();
+  expect(studio.zones.of(0, 0)).toMatchObject({reached: true, pressed: false});
+  expect(studio.zones.of(0, 0)!.text[0]).toContain('mm stay free in a drop');
+  expect(studio.findings[0]!.code).toBe('zone_reached');
+  await packed(() => painting.change(studio, {...painting.zone(studio), keep_off_mm: 60}, ''));
+  await studio.zones.look();
+  expect(studio.zones.of(0, 0)!.reached).toBe(false);
+});
+
 test('another object begins without the places of the last', async () => {
   await openFiles(studio, [ring()]);
   painting.begin(studio);
