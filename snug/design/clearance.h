@@ -8,6 +8,7 @@
 namespace snug {
 
 constexpr double kGreatestLength = 1e6;  // mm: offsets, walls, clearances
+constexpr double kFarthestPlace = 1e11;  // mm: coordinates of a file, those of surveys included
 
 /// How far the object is grown before foam is cut, in mm along x, y and z on both sides, for each half of its
 /// own; negative: a squeeze fit.

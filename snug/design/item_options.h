@@ -101,7 +101,7 @@ void visit_options(Visit& visit, ItemOptions& item) {
                                 .word = "mass"});
     visit.option(item.centre_mm, {.json = "centre_mm",
                                   .unit = "mm",
-                                  .range = {-kGreatestLength, kGreatestLength},
+                                  .range = {-kFarthestPlace, kFarthestPlace},
                                   .label = {"the centre of mass", "重心"},
                                   .help = {"Where its mass is centred, in the coordinates of its file",
                                            "重心の位置（ファイルの座標）"},

@@ -77,7 +77,7 @@ void visit_options(Visit& visit, ProtectionOptions& protection) {
                   .flag = "--centre",
                   .takes = "X,Y,Z",
                   .unit = "mm",
-                  .range = {-kGreatestLength, kGreatestLength},
+                  .range = {-kFarthestPlace, kFarthestPlace},
                   .label = {"the centre of mass", "重心"},
                   .help = {"Where the object's mass is centred, in the coordinates of its file in mm",
                            "対象物の重心の位置（ファイルの座標、mm）"},

@@ -5,9 +5,9 @@
 #include <initializer_list>
 
 #include "snug/base/text.h"
+#include "snug/design/clearance.h"
 #include "snug/design/option.h"
 #include "snug/design/option_text.h"
-#include "snug/mesh/left_out.h"
 
 namespace snug {
 namespace {
@@ -62,7 +62,7 @@ bool take_balls(const std::vector<double>& numbers, Zone& zone) {
 }
 
 bool in_range(const Zone::Ball& ball) {
-    constexpr Range kPlace{-kGreatestLength, kGreatestLength};
+    constexpr Range kPlace{-kFarthestPlace, kFarthestPlace};
     constexpr Range kRadius{.least = 0, .most = kGreatestLength, .above = true};
     return kPlace.has(ball.centre.x) && kPlace.has(ball.centre.y) && kPlace.has(ball.centre.z) &&
            kRadius.has(ball.radius_mm);

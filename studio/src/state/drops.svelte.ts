@@ -43,7 +43,7 @@ export class DropsOnScreen {
 
   /** What is missing is said where it is entered. */
   get findings(): readonly Finding[] {
-    return (this.current && this.last ? this.last.findings : []).filter(({code}) => code !== 'no_shock');
+    return (this.current && this.last ? this.last.findings : []).filter(({code}) => code !== 'no_shock' && !code.startsWith('zone_')); // zones tell of themselves
   }
 
   /** Looks a little after a change; the function that it gives stops that. */
