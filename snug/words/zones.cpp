@@ -57,7 +57,7 @@ constexpr Wording kWordsOfZones[] = {
     {"zone.many_balls", "zone {zone} may have {most} balls at most: paint with a larger brush",
      "場所 {zone} の球は {most} 個までです。大きなブラシで塗ってください"},
     {"zone.ball", "a ball of zone {zone} must have a radius above 0, and lie within 100,000 km",
-     "場所 {zone} の球は、半径が 0 より大きく、10 万 km 以内になければなりません"},
+     "場所 {zone} の球は、半径が 0 より大きく、10 万キロメートル以内になければなりません"},
     {"zone.keep_off", "zone {zone} must be kept off by 0 to {most} mm",
      "場所 {zone} から離す距離は 0～{most} mm でなければなりません"},
     {"zone.press", "what zone {zone} bears must be above 0 kPa",
