@@ -53,6 +53,15 @@ class Sweep {
     };
     struct Corners {
         SnappedVertex a, b, c;
+
+        /// Whether a line meets the box around them: most lines beside a small triangle do not.
+        [[nodiscard]] bool near(std::int32_t u, std::int32_t v) const {
+            return u >= std::min({a.u, b.u, c.u}) && u <= std::max({a.u, b.u, c.u}) &&
+                   v >= std::min({a.v, b.v, c.v}) && v <= std::max({a.v, b.v, c.v});
+        }
+        [[nodiscard]] std::optional<Crossing> met_by(std::int32_t u, std::int32_t v) const {
+            return near(u, v) ? crossing(u, v, a, b, c) : std::nullopt;
+        }
     };
 
     [[nodiscard]] Corners corners(std::uint32_t triangle) const {
@@ -84,8 +93,7 @@ class Sweep {
         const Cells columns = columns_of(t);
         if (rows.first > rows.last || columns.first > columns.last) return std::nullopt;
         if (rows.first == rows.last && columns.first == columns.last &&
-            !crossing(lattice_.u(rows.first, columns.first), lattice_.v(rows.first, columns.first), t.a, t.b,
-                      t.c)) {
+            !t.met_by(lattice_.u(rows.first, columns.first), lattice_.v(rows.first, columns.first))) {
             return std::nullopt;
         }
         if (doubled_shadow(t.a, t.b, t.c) == 0) return std::nullopt;
@@ -164,8 +172,7 @@ class Sweep {
 
     /// `first_line`: the number within the band that the line of column 0 would have.
     void meet(const Corners& t, int row, int column, int first_line) {
-        const std::optional<Crossing> found =
-            crossing(lattice_.u(row, column), lattice_.v(row, column), t.a, t.b, t.c);
+        const std::optional<Crossing> found = t.met_by(lattice_.u(row, column), lattice_.v(row, column));
         if (found) hits_.push_back({static_cast<std::uint32_t>(first_line + column), *found});
     }
 
