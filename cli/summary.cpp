@@ -7,6 +7,7 @@
 
 #include "snug/base/one_line.h"
 #include "snug/base/text.h"
+#include "snug/fabricate/kit/pad_pages.h"
 #include "snug/fabricate/kit/shock_text.h"
 #include "snug/fabricate/kit/zone_text.h"
 #include "snug/words/pieces.h"
@@ -167,6 +168,10 @@ std::string summary(std::span<const Object> objects, const Project& project, con
               say("summary.parting_after",
                   {{"level", levels}, {"blocks", std::to_string(packing.space.blocks.x)}}));
     lines.add("summary.walls", walls_text(fit));
+    for (std::size_t i = 0; i < packing.items.size(); ++i)
+        if (const double mm = packing.items[i].settled_mm; mm > 0)
+            lines.add("summary.settled",
+                      of_item(packing, i, say("summary.settled_by", {{"mm", number(mm, 1)}})));
     for (const LiftSlot& slot : packing.lift.slots)
         lines.add("summary.lift",
                   say("summary.lift_at", {{"piece", foam_of(slot.piece)}, {"side", side_text(slot.side)}}));
@@ -174,6 +179,9 @@ std::string summary(std::span<const Object> objects, const Project& project, con
         const Message what = notch_text(notch);
         lines.add("summary.notch", of_item(packing, notch.item, what));
     }
+    for (std::size_t i = 0; i < packing.pads.pads.size(); ++i)
+        lines.add(lines.worded(say("summary.pad", {{"number", std::to_string(i + 1)}})),
+                  of_item(packing, packing.pads.pads[i].item, pad_text(packing.pads.pads[i], packing.space)));
     if (made.fit.gap) lines.add("summary.gaps", gap_text(*made.fit.gap));
     if (made.fit.bearing)
         lines.add_sentence("summary.bears", bearing_text(*made.fit.bearing, *packing.foams, project.design,

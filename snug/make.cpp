@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <utility>
 
@@ -12,13 +11,14 @@
 #include "snug/check/find_item_notes.h"
 #include "snug/check/find_near_items.h"
 #include "snug/check/find_object_problems.h"
+#include "snug/check/find_pads.h"
 #include "snug/check/near_collections.h"
 #include "snug/check/protection.h"
 #include "snug/check/stability.h"
+#include "snug/foam/item_cuts.h"
 #include "snug/foam/object_cut.h"
 #include "snug/foam/parting.h"
 #include "snug/foam/ribs.h"
-#include "snug/foam/zone_cuts.h"
 #include "snug/search/protecting_walls.h"
 #include "snug/space/place_items.h"
 #include "snug/space/space_for.h"
@@ -56,29 +56,20 @@ void of_each(Packing& packing, const Find& find) {
     }
 }
 
-/// What the items see of their columns, and what they cut.
-struct ItemCuts {
-    std::vector<std::shared_ptr<const ObjectDepths>> depths;
-    std::vector<HalfCuts> cuts;
-};
-
-/// `uncovered_layer`: the uppermost of a tray, above which there is no foam to give way; 0: none.
-Result<ItemCuts> cut_each(std::span<const Object> objects, Packing& packing, int uncovered_layer,
+/// What each item cuts where it lies, or where it comes to lie once it is settled.
+Result<ItemCuts> cut_each(std::span<const Object> objects, const Design& design, Packing& packing,
                           KeptDepths* kept, const Progress& progress) {
-    Stopwatch watch;
-    auto depths = item_depths(objects, packing.items, packing.space, kept, progress);
-    if (!depths) return tl::unexpected(depths.error());
-    ItemCuts all{std::move(*depths), {}};
-    packing.timing.depth_map = watch.lap();
-    for (std::size_t i = 0; i < all.depths.size(); ++i) {
-        all.cuts.push_back(half_cuts(*all.depths[i], packing.space));
-        const auto zones = cut_zones(packing.items[i], i, packing.space, all.cuts.back());
-        if (!zones) return tl::unexpected(zones.error());
-        packing.zone_cuts.insert(packing.zone_cuts.end(), zones->begin(), zones->end());
-    }
-    for (std::size_t i = 0; i < all.cuts.size(); ++i)
-        if (packing.items[i].layer == uncovered_layer) all.cuts[i].upper.reset();
-    packing.timing.block_map = watch.lap();
+    std::vector<bool> locked;
+    for (const ItemOptions& item : design.items) locked.push_back(item.lock);
+    auto all = design.fit.settle ? cut_settled(objects, packing.items, locked, packing.space, kept, progress)
+                                 : cut_items(objects, packing.items, packing.space, kept, progress);
+    if (!all) return all;
+    packing.zone_cuts = all->zones;
+    packing.timing.depth_map = all->depth_ms;
+    packing.timing.block_map = all->cut_ms;
+    if (design.space.open)  // above the uppermost layer there is no foam to give way
+        for (std::size_t i = 0; i < all->cuts.size(); ++i)
+            if (packing.items[i].layer == layers_of(design)) all->cuts[i].upper.reset();
     return all;
 }
 
@@ -251,16 +242,20 @@ Result<Packing> pack(std::span<const Object> objects, const Design& design, cons
     });
     if (!packing->findings.empty()) return packing;
 
-    const int layer_count = layers_of(design);
-    const auto items =
-        cut_each(objects, *packing, design.space.open ? layer_count : 0, kept, part_of(progress, 0.4, 1));
+    const auto items = cut_each(objects, design, *packing, kept, part_of(progress, 0.4, 1));
     if (!items) return tl::unexpected(items.error());
 
     Stopwatch watch;
-    const std::vector<HalfCuts> layers = united_in_layers(packing->items, items->cuts, layer_count);
+    const std::vector<HalfCuts> layers = united_in_layers(packing->items, items->cuts, layers_of(design));
     auto parting = parting_levels(*packing, layers, design);
     if (!parting) return tl::unexpected(parting.error());
     cut_layers(*packing, design, *items, layers, std::move(*parting));
+    if (design.fit.pads) {
+        auto pads =
+            fill_pads(packing->items, items->depths, *packing->foams, packing->space, *design.fit.pads);
+        if (!pads) return tl::unexpected(pads.error());
+        packing->pads = std::move(*pads);
+    }
     packing->timing.foam_pair = watch.lap();
 
     packing->fit = fit_report(*packing->foams, packing->layers, packing->space, packing->available);
@@ -324,6 +319,7 @@ Result<Made> make(std::span<Object> objects, Project& project, const Tools& tool
         made.packing.protection = std::move(*held);
     }
 
+    if (design.fit.pads) find_pads(made.packing, *design.fit.pads, made.packing.findings);
     find_near_collections(design, made.packing.findings);
     if (design.workshop.work != Workshop::none) {
         auto pack = workshop_pack(objects, made.packing, project,

@@ -10,6 +10,7 @@
 #include "snug/check/fit_report.h"
 #include "snug/check/protection_report.h"
 #include "snug/foam/block_map.h"
+#include "snug/foam/fill_pads.h"
 #include "snug/foam/foams.h"
 #include "snug/foam/lift_slots.h"
 #include "snug/foam/notches.h"
@@ -35,6 +36,7 @@ struct Packing {
     std::vector<BlockMap> pockets;         ///< what each of several items cuts, where drops are looked at
     std::vector<ZoneCut> zone_cuts;        ///< of the zones that foam keeps away from
     std::vector<Notch> notches;  ///< beside the items, where the design wants them and there is room
+    FillPads pads;               ///< that fill what block steps leave, where the design wants them
     LiftSlots lift;              ///< in the pieces that are lifted, where the design wants them
     long long rib_blocks = 0;    ///< cut because they stood too thin between cavities
     std::optional<Foams> foams;  ///< none where an item leaves the space (finding `outside`)

@@ -99,12 +99,35 @@ std::array<double, 2> filler_mm(const Packing& packing, int axis) {
     return mm;
 }
 
+/// How thick the pads below and above each item are in every column; nothing where there are none.
+class PadThickness {
+  public:
+    PadThickness(const Packing& packing, int axis) {
+        if (axis != 0 || packing.pads.pads.empty()) return;
+        const Grid<float> none(packing.space.blocks.y, packing.space.blocks.z, 0);
+        for (auto& side : mm_) side.assign(packing.items.size(), none);
+        for (const FillPad& pad : packing.pads.pads)
+            for (int j = pad.first_j; j < pad.end_j; ++j)
+                for (int k = pad.first_k; k < pad.end_k; ++k)
+                    mm_[pad.above ? 1 : 0][pad.item](j, k) = static_cast<float>(pad.thickness_mm);
+    }
+    [[nodiscard]] double below(std::size_t item, const ItemLine& line) const { return of(0, item, line); }
+    [[nodiscard]] double above(std::size_t item, const ItemLine& line) const { return of(1, item, line); }
+
+  private:
+    [[nodiscard]] double of(std::size_t side, std::size_t item, const ItemLine& line) const {
+        return mm_[side].empty() ? 0.0 : static_cast<double>(mm_[side][item](line.b, line.c));
+    }
+    std::array<std::vector<Grid<float>>, 2> mm_;
+};
+
 class Contacts {
   public:
     Contacts(const AxisLines& lines, const Packing& packing, std::span<const BlockMap> pockets)
         : packing_(packing),
           line_(packing, pockets, lines.axis),
           filler_(filler_mm(packing, lines.axis)),
+          pads_(packing, lines.axis),
           open_above_(lines.axis == 0 && packing.foams->open()) {
         const auto& all = lines.lines;
         for (std::size_t i = 0, end = 0; i < all.size(); i = end) {
@@ -150,15 +173,17 @@ class Contacts {
                 if (other.low >= item.high - kTouching && (!above || other.low < above->low)) above = &other;
             }
             const int own = static_cast<int>(item.item);
+            const double pad_below = pads_.below(item.item, item);
             if (below)
-                add(item, {static_cast<int>(below->item), own}, below->high, item.low, 0,
+                add(item, {static_cast<int>(below->item), own}, below->high, item.low,
+                    {0, pad_below + pads_.above(below->item, item)},
                     {zone_of(item, false), zone_of(*below, true)});
             else
-                add(item, {PadContact::kCase, own}, line_.low(), item.low, filler_[0],
+                add(item, {PadContact::kCase, own}, line_.low(), item.low, {filler_[0], pad_below},
                     {zone_of(item, false), {}});
             if (!above && !open_above_)
-                add(item, {own, PadContact::kCase}, item.high, line_.high(), filler_[1],
-                    {zone_of(item, true), {}});
+                add(item, {own, PadContact::kCase}, item.high, line_.high(),
+                    {filler_[1], pads_.above(item.item, item)}, {zone_of(item, true), {}});
         }
     }
 
@@ -172,15 +197,21 @@ class Contacts {
     }
 
     using ZoneEnds = std::array<std::optional<ZoneEnd>, 2>;
-    void add(const ItemLine& item, Ends ends, double from, double to, double filler, const ZoneEnds& zones) {
+    /// Foam beside that of the pieces: outside the space, and inside the way.
+    struct More {
+        double filler_mm = 0, pad_mm = 0;
+    };
+    void add(const ItemLine& item, Ends ends, double from, double to, More more, const ZoneEnds& zones) {
         if (line_.crosses_pocket(from, to, ends)) return;
-        const Way way = line_.between(from, to);
+        Way way = line_.between(from, to);
+        way.thickness_mm += more.filler_mm + more.pad_mm;
+        way.gap_mm -= more.pad_mm;
         Found& found = found_[ends];
-        if (!(way.thickness_mm + filler > 0)) {
+        if (!(way.thickness_mm > 0)) {
             found.bare_mm = std::min(found.bare_mm, std::max(0.0, way.gap_mm));
             return;
         }
-        const PadColumn column{way.thickness_mm + filler, way.gap_mm, item.area_mm2, item.u, item.v};
+        const PadColumn column{way.thickness_mm, way.gap_mm, item.area_mm2, item.u, item.v};
         for (const auto& zone : zones)
             if (zone && asked(*zone).press_kpa) zones_[*zone].push_back(column);
         const bool kept_off = std::any_of(zones.begin(), zones.end(), [&](const auto& zone) {
@@ -192,6 +223,7 @@ class Contacts {
     const Packing& packing_;
     Line line_;
     std::array<double, 2> filler_;
+    PadThickness pads_;
     bool open_above_;
     std::map<Ends, Found> found_;
     std::map<ZoneEnd, std::vector<PadColumn>> zones_;

@@ -94,6 +94,15 @@ Result<std::vector<AxisContacts>> contacts_by_axis(std::span<const Object> objec
     return contacts;
 }
 
+void add_pressing(const AxisContacts& contacts, const Curves& curves, Protection& all) {
+    if (contacts.axis != 0) return;
+    for (ItemProtection& item : all.items) item.pressed_n = 0;
+    for (const PadContact& contact : contacts.contacts)
+        if (contact.low != PadContact::kCase)
+            *all.items[static_cast<std::size_t>(contact.low)].pressed_n +=
+                contact.pads.push(0, curves.given).newton;
+}
+
 /// What a shock is for what the item bears; infinite where the foam may bottom.
 double badness(const ItemProtection& item, Side face) {
     const FaceShock& shock = item.faces[static_cast<std::size_t>(face)];
@@ -139,6 +148,7 @@ Result<Protection> protection(std::span<const Object> objects, Packing& packing,
         if (!contacts) return tl::unexpected(contacts.error());
         for (const AxisContacts& each : *contacts) {
             add_face_shocks(each, packing, curves, all);
+            add_pressing(each, curves, all);
             add_zone_pressures(each, curves, all);
         }
     }

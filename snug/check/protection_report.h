@@ -99,6 +99,8 @@ struct ItemProtection {
     bool centre_given = false;       ///< else one density is assumed
     std::array<FaceShock, 6> faces;  ///< by Side
     RestReport rest;
+    /// What foam above presses on it with as it is drawn, with the curve as it is given; none: not known.
+    std::optional<double> pressed_n;
 };
 
 struct Protection {

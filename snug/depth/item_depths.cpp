@@ -32,6 +32,7 @@ Result<std::vector<std::shared_ptr<const ObjectDepths>>> item_depths(std::span<c
                                                                      KeptDepths* kept,
                                                                      const Progress& progress) {
     KeptDepths last;
+    const auto lowered = kept ? kept->lowered : nullptr;
     if (kept) std::swap(last, *kept);
     if (!same(last.space, space)) last.entries.clear();
 
@@ -51,7 +52,7 @@ Result<std::vector<std::shared_ptr<const ObjectDepths>>> item_depths(std::span<c
         if (kept && object.edition != 0) entries.push_back({object.edition, item.placement, item.cut, one});
         all.push_back(std::move(one));
     }
-    if (kept) *kept = {space, std::move(entries)};
+    if (kept) *kept = {space, std::move(entries), lowered};
     return all;
 }
 

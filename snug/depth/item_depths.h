@@ -25,6 +25,7 @@ struct KeptDepths {
     };
     DesignSpace space;
     std::vector<Entry> entries;
+    std::shared_ptr<KeptDepths> lowered;  ///< of the same items once they are settled, see settle.h
 };
 
 /// The depth maps of every item, those taken from `kept` that depend on nothing else than then; afterwards

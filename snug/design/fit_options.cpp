@@ -59,7 +59,35 @@ std::optional<std::string> say_lift(const FitOptions& fit) {
     return exact({fit.lift->width_mm, fit.lift->depth_mm}, 'x');
 }
 
+Result<void> take_pads(std::string_view text, FitOptions& fit) {
+    if (text == "none") {
+        fit.pads.reset();
+        return {};
+    }
+    const std::vector<double> sizes = typed_numbers(text, ',');
+    if (sizes.empty() || sizes.size() > 2)
+        return not_what_it_takes("--pads", say("takes.pads", {{"example", "2"}, {"other", "2,1"}}), text);
+    fit.pads = PadOptions{sizes[0], sizes.size() == 2 ? sizes[1] : 0};
+    return {};
+}
+
+std::optional<std::string> say_pads(const FitOptions& fit) {
+    if (!fit.pads) return "none";
+    return exact({fit.pads->sheet_mm, fit.pads->squeeze_mm}, ',');
+}
+
 }  // namespace
+
+SharedFlag<FitOptions> pads_flag() {
+    return {
+        .flag = "--pads",
+        .takes = "MM[,MM]|none",
+        .help = {"Pads of sheet foam that fill what block steps leave around an item: the sheet's thickness, "
+                 "and how far those above may press on it (0)",
+                 "ブロックの段が残すすきまを埋める詰め板：板の厚さ、上の板が対象物を押してよい量（0）"},
+        .take = take_pads,
+        .say = say_pads};
+}
 
 SharedFlag<FitOptions> lift_flag() {
     return {.flag = "--lift",

@@ -38,8 +38,17 @@ struct LiftOptions {
     friend bool operator==(const LiftOptions&, const LiftOptions&) = default;
 };
 
+/// Pieces of sheet foam that fill what block steps leave between an item and the foam. mm.
+struct PadOptions {
+    double sheet_mm = 2;    ///< of the sheet that they are stacked from
+    double squeeze_mm = 0;  ///< that those above an item press on it at most
+    friend bool operator==(const PadOptions&, const PadOptions&) = default;
+};
+
 /// What makes the cut foam one to work and live with.
 struct FitOptions {
+    bool settle = false;                  ///< items are lowered until they lie on foam
+    std::optional<PadOptions> pads;       ///< none: no pads
     double least_rib_mm = 0;              ///< foam between cavities that is thinner is cut away; 0: none is
     std::optional<NotchOptions> notches;  ///< none: no recesses
     std::optional<LiftOptions> lift;      ///< none: no recesses
@@ -52,6 +61,8 @@ struct FitOptions {
 [[nodiscard]] SharedFlag<NotchOptions> notch_place_flag();
 /// --lift.
 [[nodiscard]] SharedFlag<FitOptions> lift_flag();
+/// --pads.
+[[nodiscard]] SharedFlag<FitOptions> pads_flag();
 
 template <class Visit>
 void visit_options(Visit& visit, NotchOptions& notches) {
@@ -137,7 +148,35 @@ void visit_options(Visit& visit, LiftOptions& lift) {
 }
 
 template <class Visit>
+void visit_options(Visit& visit, PadOptions& pads) {
+    visit.option(pads.sheet_mm,
+                 {.json = "sheet_mm",
+                  .flag = "--pads",
+                  .unit = "mm",
+                  .range = {.least = 0.2, .most = 100},
+                  .step = 0.5,
+                  .label = {"the pads' sheet", "詰め板の厚さ"},
+                  .help = {"How thick the sheet is that pads are stacked from", "重ねて使う板の厚さ"}});
+    visit.option(pads.squeeze_mm, {.json = "squeeze_mm",
+                                   .flag = "--pads",
+                                   .unit = "mm",
+                                   .range = {.least = 0, .most = 50},
+                                   .step = 0.5,
+                                   .label = {"the pads' squeeze", "詰め板の押し込み"},
+                                   .help = {"How far pads above an item press on it at most",
+                                            "上の詰め板が対象物を押す最大の量"}});
+}
+
+template <class Visit>
 void visit_options(Visit& visit, FitOptions& fit) {
+    visit.option(fit.settle,
+                 {.json = "settle",
+                  .flag = "--settle",
+                  .label = {"settling", "下へ寄せる設定"},
+                  .help = {"Lower items until they lie on the foam below, not above a block's step",
+                           "ブロックの段の上に浮かせず、下のフォームに載るまで対象物を下げます"}});
+    visit.flag(fit, pads_flag());
+    visit.group(fit.pads, {.json = "pads", .title = {"Pads", "詰め板"}, .flag = "--pads"});
     visit.option(fit.least_rib_mm, {.json = "least_rib_mm",
                                     .flag = "--least-rib",
                                     .takes = "MM",

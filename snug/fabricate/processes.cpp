@@ -200,7 +200,7 @@ Result<WorkshopPack> workshop_pack(std::span<const Object> objects, const Packin
     }
     pack->documents.push_back(packing_sheet(
         {foams, packing.fit, findings, std::move(layers), packed_items(objects, packing, project),
-         pack->material, project.design.workshop, packing.lift.slots, packing.protection}));
+         pack->material, project.design.workshop, packing.lift.slots, packing.pads, packing.protection}));
     return pack;
 }
 

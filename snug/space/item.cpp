@@ -25,6 +25,11 @@ void raise(Item& item, double mm) {
     shift(item, {mm, 0, 0});
 }
 
+void settle(Item& item, double mm) {
+    item.settled_mm += mm;
+    shift(item, {-mm, 0, 0});
+}
+
 Box3d room_of(const Item& item) {
     Box3d room = grown(item.placement.bounds, item.cut.whole_clearance_mm());
     for (const ItemZone& zone : item.zones)

@@ -39,7 +39,8 @@ struct Item {
     std::optional<double> mass_kg;
     Placement placement;
     std::vector<ItemZone> zones = {};
-    double rise_mm = 0;  ///< in a tray, how far it was shifted along x beside its offset, see tray.h
+    double rise_mm = 0;     ///< in a tray, how far it was shifted along x beside its offset, see tray.h
+    double settled_mm = 0;  ///< how far it was lowered onto its foam, see foam/settle.h
     std::optional<double> tip_deg = {};  ///< in a tray, how far it may be tilted, see tip_angle_deg()
 };
 
@@ -47,6 +48,8 @@ struct Item {
 void move(Item& item, Vec3d by);
 /// The same along x in a tray: not an offset of its own.
 void raise(Item& item, double mm);
+/// The same downward onto foam.
+void settle(Item& item, double mm);
 
 /// What an item takes up with its clearance and what its zones keep free; and what all of them take up
 /// together.

@@ -184,6 +184,25 @@ constexpr Wording kWordsOfFit[] = {
     {"foam.middle", "middle foam {number}", "中間のフォーム {number}"},
     {"foam.lid", "lid", "ふた"},
     {"foam.lower_half", "lower half", "下のフォーム"},
+    {"pads",
+     "{pads} {pads|pad fills|pads fill} what block steps leave around what is packed: the packing sheet "
+     "shows where they "
+     "lie. No adhesive near the object",
+     "ブロックの段が残すすきまを {pads} "
+     "枚の詰め板で埋めます。場所は梱包指示書にあります。対象物の近くに接着剤を"
+     "使わないでください。"},
+    {"pads_left_out", "{pads} smaller {pads|pad is|pads are} not listed",
+     "小さい詰め板 {pads} 枚は載せていません。"},
+    {"pads_press",
+     "the pads above press on it with about {newton} N once the lid is closed, the weight of {kg} kg, with "
+     "the "
+     "foam's curve as it is given",
+     "ふたを閉じると、上の詰め板が約 {newton} N（{kg} kg の重さ）で押します（フォームの曲線による計算）。"},
+    {"pads_press_unknown",
+     "the pads above press on it, and how hard is not known: name the foam by {flag}, or do without the "
+     "squeeze",
+     "上の詰め板が対象物を押しますが、その強さは分かりません。{flag} "
+     "でフォームを指定するか、押し込みをやめてください。"},
     {"no_notches/floor",
      "finger notches {depth_mm} mm deep would not leave the floor that is wanted: the foam below the "
      "parting level is {high_mm} mm high; choose a smaller depth or a higher parting level",

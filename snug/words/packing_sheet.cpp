@@ -66,6 +66,22 @@ constexpr Wording kWordsOfPackingSheet[] = {
      "おいた 2 本のリボンで持ち上げます。指の入る所が"
      "ないものは、納める前にくぼみへリボンを 2 本、端を外に出して渡しておき、それを持って取り出します。細い部"
      "分や突き出た部分を持たないでください。スリットスポンジは、曲がらない板に載せて持ち上げます。"},
+    {"packing.pads", "Pads", "詰め板"},
+    {"packing.pads_how",
+     "Cut them from sheets of the same foam and stack them; seen into the cavity, as on every picture. Hold "
+     "them by "
+     "their fit, or by pins or stitches from the far side: no adhesive near the object.",
+     "同じフォームの板から切り出し、重ねて使います。図はどれも、くぼみを覗いた向きです。はめ込むか、反対側か"
+     "ら"
+     "ピンや糸で留めます。対象物の近くに接着剤を使わないでください。"},
+    {"packing.pads_on", "{piece}, cavity facing you", "{piece}（くぼみを手前にした向き）"},
+    {"packing.lay_pads", "Put the pads in their places, as drawn below.",
+     "詰め板を、下の図の場所に置きます。"},
+    {"pad.columns", "{from} to {to}", "{from} から {to}"},
+    {"pad.text",
+     "{piece}, {columns}, {left} mm from the left and {back} mm from BACK: {size} mm ({sheets} "
+     "{sheets|sheet|sheets} of {sheet_mm} mm)",
+     "{piece}、{columns}、左から {left} mm、奥から {back} mm：{size} mm（{sheet_mm} mm の板 {sheets} 枚）"},
     {"packing.how", "How to lay it in", "納め方"},
     {"packing.stand",
      "Stand the case with the lower foam in it, cavity up, the edge marked BACK away from you. The "

@@ -18,6 +18,7 @@
 #include "tests/support/random.h"
 #include "tests/support/random_design.h"
 #include "tests/support/shapes.h"
+#include "tests/support/zoned_kit.h"
 
 // Places on an item that foam keeps away from.
 
@@ -26,90 +27,13 @@ namespace {
 
 using test::Random;
 
-/// A point of a random triangle of a mesh.
-Vec3d point_of(Random& random, const Mesh& mesh) {
-    const Triangle& t = mesh.triangles[static_cast<std::size_t>(
-        random.integer(0, static_cast<int>(mesh.triangles.size()) - 1))];
-    double a = random.between(0, 1), b = random.between(0, 1);
-    if (a + b > 1) a = 1 - a, b = 1 - b;
-    const auto corner = [&](std::size_t i) { return vec_cast<double>(mesh.vertices[t[i]]); };
-    return corner(0) + (corner(1) - corner(0)) * a + (corner(2) - corner(0)) * b;
-}
-
-/// A few balls around points of the surface.
-Zone random_zone(Random& random, const Object& object) {
-    Zone zone;
-    for (int i = random.integer(1, 4); i > 0; --i)
-        zone.balls.push_back({point_of(random, object.mesh) + object.mesh.origin, random.between(1, 25)});
-    zone.keep_off_mm = random.between(1, 40);
-    return zone;
-}
-
-bool is_in(const Zone& zone, Vec3d p) {
-    return std::any_of(zone.balls.begin(), zone.balls.end(), [&](const Zone::Ball& ball) {
-        return dot(p - ball.centre, p - ball.centre) < ball.radius_mm * ball.radius_mm;
-    });
-}
-
-/// Whether a block of the piece stands within `off` of a point along all axes, or where the point passes on
-/// its way out of the piece: upwards from a piece below it, downwards from one above it.
-bool stands_in_the_way(const Grid<Run>& piece, bool below, const DesignSpace& space, Vec3d p, double off) {
-    for (int j = 0; j < piece.ny(); ++j)
-        for (int k = 0; k < piece.nz(); ++k) {
-            const Run kept = piece(j, k);
-            if (kept.none()) continue;
-            const bool beside = space.face(1, j) >= p.y + off || space.face(1, j + 1) <= p.y - off ||
-                                space.face(2, k) >= p.z + off || space.face(2, k + 1) <= p.z - off;
-            if (beside) continue;
-            if (below ? space.face(0, kept.end) > p.x - off : space.face(0, kept.first) < p.x + off)
-                return true;
-        }
-    return false;
-}
-
-struct ZonedKit {
-    Design design;
-    std::vector<Object> objects;
-};
-
-/// One to four random soups with zones, in a fitted space or a case, in layers or a tray.
-ZonedKit random_kit_with_zones(Random& random) {
-    ZonedKit kit;
-    Design& design = kit.design;
-    design.object.units = Unit::mm;
-    design.space.block_mm = {random.between(3, 20), random.between(4, 25), random.between(4, 25)};
-    design.space.blocks.reset();
-    design.cut.clearance_mm = test::random_clearance(random, design.space.block_mm);
-    design.cut.cut_on_touch = random.chance(0.3);
-    if (random.chance(0.5)) design.placement.rotation_deg = {random.between(-180, 180), 90, 0};
-    if (random.chance(0.3)) design.fit.least_rib_mm = random.between(1, 40);
-    if (random.chance(0.3)) design.fit.notches = NotchOptions{40, 25, 10, {}, {}, {}};
-    if (random.chance(0.3)) design.fit.lift = LiftOptions{random.between(10, 60), random.between(5, 25)};
-    if (random.chance(0.3)) design.space.open = random.between(0.3, 1);
-    const int items = random.integer(1, 4);
-    design.items.clear();
-    for (int i = 0; i < items; ++i) {
-        const Vec3d size{random.between(20, 80), random.between(20, 90), random.between(20, 90)};
-        kit.objects.push_back(
-            prepare(test::random_soup(random, size, random.integer(3, 12)), design).value());
-        ItemOptions item;
-        item.object = i;
-        item.layer = random.integer(1, std::min(i + 1, 2));
-        if (random.chance(0.4)) item.rotation_deg = Vec3d{90, random.between(-90, 90), 0};
-        for (int zone = random.integer(0, 2); zone > 0; --zone)
-            item.zones.push_back(random_zone(random, kit.objects.back()));
-        design.items.push_back(item);
-    }
-    return kit;
-}
-
 TEST(Zones, AreFreeAllRoundAndOnTheWayInAndOutOfEveryPiece) {
     int looked_at = 0, trays = 0, layered = 0;
     const int kits = test::cases(160, 30);
     for (int seed = 0; seed < kits; ++seed) {
         SCOPED_TRACE(seed);
         Random random(static_cast<std::uint64_t>(seed) + 91000);
-        const ZonedKit kit = random_kit_with_zones(random);
+        const test::ZonedKit kit = test::random_kit_with_zones(random);
         const auto design = checked(kit.design);
         ASSERT_TRUE(design) << text(design.error().message);
         const auto packing = pack(kit.objects, *design);
@@ -120,12 +44,12 @@ TEST(Zones, AreFreeAllRoundAndOnTheWayInAndOutOfEveryPiece) {
             for (const ItemZone& zone : item.zones)
                 for (int i = 0; i < 300; ++i) {
                     const Object& object = kit.objects[item.object];
-                    const Vec3d p = point_of(random, object.mesh);
-                    if (!is_in(zone.asked, p + object.mesh.origin)) continue;
+                    const Vec3d p = test::point_of(random, object.mesh);
+                    if (!test::is_in(zone.asked, p + object.mesh.origin)) continue;
                     ++looked_at;
                     const Vec3d placed = item.placement(vec_cast<float>(p));
                     for (std::size_t piece = 0; piece < packing->foams->pieces.size(); ++piece)
-                        ASSERT_FALSE(stands_in_the_way(
+                        ASSERT_FALSE(test::stands_in_the_way(
                             packing->foams->pieces[piece], piece < static_cast<std::size_t>(item.layer),
                             packing->space, placed, zone.asked.keep_off_mm - 0.011))
                             << "piece " << piece;
@@ -145,7 +69,7 @@ TEST(Zones, CutTheColumnsThatTheirSurfaceReachesAndNoMore) {
         Object object;
         object.mesh = soup.mesh;
         object.measure = measure(soup.mesh);
-        const Zones zones{random_zone(random, object)};
+        const Zones zones{test::random_zone(random, object)};
         auto placed = place_zones(object, zones, soup.placement);
         if (!placed) continue;  // it holds the whole soup
         Item item{};
@@ -187,13 +111,13 @@ TEST(Zones, SurfaceIsWhatLiesInTheBallsAndALittleMore) {
     for (std::uint64_t seed = 0; seed < 30; ++seed) {
         SCOPED_TRACE(seed);
         Random random(seed + 5);
-        const Zone zone = random_zone(random, object);
+        const Zone zone = test::random_zone(random, object);
         const auto part = zone_surface(object, zone);
         ASSERT_TRUE(part);
         for (const Vec3f& vertex : part->mesh.vertices) {
             Zone larger = zone;  // a piece of 1 mm or of a small triangle reaches so far out
             for (Zone::Ball& ball : larger.balls) ball.radius_mm += 1.001;
-            ASSERT_TRUE(is_in(larger, vec_cast<double>(vertex) + object.mesh.origin));
+            ASSERT_TRUE(test::is_in(larger, vec_cast<double>(vertex) + object.mesh.origin));
         }
         double area = 0;
         for (const Triangle& t : part->mesh.triangles) {

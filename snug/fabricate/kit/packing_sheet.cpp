@@ -13,6 +13,7 @@
 #include "snug/fabricate/kit/drop_pictures.h"
 #include "snug/fabricate/kit/finger_room.h"
 #include "snug/fabricate/kit/packing_record.h"
+#include "snug/fabricate/kit/pad_pages.h"
 #include "snug/fabricate/kit/shock_text.h"
 #include "snug/fabricate/kit/zone_text.h"
 #include "snug/words/pieces.h"
@@ -147,6 +148,7 @@ std::vector<Message> laying_steps(const PackedObject& packed) {
 void tell_order(PageFlow& flow, const PackedObject& packed) {
     flow.heading(say("packing.how"));
     std::vector<Message> steps{say("packing.stand")};
+    if (!packed.pads.pads.empty()) steps.push_back(say("packing.lay_pads"));
     for (Message& step : laying_steps(packed)) steps.push_back(std::move(step));
     steps.push_back(say(packed.design.foams.open() ? "packing.leave_open" : "packing.close"));
     steps.push_back(lifting_text(packed));
@@ -296,6 +298,13 @@ void tell_zones(PageFlow& flow, const PackedObject& packed) {
     flow.paragraph(say("packing.zones_claim"));
 }
 
+void tell_pads(PageFlow& flow, const PackedObject& packed) {
+    std::vector<std::string> names;
+    if (packed.items.size() > 1)
+        for (const PackedItem& item : packed.items) names.push_back(item.name);
+    tell_pads(flow, PadPlans{packed.pads, packed.design.foams, packed.design.space, std::move(names)});
+}
+
 void tell_unchecked(PageFlow& flow, bool dropped) {
     flow.heading(say("packing.unchecked"));
     for (const char* const code :
@@ -316,6 +325,7 @@ DrawingDocument packing_sheet(const PackedObject& packed) {
                   kInk, design.language);
     draw_pictures(flow, packed);
     tell_order(flow, packed);
+    tell_pads(flow, packed);
     tell_facts(flow, packed);
     tell_drops(flow, packed);
     tell_zones(flow, packed);

@@ -10,6 +10,7 @@
 #include "snug/design/workshop_options.h"
 #include "snug/fabricate/kit/packing_picture.h"
 #include "snug/fabricate/kit/workshop_pack.h"
+#include "snug/foam/fill_pads.h"
 #include "snug/foam/lift_slots.h"
 #include "snug/mesh/mesh.h"
 #include "snug/space/placement.h"
@@ -36,6 +37,7 @@ struct PackedObject {
     const PackMaterial& material;
     const WorkshopOptions& options;
     std::span<const LiftSlot> lift;  ///< to lift pieces by
+    const FillPads& pads;
     const std::optional<Protection>& protection;
 };
 

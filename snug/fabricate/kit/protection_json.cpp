@@ -72,7 +72,8 @@ Json item_json(const ItemProtection& item) {
             {"centre_mm", array(item.centre)},
             {"centre", item.centre_given ? "given" : "assumed uniform"},
             {"faces", faces_json(item)},
-            {"rest", rest_json(item.rest)}};
+            {"rest", rest_json(item.rest)},
+            {"pressed_n", or_null(item.pressed_n, 1e4)}};
 }
 
 Json protected_items(const Protection& all) {

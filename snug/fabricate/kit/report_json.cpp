@@ -152,19 +152,21 @@ Json items_json(const Packing& packing, const Project& project, const MeasuredFi
     for (std::size_t i = 0; i < packing.items.size(); ++i) {
         const Item& item = packing.items[i];
         const Box3d& box = item.placement.bounds;
-        list.push_back({{"name", item_name(project, project.design.items[i])},
-                        {"file", project.objects[item.object].file.name},
-                        {"number", i + 1},
-                        {"layer", item.layer},
-                        {"placement",
-                         {{"rotation_deg", array(item.rotation_deg)},
-                          {"offset_mm", array(item.offset_mm + walls + Vec3d{item.rise_mm, 0, 0})}}},
-                        {"box_mm", Json::array({array(box.min), array(box.max)})},
-                        {"clearance_mm", clearance_json(item.cut.clearance_mm)},
-                        {"mass_kg", item.mass_kg ? Json(rounded(*item.mass_kg)) : Json(nullptr)}});
+        list.push_back(
+            {{"name", item_name(project, project.design.items[i])},
+             {"file", project.objects[item.object].file.name},
+             {"number", i + 1},
+             {"layer", item.layer},
+             {"placement",
+              {{"rotation_deg", array(item.rotation_deg)},
+               {"offset_mm", array(item.offset_mm + walls + Vec3d{item.rise_mm - item.settled_mm, 0, 0})}}},
+             {"box_mm", Json::array({array(box.min), array(box.max)})},
+             {"clearance_mm", clearance_json(item.cut.clearance_mm)},
+             {"mass_kg", item.mass_kg ? Json(rounded(*item.mass_kg)) : Json(nullptr)}});
         if (packing.foams && packing.foams->open() && item.layer == packing.foams->layers())
             list.back()["sunk_mm"] =
                 rounded(packing.space.face(0, packing.foams->parting.back()) - box.min.x);
+        if (item.settled_mm > 0) list.back()["settled_mm"] = rounded(item.settled_mm);
         if (item.tip_deg) list.back()["tips_at_deg"] = std::floor(*item.tip_deg);
         if (packing.items.size() > 1 && !fit.item_bearings.empty())
             list.back()["bearing"] = bearing_areas(fit.item_bearings[i], item.mass_kg);
@@ -191,6 +193,24 @@ Json lift_json(const Packing& packing) {
                         {"side", side_name(slot.side)},
                         {"at_mm", rounded(slot.at_mm)},
                         {"size_mm", array(slot.size_mm)}});
+    return list;
+}
+
+/// Places in design coordinates.
+Json pads_json(const FillPads& pads) {
+    Json list = Json::array();
+    for (std::size_t i = 0; i < pads.pads.size(); ++i) {
+        const FillPad& pad = pads.pads[i];
+        list.push_back({{"number", i + 1},
+                        {"item", pad.item + 1},
+                        {"piece", foam_stem(pad.piece)},
+                        {"side", pad.above ? "above" : "below"},
+                        {"thickness_mm", rounded(pad.thickness_mm)},
+                        {"sheets", pad.sheets},
+                        {"columns", Json::array({Json::array({pad.first_j, pad.first_k}),
+                                                 Json::array({pad.end_j, pad.end_k})})},
+                        {"box_mm", Json::array({array(pad.box.min), array(pad.box.max)})}});
+    }
     return list;
 }
 
@@ -287,6 +307,7 @@ std::string report_json(std::span<const Object> objects, const Project& project,
         for (const double wall : packing.fit.wall_mm) json["wall_mm"].push_back(rounded(wall));
     }
     if (!packing.lift.slots.empty()) json["lift"] = lift_json(packing);
+    if (!packing.pads.pads.empty()) json["pads"] = pads_json(packing.pads);
     if (!packing.notches.empty()) json["notches"] = notches_json(packing);
     if (packing.fitted_case) {
         const int level = packing.foams ? packing.foams->parting.back() : 0;
