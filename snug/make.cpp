@@ -12,8 +12,10 @@
 #include "snug/check/find_near_items.h"
 #include "snug/check/find_object_problems.h"
 #include "snug/check/find_pads.h"
+#include "snug/check/find_relief.h"
 #include "snug/check/near_collections.h"
 #include "snug/check/protection.h"
+#include "snug/check/relieved.h"
 #include "snug/check/stability.h"
 #include "snug/foam/item_cuts.h"
 #include "snug/foam/object_cut.h"
@@ -192,14 +194,20 @@ std::vector<BlockMap> pockets_of(const std::vector<Item>& items, const std::vect
 }
 
 /// What each layer loses to its items and to hands, and what is left.
-void cut_layers(Packing& packing, const Design& design, const ItemCuts& items,
-                const std::vector<HalfCuts>& layers, std::vector<int> parting) {
+Result<void> cut_layers(std::span<const Object> objects, Packing& packing, const Design& design,
+                        const ItemCuts& items, const std::vector<HalfCuts>& layers,
+                        std::vector<int> parting) {
     if (packing.items.size() > 1 && wants_protection(design))
         packing.pockets = pockets_of(packing.items, items.cuts, parting, design.space.open.has_value());
     int under = 0;
     for (std::size_t i = 0; i < layers.size(); ++i) {
         const bool uncovered = design.space.open && i + 1 == layers.size();
         BlockMap layer = cut_of_layer(layers[i], parting[i], uncovered);
+        if (design.fit.relief && i == 0)
+            if (auto done = relieve(objects[packing.items.front().object], packing, design,
+                                    items.cuts.front().lower, layer);
+                !done)
+                return done;
         if (design.fit.notches)
             cut_notches_of_layer(packing, design, items.cuts, static_cast<int>(i) + 1, {parting[i], under},
                                  layer);
@@ -215,6 +223,7 @@ void cut_layers(Packing& packing, const Design& design, const ItemCuts& items,
     if (design.fit.lift)
         packing.lift = cut_lift_slots(*packing.foams, packing.layers, packing.space, *design.fit.lift,
                                       wanted_between_mm(design.space));
+    return {};
 }
 
 void add_findings(const std::vector<Finding>& more, std::vector<Finding>& findings) {
@@ -249,7 +258,8 @@ Result<Packing> pack(std::span<const Object> objects, const Design& design, cons
     const std::vector<HalfCuts> layers = united_in_layers(packing->items, items->cuts, layers_of(design));
     auto parting = parting_levels(*packing, layers, design);
     if (!parting) return tl::unexpected(parting.error());
-    cut_layers(*packing, design, *items, layers, std::move(*parting));
+    if (auto done = cut_layers(objects, *packing, design, *items, layers, std::move(*parting)); !done)
+        return tl::unexpected(done.error());
     if (design.fit.pads) {
         auto pads =
             fill_pads(packing->items, items->depths, *packing->foams, packing->space, *design.fit.pads);
@@ -317,8 +327,11 @@ Result<Made> make(std::span<Object> objects, Project& project, const Tools& tool
         auto held = protection(objects, made.packing, design, told(tools, Stage::drops));
         if (!held) return tl::unexpected(held.error());
         made.packing.protection = std::move(*held);
+        if (auto offered = offer_relief(objects, design, made.packing); !offered)
+            return tl::unexpected(offered.error());
     }
 
+    find_relief(made.packing, design, made.packing.findings);
     if (design.fit.pads) find_pads(made.packing, *design.fit.pads, made.packing.findings);
     find_near_collections(design, made.packing.findings);
     if (design.workshop.work != Workshop::none) {

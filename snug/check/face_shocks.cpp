@@ -23,6 +23,7 @@ constexpr double kFoamStep = 5;         // mm, that are proposed
 /// One item on one axis of the case.
 struct HeldItem {
     const Pads *low = nullptr, *high = nullptr;
+    const Pads* low_on_stiff_base = nullptr;  ///< where it stands on islands
     double bare_low = std::numeric_limits<double>::infinity();
     double bare_high = std::numeric_limits<double>::infinity();
     const std::vector<Vec2d>* outline = nullptr;
@@ -36,6 +37,7 @@ HeldItem held(const AxisContacts& all, int item) {
         if (contact.low != PadContact::kCase && contact.high != PadContact::kCase) continue;
         if (below) {
             found.low = &contact.pads;
+            if (contact.on_stiff_base) found.low_on_stiff_base = &*contact.on_stiff_base;
             found.bare_low = contact.bare_mm;
         } else {
             found.high = &contact.pads;
@@ -101,13 +103,37 @@ struct FaceTask {
 struct Stops {
     std::optional<Stop> given;
     std::vector<std::optional<Stop>> possible;
+    /// The same on islands whose base does not give way: the given first; empty elsewhere.
+    std::vector<std::optional<Stop>> on_stiff_base;
 };
 
-Stops stops_on(const Cushioned& item, const FaceTask& task, const Curves& curves) {
-    Stops stops{flat_drop(item, curves.given, task.height_mm, task.thin_mm), {}};
-    for (const StressCurve& curve : curves.possible)
-        stops.possible.push_back(flat_drop(item, curve, task.height_mm, task.thin_mm));
+std::vector<std::optional<Stop>> with_each(const Cushioned& item, const FaceTask& task,
+                                           const std::vector<StressCurve>& curves) {
+    std::vector<std::optional<Stop>> stops;
+    for (const StressCurve& curve : curves)
+        stops.push_back(flat_drop(item, curve, task.height_mm, task.thin_mm));
     return stops;
+}
+
+Stops stops_on(const Cushioned& item, const FaceTask& task, const Curves& curves) {
+    Stops stops{flat_drop(item, curves.given, task.height_mm, task.thin_mm),
+                with_each(item, task, curves.possible),
+                {}};
+    if (task.face == kFloor && task.item.low_on_stiff_base) {
+        Cushioned stiff = item;
+        stiff.ahead = task.item.low_on_stiff_base;
+        stops.on_stiff_base = with_each(stiff, task, curves.possible);
+        stops.on_stiff_base.insert(stops.on_stiff_base.begin(),
+                                   flat_drop(stiff, curves.given, task.height_mm, task.thin_mm));
+    }
+    return stops;
+}
+
+/// Whether it bottoms with some curve, or on some base.
+bool may_bottom(const Stops& stops) {
+    const auto none = [](const std::optional<Stop>& stop) { return !stop; };
+    return !stops.given || std::any_of(stops.possible.begin(), stops.possible.end(), none) ||
+           std::any_of(stops.on_stiff_base.begin(), stops.on_stiff_base.end(), none);
 }
 
 struct Spread {
@@ -128,13 +154,15 @@ Spread spread_of(const FaceTask& task, const Stops& stops) {
     };
     include(stops.given, kLeastSpread);
     for (const auto& stop : stops.possible) include(stop, 0);
+    for (std::size_t i = 0; i < stops.on_stiff_base.size(); ++i)
+        include(stops.on_stiff_base[i], i == 0 ? kLeastSpread : 0);
     return spread;
 }
 
 /// The least foam more, in steps, with which the high end of the range is what was asked for.
 std::optional<double> more_foam(const FaceTask& task, const Curves& curves, double asked_g) {
     const Cushioned item = task.cushioned();
-    if (!item.ahead || std::isfinite(item.bare_mm)) return {};
+    if (!item.ahead || std::isfinite(item.bare_mm) || task.item.low_on_stiff_base) return {};
     const auto holds = [&](int steps) {
         const Pads thicker = item.ahead->thicker(steps * kFoamStep);
         Cushioned on_it = item;
@@ -156,6 +184,7 @@ std::optional<double> more_foam(const FaceTask& task, const Curves& curves, doub
 double farthest(const Stops& stops) {
     double mm = stops.given->travel_mm;
     for (const auto& stop : stops.possible) mm = std::max(mm, stop->travel_mm);
+    for (const auto& stop : stops.on_stiff_base) mm = std::max(mm, stop->travel_mm);
     return mm;
 }
 
@@ -204,6 +233,23 @@ RestReport rest_of(const std::optional<Stop>& stop) {
     return rest;
 }
 
+/// A fifth more mass from a quarter higher must not bottom where islands alone carry it, and at rest they
+/// press more than a flat block would.
+IslandReport relief_of(FaceTask task, const Curves& curves) {
+    IslandReport relief;
+    Cushioned item = task.cushioned();
+    for (const Pads* pads : {item.ahead, task.item.low_on_stiff_base}) {
+        item.ahead = pads;
+        const auto rest = at_rest(item, curves.given);
+        if (!rest) return {true, {}};
+        relief.rest_kpa = std::max(relief.rest_kpa.value_or(0), rest->peak_kpa);
+    }
+    task.mass_kg *= 1.2;
+    task.height_mm *= 1.25;
+    relief.bottoms = may_bottom(stops_on(task.cushioned(), task, curves));
+    return relief;
+}
+
 /// What the items of a packing meet along an axis.
 class AxisDrops {
   public:
@@ -241,6 +287,7 @@ class AxisDrops {
                 shock_of(task, stops_on(task.cushioned(), task, curves_), packing_.items[i].placement.bounds);
             face.bottoms_itself = face.bottoms;
             face.force = force_on_the_way(task.cushioned(), curves_.given, kForceSteps);
+            if (side == kFloor && found.low_on_stiff_base) item.relief = relief_of(task, curves_);
             if (item.asked_g && !holds(face, *item.asked_g))
                 face.more_foam_mm = more_foam(task, curves_, *item.asked_g);
         }
@@ -293,7 +340,7 @@ class AxisDrops {
                                            [](const JointStops& each) { return each.unsettled; });
         for (std::size_t k = 0; k < set.size(); ++k) {
             const auto i = static_cast<std::size_t>(set[k]);
-            Stops stops{by_curve.front().stops[k], {}};
+            Stops stops{by_curve.front().stops[k], {}, {}};
             for (std::size_t curve = 1; curve < by_curve.size(); ++curve)
                 stops.possible.push_back(by_curve[curve].stops[k]);
             const HeldItem found = held(contacts_, set[k]);

@@ -14,6 +14,7 @@
 #include "snug/foam/foams.h"
 #include "snug/foam/lift_slots.h"
 #include "snug/foam/notches.h"
+#include "snug/foam/relief_islands.h"
 #include "snug/foam/zone_cuts.h"
 #include "snug/space/case_space.h"
 #include "snug/space/design_space.h"
@@ -35,12 +36,13 @@ struct Packing {
     std::vector<BlockMap> layers;          ///< what each layer of items cuts, the lowest first
     std::vector<BlockMap> pockets;         ///< what each of several items cuts, where drops are looked at
     std::vector<ZoneCut> zone_cuts;        ///< of the zones that foam keeps away from
-    std::vector<Notch> notches;  ///< beside the items, where the design wants them and there is room
-    FillPads pads;               ///< that fill what block steps leave, where the design wants them
-    LiftSlots lift;              ///< in the pieces that are lifted, where the design wants them
-    long long rib_blocks = 0;    ///< cut because they stood too thin between cavities
-    std::optional<Foams> foams;  ///< none where an item leaves the space (finding `outside`)
-    FitReport fit;               ///< of `foams`
+    std::vector<Notch> notches;         ///< beside the items, where the design wants them and there is room
+    std::optional<FloorRelief> relief;  ///< under an only item, where the design wants it
+    FillPads pads;                      ///< that fill what block steps leave, where the design wants them
+    LiftSlots lift;                     ///< in the pieces that are lifted, where the design wants them
+    long long rib_blocks = 0;           ///< cut because they stood too thin between cavities
+    std::optional<Foams> foams;         ///< none where an item leaves the space (finding `outside`)
+    FitReport fit;                      ///< of `foams`
     std::optional<Protection> protection;  ///< what is met in a drop; none where the design does not ask
     std::vector<Finding> findings;         ///< dangers first
     Timing timing;

@@ -128,7 +128,8 @@ class Contacts {
           line_(packing, pockets, lines.axis),
           filler_(filler_mm(packing, lines.axis)),
           pads_(packing, lines.axis),
-          open_above_(lines.axis == 0 && packing.foams->open()) {
+          open_above_(lines.axis == 0 && packing.foams->open()),
+          relieved_(lines.axis == 0 && packing.relief) {
         const auto& all = lines.lines;
         for (std::size_t i = 0, end = 0; i < all.size(); i = end) {
             while (end < all.size() && all[end].row == all[i].row && all[end].column == all[i].column) ++end;
@@ -147,7 +148,10 @@ class Contacts {
     std::vector<PadContact> take() {
         std::vector<PadContact> contacts;
         for (auto& [ends, found] : found_)
-            contacts.push_back({ends.first, ends.second, Pads(std::move(found.columns)), found.bare_mm});
+            contacts.push_back({ends.first, ends.second, Pads(std::move(found.columns)), found.bare_mm,
+                                found.on_stiff_base.empty()
+                                    ? std::nullopt
+                                    : std::optional(Pads(std::move(found.on_stiff_base)))});
         return contacts;
     }
 
@@ -159,7 +163,7 @@ class Contacts {
         friend auto operator<=>(const ZoneEnd&, const ZoneEnd&) = default;
     };
     struct Found {
-        std::vector<PadColumn> columns;
+        std::vector<PadColumn> columns, on_stiff_base;
         double bare_mm = std::numeric_limits<double>::infinity();
     };
 
@@ -217,7 +221,22 @@ class Contacts {
         const bool kept_off = std::any_of(zones.begin(), zones.end(), [&](const auto& zone) {
             return zone && asked(*zone).keep_off_mm > 0;
         });
-        if (!kept_off) found.columns.push_back(column);
+        if (kept_off) return;
+        found.columns.push_back(column);
+        if (relieved_ && ends.first == PadContact::kCase)
+            found.on_stiff_base.push_back(on_stiff_base(column, item));
+    }
+
+    /// Of an island only what stands free gives way.
+    [[nodiscard]] PadColumn on_stiff_base(PadColumn column, const ItemLine& line) const {
+        const auto& islands = packing_.relief->islands;
+        const bool stands = std::any_of(islands.begin(), islands.end(), [&](const ReliefIsland& island) {
+            return island.has(line.b, line.c);
+        });
+        const double free =
+            packing_.relief->blocks * packing_.space.block_mm.x + pads_.below(line.item, line);
+        if (stands) column.thickness_mm = std::min(column.thickness_mm, free);
+        return column;
     }
 
     const Packing& packing_;
@@ -225,6 +244,7 @@ class Contacts {
     std::array<double, 2> filler_;
     PadThickness pads_;
     bool open_above_;
+    bool relieved_;  ///< an item stands on islands of the foam below it
     std::map<Ends, Found> found_;
     std::map<ZoneEnd, std::vector<PadColumn>> zones_;
 };

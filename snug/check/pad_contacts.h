@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,9 @@ struct PadContact {
     Pads pads;
     /// The least way between the two where no foam lies between them, mm; infinite where some always does.
     double bare_mm = std::numeric_limits<double>::infinity();
+    /// Where an item stands on islands (Packing::relief): the same as if the foam under them spread their
+    /// load so well that it did not give way; none elsewhere. The truth lies between the two.
+    std::optional<Pads> on_stiff_base = {};
 };
 
 /// The foam before a zone that may be pressed so much at most, towards one side.

@@ -32,13 +32,11 @@ std::optional<double> gross_kg(const Packing& packing, const std::optional<doubl
 }
 
 ItemProtection begun(const Object& object, const Item& item, const ItemOptions& own, const Design& design) {
-    const auto centre = own.centre_mm ? own.centre_mm : design.protection.centre_mm;
     ItemProtection all;
     all.mass_kg = item.mass_kg;
     all.asked_g = own.fragility_g ? own.fragility_g : design.protection.asked_g();
-    all.centre_given = centre.has_value();
-    all.centre = centre ? item.placement.rotation(*centre - origin_mm(object)) + item.placement.shift
-                        : centre_of_mass(object, item.placement);
+    all.centre_given = own.centre_mm || design.protection.centre_mm;
+    all.centre = mass_centre(object, item, own, design);
     if (!item.mass_kg) all.rest.why_none = NoShock::no_mass;
     for (int i = 0; i < 6; ++i) all.faces[static_cast<std::size_t>(i)].face = static_cast<Side>(i);
     return all;
@@ -124,6 +122,12 @@ std::array<Side, 6> Protection::worst_first() const {
     const auto worst_on = [&](Side side) { return badness(items[worst_item(side)], side); };
     std::stable_sort(sides.begin(), sides.end(), [&](Side a, Side b) { return worst_on(a) > worst_on(b); });
     return sides;
+}
+
+Vec3d mass_centre(const Object& object, const Item& item, const ItemOptions& own, const Design& design) {
+    const auto centre = own.centre_mm ? own.centre_mm : design.protection.centre_mm;
+    return centre ? item.placement.rotation(*centre - origin_mm(object)) + item.placement.shift
+                  : centre_of_mass(object, item.placement);
 }
 
 bool wants_protection(const Design& design) {

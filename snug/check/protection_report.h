@@ -92,6 +92,12 @@ struct ZoneReport {
     [[nodiscard]] std::optional<double> most_kpa() const;
 };
 
+/// What an item that stands on islands of foam needs beside the range of its drop.
+struct IslandReport {
+    bool bottoms = false;            ///< with a fifth more mass from a quarter higher
+    std::optional<double> rest_kpa;  ///< the most at rest; none where that bottoms
+};
+
 struct ItemProtection {
     std::optional<double> mass_kg;
     std::optional<double> asked_g;   ///< what it is taken to bear
@@ -101,6 +107,7 @@ struct ItemProtection {
     RestReport rest;
     /// What foam above presses on it with as it is drawn, with the curve as it is given; none: not known.
     std::optional<double> pressed_n;
+    std::optional<IslandReport> relief;  ///< where it stands on islands and its drop on the floor is known
 };
 
 struct Protection {

@@ -41,6 +41,24 @@ std::optional<std::string> say_places(const NotchOptions& notches) {
     return exact({*notches.first_mm, *notches.second_mm}, ',');
 }
 
+Result<void> take_relief(std::string_view text, FitOptions& fit) {
+    if (text == "none") {
+        fit.relief.reset();
+        return {};
+    }
+    const std::vector<double> sizes = typed_numbers(text, 'x');
+    if (sizes.size() != 2)
+        return not_what_it_takes("--relief", say("takes.relief", {{"example", "40x60"}, {"other", "none"}}),
+                                 text);
+    fit.relief = ReliefOptions{sizes[0], sizes[1]};
+    return {};
+}
+
+std::optional<std::string> say_relief(const FitOptions& fit) {
+    if (!fit.relief) return "none";
+    return exact({fit.relief->height_mm, fit.relief->island_mm}, 'x');
+}
+
 Result<void> take_lift(std::string_view text, FitOptions& fit) {
     if (text == "none") {
         fit.lift.reset();
@@ -87,6 +105,17 @@ SharedFlag<FitOptions> pads_flag() {
                  "ブロックの段が残すすきまを埋める詰め板：板の厚さ、上の板が対象物を押してよい量（0）"},
         .take = take_pads,
         .say = say_pads};
+}
+
+SharedFlag<FitOptions> relief_flag() {
+    return {
+        .flag = "--relief",
+        .takes = "40x60|none",
+        .help = {"Let an item stand on islands of its foam alone: how high they stand free x how wide they "
+                 "are",
+                 "対象物を、フォームの島だけに載せます：島の周りが空いた高さ x 島の幅"},
+        .take = take_relief,
+        .say = say_relief};
 }
 
 SharedFlag<FitOptions> lift_flag() {

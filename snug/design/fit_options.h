@@ -45,10 +45,19 @@ struct PadOptions {
     friend bool operator==(const PadOptions&, const PadOptions&) = default;
 };
 
+/// Foam of the lower half that is taken away under an item, so that it stands on islands alone: less foam
+/// pushes back in a drop. mm, cut in whole blocks.
+struct ReliefOptions {
+    double height_mm = 40;  ///< that the islands stand free, nearly through the foam
+    double island_mm = 60;  ///< how wide and long each is at least
+    friend bool operator==(const ReliefOptions&, const ReliefOptions&) = default;
+};
+
 /// What makes the cut foam one to work and live with.
 struct FitOptions {
     bool settle = false;                  ///< items are lowered until they lie on foam
     std::optional<PadOptions> pads;       ///< none: no pads
+    std::optional<ReliefOptions> relief;  ///< none: an item lies on all of its foam
     double least_rib_mm = 0;              ///< foam between cavities that is thinner is cut away; 0: none is
     std::optional<NotchOptions> notches;  ///< none: no recesses
     std::optional<LiftOptions> lift;      ///< none: no recesses
@@ -63,6 +72,8 @@ struct FitOptions {
 [[nodiscard]] SharedFlag<FitOptions> lift_flag();
 /// --pads.
 [[nodiscard]] SharedFlag<FitOptions> pads_flag();
+/// --relief.
+[[nodiscard]] SharedFlag<FitOptions> relief_flag();
 
 template <class Visit>
 void visit_options(Visit& visit, NotchOptions& notches) {
@@ -168,6 +179,27 @@ void visit_options(Visit& visit, PadOptions& pads) {
 }
 
 template <class Visit>
+void visit_options(Visit& visit, ReliefOptions& relief) {
+    constexpr Range kSize{.least = 0, .most = 10000, .above = true};
+    visit.option(relief.height_mm, {.json = "height_mm",
+                                    .flag = "--relief",
+                                    .unit = "mm",
+                                    .range = kSize,
+                                    .step = 1,
+                                    .label = {"the relief's height", "くり抜きの高さ"},
+                                    .help = {"How high the islands stand free that an item lies on",
+                                             "対象物を載せる島の、周りが空いた高さ"}});
+    visit.option(relief.island_mm,
+                 {.json = "island_mm",
+                  .flag = "--relief",
+                  .unit = "mm",
+                  .range = kSize,
+                  .step = 1,
+                  .label = {"the relief's islands", "くり抜きの島の幅"},
+                  .help = {"How wide and long each island is at least", "それぞれの島の幅と長さの最小"}});
+}
+
+template <class Visit>
 void visit_options(Visit& visit, FitOptions& fit) {
     visit.option(fit.settle,
                  {.json = "settle",
@@ -177,6 +209,8 @@ void visit_options(Visit& visit, FitOptions& fit) {
                            "ブロックの段の上に浮かせず、下のフォームに載るまで対象物を下げます"}});
     visit.flag(fit, pads_flag());
     visit.group(fit.pads, {.json = "pads", .title = {"Pads", "詰め板"}, .flag = "--pads"});
+    visit.flag(fit, relief_flag());
+    visit.group(fit.relief, {.json = "relief", .title = {"Relief", "くり抜き"}, .flag = "--relief"});
     visit.option(fit.least_rib_mm, {.json = "least_rib_mm",
                                     .flag = "--least-rib",
                                     .takes = "MM",

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "snug/depth/depth_map.h"
+#include "snug/foam/zone_cuts.h"
 
 namespace snug {
 namespace {
@@ -112,22 +113,6 @@ class LargestPads {
     std::int16_t least_;
     std::map<std::int16_t, std::optional<StackedColumns>> levels_;
 };
-
-/// Where the surfaces of zones are seen, of whatever kind they are.
-Result<Grid<char>> zone_columns(const std::vector<Item>& items, const DesignSpace& space) {
-    Grid<char> seen(space.blocks.y, space.blocks.z, 0);
-    for (const Item& item : items)
-        for (const ItemZone& zone : item.zones) {
-            CutOptions cut = item.cut;
-            cut.clearance_mm = std::max(zone.asked.keep_off_mm, 0.0);
-            cut.liner_mm = 0;
-            const auto depths = object_depths(*zone.surface, item.placement, space, cut);
-            if (!depths) return tl::unexpected(depths.error());
-            for (std::size_t column = 0; column < seen.size(); ++column)
-                if (!depths->lower.depths[column].none()) seen[column] = 1;
-        }
-    return seen;
-}
 
 /// Of a pad that so much is free for. Above an item it must end close to it.
 std::int16_t sheets_in(double free_mm, bool above, const PadOptions& options) {

@@ -44,4 +44,19 @@ Result<std::vector<ZoneCut>> cut_zones(const Item& item, std::size_t number, con
     return all;
 }
 
+Result<Grid<char>> zone_columns(const std::vector<Item>& items, const DesignSpace& space) {
+    Grid<char> seen(space.blocks.y, space.blocks.z, 0);
+    for (const Item& item : items)
+        for (const ItemZone& zone : item.zones) {
+            CutOptions cut = item.cut;
+            cut.clearance_mm = std::max(zone.asked.keep_off_mm, 0.0);
+            cut.liner_mm = 0;
+            const auto depths = object_depths(*zone.surface, item.placement, space, cut);
+            if (!depths) return tl::unexpected(depths.error());
+            for (std::size_t column = 0; column < seen.size(); ++column)
+                if (!depths->lower.depths[column].none()) seen[column] = 1;
+        }
+    return seen;
+}
+
 }  // namespace snug

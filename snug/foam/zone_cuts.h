@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "snug/base/grid.h"
 #include "snug/base/progress.h"
 #include "snug/base/result.h"
 #include "snug/foam/object_cut.h"
@@ -25,5 +26,9 @@ struct ZoneCut {
 [[nodiscard]] Result<std::vector<ZoneCut>> cut_zones(const Item& item, std::size_t number,
                                                      const DesignSpace& space, HalfCuts& cuts,
                                                      const Progress& progress = {});
+
+/// 1 in every column that sees a zone of an item with its reach, whatever is asked of the zone: nothing may
+/// be put there to carry an item. Fails as object_depths() does.
+[[nodiscard]] Result<Grid<char>> zone_columns(const std::vector<Item>& items, const DesignSpace& space);
 
 }  // namespace snug

@@ -15,7 +15,7 @@ Box3d box_around(const ZoneBalls::Corners& corners) {
     return box;
 }
 
-double squared(Vec3d v) {
+double square_of(Vec3d v) {
     return dot(v, v);
 }
 
@@ -30,7 +30,7 @@ ZoneBalls::ZoneBalls(const Zone& zone, Vec3d origin, double grown_mm) {
     for (const Ball& ball : balls_) {
         const bool within = std::any_of(outermost.begin(), outermost.end(), [&](const Ball& other) {
             const double room = other.radius - ball.radius;
-            return squared(ball.centre - other.centre) <= room * room;
+            return square_of(ball.centre - other.centre) <= room * room;
         });
         if (!within) outermost.push_back(ball);
     }
@@ -80,7 +80,7 @@ bool ZoneBalls::any_near(const Box3d& box, Visit visit) const {
 bool ZoneBalls::meet(const Corners& triangle) const {
     return any_near(box_around(triangle), [&](const Ball& ball) {
         const Vec3d nearest = nearest_on_triangle(triangle[0], triangle[1], triangle[2], ball.centre);
-        return squared(nearest - ball.centre) <= ball.radius * ball.radius;
+        return square_of(nearest - ball.centre) <= ball.radius * ball.radius;
     });
 }
 
@@ -88,7 +88,7 @@ bool ZoneBalls::meet(Vec3d centre, double radius) const {
     const Vec3d r{radius, radius, radius};
     return any_near({centre - r, centre + r}, [&](const Ball& ball) {
         const double reach = ball.radius + radius;
-        return squared(centre - ball.centre) <= reach * reach;
+        return square_of(centre - ball.centre) <= reach * reach;
     });
 }
 
@@ -97,10 +97,10 @@ void ZoneBalls::add_pieces(const Corners& triangle, std::vector<Corners>& pieces
     bool within = false;
     (void)any_near(box_around(triangle), [&](const Ball& ball) {
         const Vec3d nearest = nearest_on_triangle(triangle[0], triangle[1], triangle[2], ball.centre);
-        if (squared(nearest - ball.centre) > ball.radius * ball.radius) return false;
+        if (square_of(nearest - ball.centre) > ball.radius * ball.radius) return false;
         smallest = smallest == 0 ? ball.radius : std::min(smallest, ball.radius);
         within = std::all_of(triangle.begin(), triangle.end(), [&](Vec3d corner) {
-            return squared(corner - ball.centre) <= ball.radius * ball.radius;
+            return square_of(corner - ball.centre) <= ball.radius * ball.radius;
         });
         return within;
     });
@@ -109,7 +109,7 @@ void ZoneBalls::add_pieces(const Corners& triangle, std::vector<Corners>& pieces
     double length = 0;
     for (int i = 0; i < 3; ++i) {
         const double edge =
-            squared(triangle[static_cast<std::size_t>((i + 1) % 3)] - triangle[static_cast<std::size_t>(i)]);
+            square_of(triangle[static_cast<std::size_t>((i + 1) % 3)] - triangle[static_cast<std::size_t>(i)]);
         if (edge <= length) continue;
         length = edge;
         longest = i;

@@ -184,6 +184,60 @@ constexpr Wording kWordsOfFit[] = {
     {"foam.middle", "middle foam {number}", "中間のフォーム {number}"},
     {"foam.lid", "lid", "ふた"},
     {"foam.lower_half", "lower half", "下のフォーム"},
+    {"no_relief/items", "no relief: items that may reach one another are not looked at on islands",
+     "くり抜きはしません。互いに影響する複数のものは、島の上では計算できません。"},
+    {"no_relief/foam",
+     "no relief: slit sponge, cubes and what is printed, cast or built do not stand on islands; sheets or a "
+     "milled block "
+     "of polyethylene would",
+     "くり抜きはしません。スリットスポンジ、キューブ、印刷や注型、ブロックの玩具では島が立ちません。ポリエチ"
+     "レンの板か"
+     "切削した塊なら可能です。"},
+    {"no_relief/slender",
+     "no relief: islands of {island_mm} mm would buckle where they stand {height_mm} mm free: {least_mm} mm "
+     "or more",
+     "くり抜きはしません。{height_mm} mm の高さに対して {island_mm} mm の島では座屈します。{least_mm} mm "
+     "以上にしてください。"},
+    {"no_relief/nothing", "no relief: no foam below the object carries it",
+     "くり抜きはしません。対象物を支えるフォームが下にありません。"},
+    {"no_relief/depth",
+     "no relief: islands must stand nearly through the {foam_mm} mm of foam below the object, and "
+     "{height_mm} mm is not "
+     "that: from {least_mm} to {most_mm} mm",
+     "くり抜きはしません。島は、下のフォーム {foam_mm} mm をほぼ貫く高さにします（{height_mm} mm ではなく "
+     "{least_mm} から "
+     "{most_mm} mm）。"},
+    {"no_relief/room",
+     "no relief: there is no room for three islands of {island_mm} mm under the object with the centre of "
+     "its mass "
+     "between them",
+     "くり抜きはしません。重心を囲む {island_mm} mm の島を三つ置く場所が、対象物の下にありません。"},
+    {"relief",
+     "the object stands on {islands} islands of {size} mm that stand {height_mm} mm free; foam beneath them "
+     "spreads its "
+     "load, and the range on its floor takes in both that it gives way and that it does not",
+     "対象物は {size} mm、周りが {height_mm} mm 空いた {islands} "
+     "か所の島に載ります。島の下のフォームがたわむ場合とたわまない"
+     "場合の両方を、底への落下の幅に含めています。"},
+    {"relief_bottoms",
+     "its islands may bottom with a fifth more mass from a quarter higher: wider ones, or none, would do",
+     "質量が 2 割、高さが 2 割 5 "
+     "分大きいと、島が底つきするおそれがあります。島を広げるか、くり抜きをやめてください。"},
+    {"relief_creep",
+     "its islands carry {kpa} kPa at rest, more than half of what the foam bears for long ({most_kpa}): "
+     "wider ones "
+     "would do",
+     "島には静置時に {kpa} kPa "
+     "がかかり、フォームが長く耐える圧力の半分（{most_kpa}）を超えます。島を広げてください。"},
+    {"relief_creep_unknown",
+     "what its foam bears for long is not known, so that nothing says whether its islands sag in a long "
+     "store",
+     "フォームが長く耐える圧力が分からないため、長く置いたときに島が沈むかどうかは分かりません。"},
+    {"relief_offer",
+     "less foam under it would do more on its floor: {flag} lets it stand on {islands} islands, about "
+     "{range}",
+     "下のフォームを減らすと、底への落下の衝撃が下がります。{flag} とすれば {islands} か所の島に載り、およそ "
+     "{range} です。"},
     {"pads",
      "{pads} {pads|pad fills|pads fill} what block steps leave around what is packed: the packing sheet "
      "shows where they "

@@ -63,6 +63,8 @@ constexpr Wording kWordsOfOptions[] = {
     {"takes.or", "{what}, or {none}", "{what}、または {none} "},
     {"takes.pads", "a thickness in mm, and how far to press, such as {example} or {other}, or none",
      "{example} や {other} のような厚さと押してよい量（mm）、または none"},
+    {"takes.relief", "height x width in mm such as {example}, or {other}",
+     "高さ x 幅（mm）。例：{example}。または {other}"},
     {"takes.lift", "width x depth in mm such as {example}, or {other}",
      "幅 x 奥行き（mm）。例：{example}。または {other}"},
     {"takes.notches", "width x depth in mm, and the room outwards if you like, such as {example} or {other}",

@@ -132,6 +132,7 @@ Design random_options(Random& random) {
     Design design;
     if (random.chance(0.5)) design.fit.notches.emplace();
     if (random.chance(0.5)) design.fit.pads.emplace();
+    if (random.chance(0.5)) design.fit.relief.emplace();
     if (random.chance(0.5)) design.fit.lift.emplace();
     if (random.chance(0.5)) design.protection.foam.emplace();
     const std::size_t count = options_of(design).options.size();
