@@ -101,8 +101,11 @@ std::array<double, 2> filler_mm(const Packing& packing, int axis) {
 
 class Contacts {
   public:
-    Contacts(const AxisLines& lines, const Packing& packing, std::span<const BlockMap> pockets)
+    /// `one_by_one`: takes the columns in place of the sums.
+    Contacts(const AxisLines& lines, const Packing& packing, std::span<const BlockMap> pockets,
+             std::vector<ContactColumn>* one_by_one = nullptr)
         : packing_(packing),
+          one_by_one_(one_by_one),
           line_(packing, pockets, lines.axis),
           filler_(filler_mm(packing, lines.axis)),
           open_above_(lines.axis == 0 && packing.foams->open()) {
@@ -186,10 +189,15 @@ class Contacts {
         const bool kept_off = std::any_of(zones.begin(), zones.end(), [&](const auto& zone) {
             return zone && asked(*zone).keep_off_mm > 0;
         });
-        if (!kept_off) found.columns.push_back(column);
+        if (kept_off) return;
+        if (one_by_one_)
+            one_by_one_->push_back({ends.first, ends.second, item.row, item.column, from, to, column});
+        else
+            found.columns.push_back(column);
     }
 
     const Packing& packing_;
+    std::vector<ContactColumn>* one_by_one_;
     Line line_;
     std::array<double, 2> filler_;
     bool open_above_;
@@ -206,6 +214,13 @@ AxisContacts pad_contacts(const AxisLines& lines, const Packing& packing, std::s
     for (const ItemLine& line : lines.lines) points[line.item].push_back({line.u, line.v});
     for (std::vector<Vec2d>& each : points) all.outlines.push_back(convex_hull(std::move(each)));
     return all;
+}
+
+std::vector<ContactColumn> contact_columns(const AxisLines& lines, const Packing& packing,
+                                           std::span<const BlockMap> pockets) {
+    std::vector<ContactColumn> columns;
+    const Contacts all(lines, packing, pockets, &columns);
+    return columns;
 }
 
 }  // namespace snug
