@@ -132,6 +132,7 @@ EMSCRIPTEN_BINDINGS(snug) {
         .function("pack", &bound::Session::pack)
         .function("gaps", &bound::Session::gaps)
         .function("drops", &bound::Session::drops)
+        .function("contacts", &bound::Session::contacts)
         .function("protectingWalls", &bound::Session::protecting_walls)
         .function("zones", &bound::Session::zones)
         .function("distances", &bound::Session::distances)

@@ -138,4 +138,31 @@ val to_val(const Protection& all, const Packing& packing) {
     return result;
 }
 
+val contacts_val(const ContactMap& map, const Protection& all, std::optional<Side> side) {
+    val items = val::array();
+    for (std::size_t i = 0; i < map.items.size(); ++i) {
+        std::vector<float> numbers;
+        for (const PressedColumn& column : map.items[i].columns)
+            for (const double each :
+                 {double{1} * column.row, double{1} * column.column, column.high ? 1.0 : 0.0, column.from_mm,
+                  column.to_mm, column.strain, column.kpa})
+                numbers.push_back(static_cast<float>(each));
+        const auto why = no_contact_text(all.items[i], all, side);
+        val one = val::object();
+        one.set("why", why ? to_val(*why) : val::null());
+        one.set("columns", typed_array(numbers.data(), numbers.size()));
+        items.call<void>("push", one);
+    }
+    val cell = val::array();
+    cell.call<void>("push", map.cell_mm.x);
+    cell.call<void>("push", map.cell_mm.y);
+    val result = val::object();
+    result.set("axis", map.axis);
+    result.set("rows", map.rows);
+    result.set("columns", map.columns);
+    result.set("cell_mm", cell);
+    result.set("items", items);
+    return result;
+}
+
 }  // namespace snug::wasm

@@ -120,3 +120,36 @@ test('several items in layers each bear their own, and a tray is not dropped', a
   await page.getByRole('button', {name: 'Undo'}).click();
   await expect(sides(page)).toHaveCount(6);
 });
+
+test('pressure is shown in colours, with a legend, and says so where nothing is known', async ({studio: page}) => {
+  await open(page, RING);
+  await ask(page);
+  await set(page, 'spinbutton', 'Object weighs', 0.4);
+  await expect(sides(page)).toHaveCount(6);
+  const colours = page.getByLabel('Show pressure in colours', {exact: true});
+  const canvas = page.locator('canvas[role=application]');
+  await page.getByRole('button', {name: 'Show all'}).click();
+  await expect(colours).toHaveValue('none');
+  await colours.selectOption('rest');
+  await expect(page.locator('#pressure-legend')).toContainText(/On the object\s*0\s*[\d.]+ kPa/);
+  await expect(page.locator('#pressure-legend')).toContainText(/Foam squeezed by\s*0\s*[\d.]+ %/);
+  await expect(check(page)).toContainText('with the curve as given; columns of foam side by side, no friction');
+  await page.getByRole('spinbutton', {name: 'Opening in percent'}).fill('0');
+  await page.getByRole('button', {name: 'Open the foams'}).click();
+  await expect(page.getByRole('button', {name: 'Open the foams'})).toHaveCount(0);
+  const rest = await canvas.screenshot();
+  await colours.selectOption('none');
+  await expect.poll(async () => (await canvas.screenshot()).equals(rest)).toBe(false);
+
+  const first = page.getByRole('button', {name: /^Show pressure in colours on its/}).first();
+  await first.click();
+  await expect(first).toHaveAttribute('aria-pressed', 'true');
+  await expect(colours).toHaveValue(/^[0-5]$/);
+  await expect(page.locator('#pressure-legend')).toContainText(/On the object\s*0\s*[\d.]+ kPa/);
+  expect(await violations(page)).toEqual([]);
+
+  await set(page, 'spinbutton', 'Object weighs', 200);
+  await colours.selectOption('rest');
+  await expect(check(page)).toContainText('Already at rest the foam below would be squeezed beyond its data', {ignoreCase: true});
+  await expect(page.locator('#pressure-legend')).toHaveCount(0);
+});

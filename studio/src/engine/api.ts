@@ -5,7 +5,7 @@ import type {BrickRange, Design, KnownCase, Preset, Triple} from '../design/desi
 import type {ObjectUse} from '../design/moment';
 import type {Dependent, Schema} from '../design/options';
 import type {Pair} from '../words/words';
-import type {DropChoices, Drops} from './drops';
+import type {ContactMap, DropChoices, Drops, Pressing} from './drops';
 import type {ZoneResults} from './zones';
 
 /** A file that came with the object. */
@@ -332,6 +332,8 @@ export interface Engine {
   gaps(onProgress?: OnProgress): Promise<Gap | Failure>;
   /** What the items of the last packing meet in a drop. */
   drops(): Promise<Drops | Failure>;
+  /** What squeezes what then. */
+  contacts(pressing: Pressing): Promise<ContactMap | Failure>;
   /** The design with the walls that hold what it asks for in a drop. Cancelled by cancel(). */
   protectingWalls(
     design: Design,

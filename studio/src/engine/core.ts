@@ -23,7 +23,7 @@ import type {
   WorkshopFigures,
 } from './api';
 import {simplified} from './display_mesh';
-import {readChoices, type DropChoices, type Drops} from './drops';
+import {readChoices, type ContactMap, type DropChoices, type Drops, type Pressing} from './drops';
 import {brokenModule, isFailure} from './failure';
 import {arranged, listeners, throttled} from './listeners';
 import {sha256} from './sha256';
@@ -213,6 +213,10 @@ export class EngineCore {
 
   async drops(): Promise<Drops | Failure> {
     return guarded(() => this.#session.drops());
+  }
+
+  async contacts(pressing: Pressing): Promise<ContactMap | Failure> {
+    return guarded(() => this.#session.contacts(pressing === 'rest' ? null : pressing));
   }
 
   /** Blocks its thread until it is done. */

@@ -2,6 +2,7 @@ import type {Moment} from '../design/moment';
 import type {Engine, Failure, Finding, Packing} from '../engine/api';
 import type {DropChoices, Drops} from '../engine/drops';
 import {isFailure} from '../engine/failure';
+import {ContactsOnScreen} from './contacts.svelte';
 import type {Work} from './on_the_page';
 
 /** What is dropped. */
@@ -21,12 +22,15 @@ const STILL_MS = 150;
 export class DropsOnScreen {
   readonly choices: DropChoices;
   readonly #pack: Pack;
+  /** What squeezes what, where that is to be seen. */
+  readonly contacts: ContactsOnScreen;
   #found = $state.raw<{of: Packing; drops: Drops} | null>(null);
   /** They are of the foams on the screen. */
   current = $derived.by(() => this.#found !== null && this.#found.of === this.#pack.packing);
 
   constructor(pack: Pack, choices: DropChoices) {
     this.#pack = pack;
+    this.contacts = new ContactsOnScreen(pack);
     this.choices = choices;
   }
 

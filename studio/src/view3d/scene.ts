@@ -17,6 +17,8 @@ import {apart, type Apart} from './apart';
 import {FoamMeshes, type PieceColours} from './foam_meshes';
 import {arrow, boxEdges, columnBox, ruler} from './furniture';
 import {objectGeometry} from './object_geometry';
+import {PressurePaint} from './pressure_paint';
+import type {SeenPressure} from './seen_pressure';
 import {GLASS, objectShading} from './shading';
 import {ZonePaint, type PaintHint, type SeenZones} from './zone_paint';
 
@@ -59,6 +61,9 @@ interface Body {
   mesh: Mesh<BufferGeometry, ShaderMaterial>;
   geometries: Geometries;
   paint: ZonePaint;
+  pressure: PressurePaint;
+  /** How far what is drawn lies from the object at most, mm. */
+  deviation: number;
 }
 type Geometries = {moving: BufferGeometry; still: BufferGeometry};
 
@@ -148,13 +153,15 @@ export class FoamScene {
         this.#geometries.delete(mesh);
       }
     while (this.#bodies.length > placed.length) {
-      const {lift, paint} = this.#bodies.pop()!;
+      const {lift, paint, pressure} = this.#bodies.pop()!;
       this.#root.remove(lift);
       paint.dispose();
+      pressure.dispose();
     }
     placed.forEach(({meshes: {moving, still}, placement}, i) => {
       const body = (this.#bodies[i] ??= this.#body());
       body.geometries = {moving: this.#geometry(moving), still: this.#geometry(still)};
+      body.deviation = Math.max(moving.deviation, still.deviation);
       body.group.matrix.fromArray([...placement]);
       body.group.matrixWorldNeedsUpdate = true;
     });
@@ -172,12 +179,14 @@ export class FoamScene {
     group.matrixAutoUpdate = false;
     lift.add(group.add(mesh));
     this.#root.add(lift);
-    const paint = new ZonePaint();
+    const geometries = {moving: mesh.geometry, still: mesh.geometry};
+    const body = {lift, group, mesh, geometries, paint: new ZonePaint(), pressure: new PressurePaint(), deviation: 0};
     mesh.onBeforeRender = () => {
-      paint.apply(mesh.material);
+      body.paint.apply(mesh.material);
+      body.pressure.apply(mesh.material, group.matrix, body.deviation);
       mesh.material.uniformsNeedUpdate = true;
     };
-    return {lift, group, mesh, geometries: {moving: mesh.geometry, still: mesh.geometry}, paint};
+    return body;
   }
 
   #geometry(mesh: DisplayMesh): BufferGeometry {
@@ -194,6 +203,12 @@ export class FoamScene {
       paint.see(seen[i]);
       paint.hint = i === this.#selected ? hint : null;
     });
+  }
+
+  /** What squeezes what; null: not to be seen. */
+  set pressure(seen: SeenPressure | null) {
+    this.#bodies.forEach(({pressure}, i) => pressure.see(seen?.items[i] ?? null));
+    this.#foams.pressure = seen?.foam ?? null;
   }
 
   /** Frames around items: the one that is selected among several, and those that are too near each other. */
