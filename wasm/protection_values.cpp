@@ -83,6 +83,8 @@ val item_val(const ItemProtection& item, const Protection& all) {
     val result = val::object();
     result.set("mass_kg", or_null(item.mass_kg));
     result.set("asked_g", or_null(item.asked_g));
+    result.set("centre", to_val(item.centre));
+    result.set("centre_given", item.centre_given);
     result.set("faces", faces);
     result.set("rest", rest_val(item.rest));
     return result;

@@ -121,6 +121,21 @@ test('several items in layers each bear their own, and a tray is not dropped', a
   await expect(sides(page)).toHaveCount(6);
 });
 
+test('the centre of mass is assumed, entered and given back', async ({studio: page}) => {
+  await open(page, RING);
+  await ask(page);
+  await set(page, 'spinbutton', 'Object weighs', 0.4);
+  await expect(check(page)).toContainText(/Centre of mass: assumed at 0, 0, 0 mm in the file, as of one density/);
+  await page.getByRole('button', {name: 'Enter it'}).click();
+  await set(page, 'spinbutton', 'Centre of mass x', 4);
+  await commandSays(page, '--centre=4,0,0');
+  await expect(check(page)).toContainText('Marked in the picture.');
+  expect(await violations(page)).toEqual([]);
+  await page.getByRole('button', {name: 'Assume one density'}).click();
+  await expect(check(page)).toContainText('assumed at 0, 0, 0 mm');
+  await expect(page.locator('code')).not.toContainText('--centre');
+});
+
 test('pressure is shown in colours, with a legend, and says so where nothing is known', async ({studio: page}) => {
   await open(page, RING);
   await ask(page);

@@ -61,6 +61,9 @@ export interface DropOnSide {
 export interface DroppedItem {
   mass_kg: number | null;
   asked_g: number | null;
+  /** Of mass, design coordinates; not given, one density is assumed. */
+  centre: Triple;
+  centre_given: boolean;
   /** By side: floor, lid, back, front, left, right. */
   faces: DropOnSide[];
   /** On the lower foam. */

@@ -51,6 +51,18 @@ export const drops = words({
     classSource: (source: string) => [`Class after: ${source}.`, `区分の出典：${source}。`],
     masses: ['Masses are entered for each item in step 1.', '質量は手順1で、それぞれに入力します。'],
     enterMasses: ['Go there', '手順1へ'],
+    centre: {
+      label: ['Centre of mass', '重心'],
+      of: (item: string) => [`Centre of mass of ${item}`, `${item} の重心`],
+      tip: (axis: string) => [`Centre of mass along ${axis}, in the coordinates of the object’s file`, `重心の ${axis} 座標（対象物のファイルの座標）`],
+      assumed: (place: string) => [
+        `assumed at ${place} mm in the file, as of one density (of an open surface the middle of its box).`,
+        `密度を一様とみなし、ファイルの座標で ${place} mm（開いた面では外形の中心）としています。`,
+      ],
+      enter: ['Enter it', '値を入力'],
+      given: ['In the coordinates of the object’s file. Marked in the picture.', '対象物のファイルの座標です。図に印を表示しています。'],
+      reset: ['Assume one density', '一様な密度とみなす'],
+    },
     lacking: {
       foam: ['the foam material', 'フォームの材料'],
       curve: ['a foam of which it is known how it pushes back', '押し返し方の分かるフォーム'],
