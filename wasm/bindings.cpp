@@ -120,6 +120,7 @@ EMSCRIPTEN_BINDINGS(snug) {
     function("commandLine", &bound::command_line_text);
     function("optionsSchema", &snug::options_schema);
     function("protectionChoices", &bound::protection_choices);
+    function("parseFoams", &bound::foams_val);
     function("samples", &bound::samples);
     function("sampleFile", &bound::sample_file);
     function("make", &bound::make);

@@ -119,6 +119,16 @@ val protection_choices() {
     return result;
 }
 
+val foams_val(const std::string& text) {
+    const auto foams = parse_foams(text);
+    if (!foams) return to_val(foams.error());
+    val list = val::array();
+    for (const FoamMaterial& foam : *foams) list.call<void>("push", foam_val(foam));
+    val result = val::object();
+    result.set("foams", list);
+    return result;
+}
+
 val to_val(const Protection& all, const Packing& packing) {
     val items = val::array(), worst = val::array();
     for (const ItemProtection& item : all.items) items.call<void>("push", item_val(item, all));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "snug/check/contact_map.h"
 #include "snug/check/packing.h"
@@ -17,6 +18,9 @@ namespace snug::wasm {
 /// is said of a tray. `design`: the foam's JSON text as it stands in a design; `curve`: what is
 /// known of how it pushes back, or null.
 [[nodiscard]] val protection_choices();
+
+/// {foams}, as above, from the text of a person's own file (known_foams.h), or what is wrong with it.
+[[nodiscard]] val foams_val(const std::string& text);
 
 /// What each item meets on each side and at rest, with what is left out, and the packing's findings.
 [[nodiscard]] val to_val(const Protection& protection, const Packing& packing);

@@ -168,3 +168,35 @@ test('pressure is shown in colours, with a legend, and says so where nothing is 
   await expect(check(page)).toContainText('Already at rest the foam below would be squeezed beyond its data', {ignoreCase: true});
   await expect(page.locator('#pressure-legend')).toHaveCount(0);
 });
+
+test('a foam of one\'s own is entered, kept, opened from a file, and refused with the library\'s words', async ({studio: page}) => {
+  await open(page, RING);
+  await page.getByText('Foams of your own').click();
+  await page.getByLabel('Name', {exact: true}).fill('bench-foam');
+  await page.getByLabel('Source', {exact: true}).fill('own bench, 2024');
+  await page.getByLabel('A point a line: strain (0 to 1), kPa').fill('0.1 20');
+  await page.getByRole('button', {name: 'Add it and use it'}).click();
+  await expect(check(page).getByRole('alert')).toContainText('foam 1');
+  await page.getByLabel('A point a line: strain (0 to 1), kPa').fill('0.1 20\n0.3 35\n0.6 90');
+  expect(await violations(page)).toEqual([]);
+  await page.getByRole('button', {name: 'Add it and use it'}).click();
+  await expect(check(page).getByRole('alert')).toHaveCount(0);
+  await expect(page.getByLabel('Foam material', {exact: true})).toHaveValue('bench-foam');
+  await expect(check(page)).toContainText('own bench, 2024');
+  await commandSays(page, 'protection.foam.name="bench-foam"');
+
+  const file = JSON.stringify([{name: 'from-file', source: 'a file', curve: [[0.1, 30], [0.5, 60]]}]);
+  await page.getByLabel(/^Open a foams.json/).setInputFiles({name: 'foams.json', mimeType: 'application/json', buffer: Buffer.from(file)});
+  await expect(page.getByLabel('Foam material', {exact: true})).toHaveValue('from-file');
+  const download = page.waitForEvent('download');
+  await page.getByRole('button', {name: 'Save as foams.json'}).click();
+  const saved = JSON.parse(readFileSync((await (await download).path())!, 'utf8')) as {name: string}[];
+  expect(saved.map(({name}) => name)).toEqual(['bench-foam', 'from-file']);
+
+  await page.reload();
+  await expect(status(page)).toContainText('F ');
+  await expect(page.getByLabel('Foam material', {exact: true})).toHaveValue('from-file');
+  await page.getByText('Foams of your own').last().click();
+  await page.getByRole('button', {name: 'Remove bench-foam'}).click();
+  await expect(page.getByLabel('Foam material', {exact: true}).getByRole('option', {name: 'bench-foam'})).toHaveCount(0);
+});

@@ -30,8 +30,15 @@ export interface DropChoices {
 /** As the library hands them over: the design of a foam is a JSON text. */
 export type DropChoicesText = Omit<DropChoices, 'foams'> & {foams: (Omit<KnownFoam, 'design'> & {design: string})[]};
 
+/** Foams as the library hands them over. */
+export type FoamsText = {foams: DropChoicesText['foams']};
+
+export function readFoams({foams}: FoamsText): KnownFoam[] {
+  return foams.map((foam) => ({...foam, design: JSON.parse(foam.design) as FoamData}));
+}
+
 export function readChoices(choices: DropChoicesText): DropChoices {
-  return {...choices, foams: choices.foams.map((foam) => ({...foam, design: JSON.parse(foam.design) as FoamData}))};
+  return {...choices, foams: readFoams(choices)};
 }
 
 export type Verdict = 'unknown' | 'meets_item' | 'bottoms' | 'thin' | 'over' | 'within' | 'unasked';

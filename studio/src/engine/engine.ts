@@ -76,6 +76,7 @@ class PageEngine implements Engine {
   presets = () => this.#quickly((core) => core.presets()).then(orThrow);
   bricks = () => this.#quickly((core) => core.bricks()).then(orThrow);
   dropChoices = () => this.#quickly((core) => core.dropChoices()).then(orThrow);
+  parseFoams = (text: string) => this.#quickly((core) => core.parseFoams(text));
   options = () => this.#quickly((core) => core.options()).then(orThrow);
   samples = () => this.#quickly((core) => core.samples()).then(orThrow);
   sampleFile = (name: string) => this.#quickly((core) => core.sampleFile(name));
