@@ -148,7 +148,7 @@ test('pressure is shown in colours, with a legend, and says so where nothing is 
   await colours.selectOption('rest');
   await expect(page.locator('#pressure-legend')).toContainText(/On the object\s*0\s*[\d.]+ kPa/);
   await expect(page.locator('#pressure-legend')).toContainText(/Foam squeezed by\s*0\s*[\d.]+ %/);
-  await expect(check(page)).toContainText('with the curve as given; columns of foam side by side, no friction');
+  await expect(check(page)).toContainText('With the curve as given; columns of foam side by side, no friction');
   await page.getByRole('spinbutton', {name: 'Opening in percent'}).fill('0');
   await page.getByRole('button', {name: 'Open the foams'}).click();
   await expect(page.getByRole('button', {name: 'Open the foams'})).toHaveCount(0);

@@ -147,11 +147,12 @@ export const drops = words({
       short: ['Colours', '色で表示'],
       item: ['On the object', '対象物への圧力'],
       foam: ['Foam squeezed by', 'フォームのつぶれ'],
-      what: [
-        'At the deepest point, with the curve as given; columns of foam side by side, no friction. Grey: not pressed.',
-        '最も深く沈んだときの値です。データの曲線をそのまま使い、フォームは並んだ柱とみなして摩擦を含めません。灰色は押されていない所です。',
-      ],
+      deepest: ['Where it is deepest in the foam.', '最も深く沈んだときの値です。'],
       several: ['Each item at the moment when it meets its most.', 'それぞれが最大の衝撃を受けた瞬間の値です。'],
+      what: [
+        'With the curve as given; columns of foam side by side, no friction. Grey: not pressed.',
+        'データの曲線をそのまま使い、フォームは並んだ柱とみなして摩擦を含めません。灰色は押されていない所です。',
+      ],
       closed: ['The foam hides it.', 'フォームに隠れています。'],
       open: ['Open the foams', 'フォームを開く'],
     },
