@@ -120,6 +120,7 @@ EMSCRIPTEN_BINDINGS(snug) {
     function("commandLine", &bound::command_line_text);
     function("optionsSchema", &snug::options_schema);
     function("protectionChoices", &bound::protection_choices);
+    function("parseFoams", &bound::foams_val);
     function("samples", &bound::samples);
     function("sampleFile", &bound::sample_file);
     function("make", &bound::make);
@@ -132,6 +133,7 @@ EMSCRIPTEN_BINDINGS(snug) {
         .function("pack", &bound::Session::pack)
         .function("gaps", &bound::Session::gaps)
         .function("drops", &bound::Session::drops)
+        .function("contacts", &bound::Session::contacts)
         .function("protectingWalls", &bound::Session::protecting_walls)
         .function("zones", &bound::Session::zones)
         .function("distances", &bound::Session::distances)

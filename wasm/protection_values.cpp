@@ -83,6 +83,8 @@ val item_val(const ItemProtection& item, const Protection& all) {
     val result = val::object();
     result.set("mass_kg", or_null(item.mass_kg));
     result.set("asked_g", or_null(item.asked_g));
+    result.set("centre", to_val(item.centre));
+    result.set("centre_given", item.centre_given);
     result.set("faces", faces);
     result.set("rest", rest_val(item.rest));
     return result;
@@ -117,6 +119,16 @@ val protection_choices() {
     return result;
 }
 
+val foams_val(const std::string& text) {
+    const auto foams = parse_foams(text);
+    if (!foams) return to_val(foams.error());
+    val list = val::array();
+    for (const FoamMaterial& foam : *foams) list.call<void>("push", foam_val(foam));
+    val result = val::object();
+    result.set("foams", list);
+    return result;
+}
+
 val to_val(const Protection& all, const Packing& packing) {
     val items = val::array(), worst = val::array();
     for (const ItemProtection& item : all.items) items.call<void>("push", item_val(item, all));
@@ -135,6 +147,33 @@ val to_val(const Protection& all, const Packing& packing) {
     result.set("claim", to_val(say("packing.drops_claim")));
     result.set("notComputed", messages_val(not_computed()));
     result.set("findings", to_val(packing.findings, packing.items));
+    return result;
+}
+
+val contacts_val(const ContactMap& map, const Protection& all, std::optional<Side> side) {
+    val items = val::array();
+    for (std::size_t i = 0; i < map.items.size(); ++i) {
+        std::vector<float> numbers;
+        for (const PressedColumn& column : map.items[i].columns)
+            for (const double each :
+                 {double{1} * column.row, double{1} * column.column, column.high ? 1.0 : 0.0, column.from_mm,
+                  column.to_mm, column.strain, column.kpa})
+                numbers.push_back(static_cast<float>(each));
+        const auto why = no_contact_text(all.items[i], all, side);
+        val one = val::object();
+        one.set("why", why ? to_val(*why) : val::null());
+        one.set("columns", typed_array(numbers.data(), numbers.size()));
+        items.call<void>("push", one);
+    }
+    val cell = val::array();
+    cell.call<void>("push", map.cell_mm.x);
+    cell.call<void>("push", map.cell_mm.y);
+    val result = val::object();
+    result.set("axis", map.axis);
+    result.set("rows", map.rows);
+    result.set("columns", map.columns);
+    result.set("cell_mm", cell);
+    result.set("items", items);
     return result;
 }
 

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <optional>
+#include <string>
+
+#include "snug/check/contact_map.h"
 #include "snug/check/packing.h"
 #include "snug/check/protection_report.h"
 
@@ -15,7 +19,15 @@ namespace snug::wasm {
 /// known of how it pushes back, or null.
 [[nodiscard]] val protection_choices();
 
+/// {foams}, as above, from the text of a person's own file (known_foams.h), or what is wrong with it.
+[[nodiscard]] val foams_val(const std::string& text);
+
 /// What each item meets on each side and at rest, with what is left out, and the packing's findings.
 [[nodiscard]] val to_val(const Protection& protection, const Packing& packing);
+
+/// {axis, rows, columns, cell_mm: [along axis + 1, along axis + 2], items: [{why, columns}]}: `why`: the
+/// sentence where nothing is known, else null; `columns`: of each of them row, column, 1 before the item's
+/// high end and 0 before its low one, from_mm, to_mm, strain and kPa, as contact_map.h has them.
+[[nodiscard]] val contacts_val(const ContactMap& map, const Protection& all, std::optional<Side> side);
 
 }  // namespace snug::wasm

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "snug/base/stopwatch.h"
+#include "snug/check/contact_map.h"
 #include "snug/check/protection.h"
 #include "snug/design/options_schema.h"
 #include "snug/formats/read_object.h"
@@ -99,6 +100,7 @@ void Session::forget_results() {
     search_.reset();
     map_.reset();
     packing_.reset();
+    protection_.reset();
 }
 
 Result<Project> Session::lay_out(const std::string& design, const val& objects) {
@@ -168,6 +170,7 @@ val Session::pack(const std::string& design_text, const val& objects) {
     auto packing = snug::pack(store_.objects(), design, {}, &depths_);
     if (!packing) return to_val(packing.error());
     packing_ = std::move(*packing);
+    protection_.reset();
     packed_ = design;
     val result = to_val(*packing_, watch.lap());
     result.set("dependent", dependent_options(design));
@@ -187,12 +190,31 @@ val Session::gaps(const val& progress) {
     return result;
 }
 
+/// Of a copy of the last packing, which gets the findings of drops alone.
+Result<Protection> Session::protection_of(Packing& packing) {
+    packing = *packing_;
+    packing.findings.clear();
+    auto found = protection(store_.objects(), packing, packed_);
+    if (found) protection_ = *found;
+    return found;
+}
+
 val Session::drops() {
     if (!packing_ || !packing_->foams) return to_val(kNoFoams);
-    Packing packing = *packing_;
-    packing.findings.clear();  // those of drops alone are told
-    const auto found = protection(store_.objects(), packing, packed_);
+    Packing packing;
+    const auto found = protection_of(packing);
     return found ? to_val(*found, packing) : to_val(found.error());
+}
+
+val Session::contacts(const val& side) {
+    if (!packing_ || !packing_->foams) return to_val(kNoFoams);
+    Packing packing;
+    if (!protection_)
+        if (const auto found = protection_of(packing); !found) return to_val(found.error());
+    std::optional<Side> on;
+    if (!side.isNull()) on = static_cast<Side>(std::clamp(side.as<int>(), 0, 5));
+    const auto map = contact_map(store_.objects(), *packing_, *protection_, on);
+    return map ? contacts_val(*map, *protection_, on) : to_val(map.error());
 }
 
 val Session::protecting_walls(const std::string& design, const val& objects, const val& progress) {
@@ -212,9 +234,8 @@ val Session::protecting_walls(const std::string& design, const val& objects, con
 
 val Session::zones() {
     if (!packing_ || !packing_->foams) return to_val(kNoFoams);
-    Packing packing = *packing_;
-    packing.findings.clear();  // those of zones alone are told
-    const auto found = protection(store_.objects(), packing, packed_);
+    Packing packing;
+    const auto found = protection_of(packing);
     return found ? zones_val(found->zones, packing) : to_val(found.error());
 }
 

@@ -45,6 +45,8 @@ class Session {
     [[nodiscard]] val gaps(const val& progress);
     /// What the items of the last packing meet in a drop.
     [[nodiscard]] val drops();
+    /// What squeezes what in the drop on a side (0 to 5) of the last packing, or at rest (null).
+    [[nodiscard]] val contacts(const val& side);
     /// {design}: with the walls that the design asks for (protecting_walls.h).
     val protecting_walls(const std::string& design, const val& objects, const val& progress);
     /// Of the last packing: what becomes of the zones of its items, {zones, findings} (zone_values.h).
@@ -81,14 +83,16 @@ class Session {
   private:
     [[nodiscard]] Result<Project> lay_out(const std::string& design, const val& objects);
     [[nodiscard]] Result<Project> lay_out_one(const std::string& design, const val& objects);
+    Result<Protection> protection_of(Packing& packing);
     void forget_results();
     void prepare_what_changes(const Design& design);
 
     ObjectStore store_;
     std::uint64_t edition_ = 0;  ///< of the store, that everything below is of
     std::optional<Packing> packing_;
-    Design packed_;      ///< that packing_ is of
-    KeptDepths depths_;  ///< of packing_
+    Design packed_;                         ///< that packing_ is of
+    std::optional<Protection> protection_;  ///< of packing_, once it was asked for
+    KeptDepths depths_;                     ///< of packing_
     std::optional<PlacementSearch> search_;
     DesignSpace searched_;
     std::optional<DirectionMap> map_;

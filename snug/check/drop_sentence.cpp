@@ -79,6 +79,25 @@ std::optional<Message> drop_advice(const FaceShock& face, const ItemProtection& 
     }
 }
 
+std::optional<Message> no_contact_text(const ItemProtection& item, const Protection& all,
+                                       std::optional<Side> side) {
+    if (side) {
+        const FaceShock& face = item.faces[static_cast<std::size_t>(*side)];
+        if (face.why_none == NoShock::none) return {};
+        return drop_sentence(face, item, all);
+    }
+    switch (item.rest.why_none) {
+        case NoShock::none:
+            return {};
+        case NoShock::no_mass:
+            return say("no_rest/mass");
+        case NoShock::bottoms:
+            return say("no_rest/bottoms");
+        default:
+            return say("no_rest/foam");
+    }
+}
+
 std::optional<Message> no_shock_text(NoShock why) {
     switch (why) {
         case NoShock::no_foam_data:

@@ -43,6 +43,11 @@ struct Names<DropVerdict> {
 [[nodiscard]] std::optional<Message> drop_advice(const FaceShock& face, const ItemProtection& item,
                                                  const Protection& all);
 
+/// Why nothing is known of what squeezes what in a drop of the item on `side`, or at rest where there is
+/// none; none where it is known.
+[[nodiscard]] std::optional<Message> no_contact_text(const ItemProtection& item, const Protection& all,
+                                                     std::optional<Side> side);
+
 /// Why a whole item has no figure; none for what is true of a side.
 [[nodiscard]] std::optional<Message> no_shock_text(NoShock why);
 

@@ -203,6 +203,7 @@ FaceShock shock_of(const FaceTask& task, const Stops& stops, const Box3d& bounds
         shock.peak_at = in_space(stop->most_at, end, task.axis());
         shock.area_cm2 = stop->area_mm2 * 1e-2;
         shock.tilt_mm = length(stop->at - across(task.centre, task.axis()));
+        shock.contacts = stop->contacts;
     }
     if (!stop)
         shock.why_none = NoShock::bottoms;
@@ -220,6 +221,13 @@ bool holds(const FaceShock& shock, double asked_g) {
     return shock.g_high && *shock.g_high <= asked_g;
 }
 
+/// Of an item between foams of the case alone.
+std::vector<ContactTravel> alone_between(std::size_t item, int side, double travel_mm) {
+    const int own = static_cast<int>(item);
+    const double low_mm = side % 2 == 0 ? travel_mm : -travel_mm;
+    return {{PadContact::kCase, own, low_mm}, {own, PadContact::kCase, -low_mm}};
+}
+
 RestReport rest_of(const std::optional<Stop>& stop) {
     RestReport rest;
     if (!stop) {
@@ -230,6 +238,7 @@ RestReport rest_of(const std::optional<Stop>& stop) {
     rest.strain = stop->strain;
     rest.peak_kpa = stop->peak_kpa;
     rest.area_cm2 = stop->area_mm2 * 1e-2;
+    rest.contacts = stop->contacts;
     return rest;
 }
 
@@ -276,8 +285,10 @@ class AxisDrops {
     void add_alone(std::size_t i) {
         ItemProtection& item = all_.items[i];
         const HeldItem found = held(contacts_, static_cast<int>(i));
-        if (contacts_.axis == 0 && item.mass_kg)
+        if (contacts_.axis == 0 && item.mass_kg) {
             item.rest = rest_of(at_rest(towards(found, false, *item.mass_kg), curves_.given));
+            item.rest.contacts = alone_between(i, kFloor, item.rest.sink_mm);
+        }
         for (const int side : sides()) {
             FaceShock& face = item.faces[static_cast<std::size_t>(side)];
             face.why_none = obstacle(all_, item, packing_);
@@ -286,6 +297,7 @@ class AxisDrops {
             face =
                 shock_of(task, stops_on(task.cushioned(), task, curves_), packing_.items[i].placement.bounds);
             face.bottoms_itself = face.bottoms;
+            if (face.travel_mm) face.contacts = alone_between(i, side, *face.travel_mm);
             face.force = force_on_the_way(task.cushioned(), curves_.given, kForceSteps);
             if (side == kFloor && found.low_on_stiff_base) item.relief = relief_of(task, curves_);
             if (item.asked_g && !holds(face, *item.asked_g))
@@ -319,6 +331,9 @@ class AxisDrops {
             for (std::size_t k = 0; k < set.size(); ++k)
                 all_.items[static_cast<std::size_t>(set[k])].rest = rest_of(rest.stops[k]);
         }
+        if (!weighed)
+            for (const int item : set)
+                all_.items[static_cast<std::size_t>(item)].rest.why_none = NoShock::no_mass;
         for (const int side : sides())
             if (obstacle_of_any == NoShock::none)
                 add_joint_side(set, side);

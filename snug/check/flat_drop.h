@@ -5,6 +5,7 @@
 
 #include "snug/base/vec2.h"
 #include "snug/check/pad_contacts.h"
+#include "snug/check/protection_report.h"
 #include "snug/design/stress_curve.h"
 
 namespace snug {
@@ -27,6 +28,8 @@ struct Stop {
     double peak_kpa = 0;
     double area_mm2 = 0;    ///< of the foam that is squeezed
     double thin_share = 0;  ///< of the energy that columns thinner than the data took up
+    /// Of items that reach one another: how all foam beside this one lay. Else the travel tells.
+    std::vector<ContactTravel> contacts;
 };
 
 /// The case falls flat from `height_mm` and stops at once: the energy balance m g (h + d) = what the foam

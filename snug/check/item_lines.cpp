@@ -172,7 +172,11 @@ Result<AxisLines> axis_lines(std::span<const Object> objects, const std::vector<
     SnappedItems snapped_items(objects, items, along, axis);
     const LineLattice lattice(along, snapped_items.cell_bits(along));
     const double whole_area = along.block_mm.y * along.block_mm.z / lattice.lines_per_column();
-    AxisLines all{axis, {}, {}};
+    AxisLines all;
+    all.axis = axis;
+    all.rows = lattice.rows();
+    all.columns = lattice.columns();
+    all.cell_mm = Vec2d{lattice.mm_per_unit_y(), lattice.mm_per_unit_z()} * (1 << lattice.cell_bits());
     for (std::size_t i = 0; i < items.size(); ++i) {
         const Object& object = objects[items[i].object];
         const bool closed = object.measure.watertight || !object.whole();

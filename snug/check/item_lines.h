@@ -7,6 +7,7 @@
 #include "snug/base/progress.h"
 #include "snug/base/result.h"
 #include "snug/base/vec.h"
+#include "snug/base/vec2.h"
 #include "snug/object/object.h"
 #include "snug/space/design_space.h"
 #include "snug/space/item.h"
@@ -42,6 +43,10 @@ struct MassSpread {
 /// with what it meets.
 struct AxisLines {
     int axis = 0;
+    /// Their cells, side by side from the space's low faces: so many rows along axis + 1 and columns along
+    /// axis + 2 (mod 3), each of this size, mm.
+    int rows = 0, columns = 0;
+    Vec2d cell_mm;
     /// Of every item, in the order in which RunsAlong visits lines; of one line those that lie lower first.
     std::vector<ItemLine> lines;
     std::vector<MassSpread> spreads;  ///< of each item, as these lines see it

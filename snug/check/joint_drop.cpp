@@ -102,6 +102,8 @@ class Motion {
         double pushed = 0, taken = 0, thin = 0;
         Vec2d moment;
         for (const Link& link : links_) {
+            if (link.rear == static_cast<int>(i) || link.front == static_cast<int>(i))
+                stop.contacts.push_back({link.contact->low, link.contact->high, near(link)});
             if (link.rear != static_cast<int>(i)) continue;
             const Pads& pads = link.contact->pads;
             const Pads::Push push = pads.push(near(link), curve_);

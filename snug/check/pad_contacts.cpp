@@ -123,8 +123,11 @@ class PadThickness {
 
 class Contacts {
   public:
-    Contacts(const AxisLines& lines, const Packing& packing, std::span<const BlockMap> pockets)
+    /// `one_by_one`: takes the columns in place of the sums.
+    Contacts(const AxisLines& lines, const Packing& packing, std::span<const BlockMap> pockets,
+             std::vector<ContactColumn>* one_by_one = nullptr)
         : packing_(packing),
+          one_by_one_(one_by_one),
           line_(packing, pockets, lines.axis),
           filler_(filler_mm(packing, lines.axis)),
           pads_(packing, lines.axis),
@@ -222,6 +225,10 @@ class Contacts {
             return zone && asked(*zone).keep_off_mm > 0;
         });
         if (kept_off) return;
+        if (one_by_one_) {
+            one_by_one_->push_back({ends.first, ends.second, item.row, item.column, from, to, column});
+            return;
+        }
         found.columns.push_back(column);
         if (relieved_ && ends.first == PadContact::kCase)
             found.on_stiff_base.push_back(on_stiff_base(column, item));
@@ -240,6 +247,7 @@ class Contacts {
     }
 
     const Packing& packing_;
+    std::vector<ContactColumn>* one_by_one_;
     Line line_;
     std::array<double, 2> filler_;
     PadThickness pads_;
@@ -258,6 +266,13 @@ AxisContacts pad_contacts(const AxisLines& lines, const Packing& packing, std::s
     for (const ItemLine& line : lines.lines) points[line.item].push_back({line.u, line.v});
     for (std::vector<Vec2d>& each : points) all.outlines.push_back(convex_hull(std::move(each)));
     return all;
+}
+
+std::vector<ContactColumn> contact_columns(const AxisLines& lines, const Packing& packing,
+                                           std::span<const BlockMap> pockets) {
+    std::vector<ContactColumn> columns;
+    const Contacts all(lines, packing, pockets, &columns);
+    return columns;
 }
 
 }  // namespace snug

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
@@ -41,6 +42,14 @@ struct AxisContacts {
     std::vector<ZonePads> zones;
 };
 
+/// One column of foam between two such things.
+struct ContactColumn {
+    int low = PadContact::kCase, high = PadContact::kCase;
+    std::int32_t row = 0, column = 0;  ///< of the lattice of the lines
+    double from_mm = 0, to_mm = 0;     ///< where on the line the two end, design coordinates
+    PadColumn pad;
+};
+
 /// What the foams of a packing hold every item with along the axis of the lines, each line a column of foam:
 /// its thickness what foam stands on it between the two ends, its gap the rest of the way. Foam on a way to
 /// the case that crosses the pocket of another item does not count, unless that item stands there: then it
@@ -48,5 +57,9 @@ struct AxisContacts {
 /// that each item cuts. Blocks that the case has no room for are the case's own.
 [[nodiscard]] AxisContacts pad_contacts(const AxisLines& lines, const Packing& packing,
                                         std::span<const BlockMap> pockets);
+
+/// The columns that these contacts are the sums of, one by one, in the order of the lines.
+[[nodiscard]] std::vector<ContactColumn> contact_columns(const AxisLines& lines, const Packing& packing,
+                                                         std::span<const BlockMap> pockets);
 
 }  // namespace snug

@@ -37,6 +37,13 @@ struct Names<NoShock> {
                                                 "open", "unsettled",    "thin",    "bottoms"};
 };
 
+/// How near the two ends of the foam between things came to each other, from where they are drawn: below 0
+/// where they parted.
+struct ContactTravel {
+    int low = 0, high = 0;  ///< as PadContact has them
+    double near_mm = 0;
+};
+
 /// A drop on one side, of one item.
 struct FaceShock {
     Side face = kFloor;
@@ -53,9 +60,10 @@ struct FaceShock {
     std::optional<double> travel_mm;  ///< from the drawn place, gap included
     double strain = 0;                ///< the greatest
     double peak_kpa = 0;
-    Vec3d peak_at;        ///< design coordinates
-    double area_cm2 = 0;  ///< of the foam that is squeezed
-    double tilt_mm = 0;   ///< how far beside the centre of mass the foam pushes
+    Vec3d peak_at;                        ///< design coordinates
+    double area_cm2 = 0;                  ///< of the foam that is squeezed
+    double tilt_mm = 0;                   ///< how far beside the centre of mass the foam pushes
+    std::vector<ContactTravel> contacts;  ///< all foam that the item holds or is held by, as it lay then
     /// What the foam pushes with on the way: travel in mm and newtons, with the curve as it is given, up to
     /// where its data end. Empty for items that reach one another.
     std::vector<Vec2d> force;
@@ -68,6 +76,7 @@ struct FaceShock {
 struct RestReport {
     NoShock why_none = NoShock::none;
     double sink_mm = 0, strain = 0, peak_kpa = 0, area_cm2 = 0;
+    std::vector<ContactTravel> contacts;  ///< all foam that the item holds or is held by, as it lies then
 };
 
 /// What becomes of a zone of an item.

@@ -171,6 +171,13 @@ constexpr Wording kWordsOfProtection[] = {
      "点群、または分割して読み込んだ対象物のため、落下と静止の値は、わずかに外側を囲む写しで計算していま"
      "す"},
     {"no_shock/open", "a tray is not dropped: no shock is estimated", "トレイは落下の対象にしていません"},
+    {"no_rest/foam", "how it rests is not estimated: nothing is known of how this foam pushes back",
+     "このフォームの押し返し方が分からないため、静止時の圧力は計算していません"},
+    {"no_rest/mass", "how it rests is not estimated without its mass",
+     "質量がないため、静止時の圧力は計算していません"},
+    {"no_rest/bottoms",
+     "already at rest the foam below would be squeezed beyond its data, or there is none of it",
+     "静止するだけで、下のフォームがデータの範囲を超えてつぶれるか、下にフォームがありません"},
     {"near_collections", "near collections:{known}", "収蔵品の近くで：{known}"},
     {"near.ethafoam",
      " Ethafoam, one interlaboratory Oddy test: permanent in 5 laboratories, temporary in 2; Oddy judges "

@@ -120,3 +120,83 @@ test('several items in layers each bear their own, and a tray is not dropped', a
   await page.getByRole('button', {name: 'Undo'}).click();
   await expect(sides(page)).toHaveCount(6);
 });
+
+test('the centre of mass is assumed, entered and given back', async ({studio: page}) => {
+  await open(page, RING);
+  await ask(page);
+  await set(page, 'spinbutton', 'Object weighs', 0.4);
+  await expect(check(page)).toContainText(/Centre of mass: assumed at 0, 0, 0 mm in the file, as of one density/);
+  await page.getByRole('button', {name: 'Enter it'}).click();
+  await set(page, 'spinbutton', 'Centre of mass x', 4);
+  await commandSays(page, '--centre=4,0,0');
+  await expect(check(page)).toContainText('Marked in the picture.');
+  expect(await violations(page)).toEqual([]);
+  await page.getByRole('button', {name: 'Assume one density'}).click();
+  await expect(check(page)).toContainText('assumed at 0, 0, 0 mm');
+  await expect(page.locator('code')).not.toContainText('--centre');
+});
+
+test('pressure is shown in colours, with a legend, and says so where nothing is known', async ({studio: page}) => {
+  await open(page, RING);
+  await ask(page);
+  await set(page, 'spinbutton', 'Object weighs', 0.4);
+  await expect(sides(page)).toHaveCount(6);
+  const colours = page.getByLabel('Show pressure in colours', {exact: true});
+  const canvas = page.locator('canvas[role=application]');
+  await page.getByRole('button', {name: 'Show all'}).click();
+  await expect(colours).toHaveValue('none');
+  await colours.selectOption('rest');
+  await expect(page.locator('#pressure-legend')).toContainText(/On the object\s*0\s*[\d.]+ kPa/);
+  await expect(page.locator('#pressure-legend')).toContainText(/Foam squeezed by\s*0\s*[\d.]+ %/);
+  await expect(check(page)).toContainText('With the curve as given; columns of foam side by side, no friction');
+  await page.getByRole('spinbutton', {name: 'Opening in percent'}).fill('0');
+  await page.getByRole('button', {name: 'Open the foams'}).click();
+  await expect(page.getByRole('button', {name: 'Open the foams'})).toHaveCount(0);
+  const rest = await canvas.screenshot();
+  await colours.selectOption('none');
+  await expect.poll(async () => (await canvas.screenshot()).equals(rest)).toBe(false);
+
+  const first = page.getByRole('button', {name: /^Show pressure in colours on its/}).first();
+  await first.click();
+  await expect(first).toHaveAttribute('aria-pressed', 'true');
+  await expect(colours).toHaveValue(/^[0-5]$/);
+  await expect(page.locator('#pressure-legend')).toContainText(/On the object\s*0\s*[\d.]+ kPa/);
+  expect(await violations(page)).toEqual([]);
+
+  await set(page, 'spinbutton', 'Object weighs', 200);
+  await colours.selectOption('rest');
+  await expect(check(page)).toContainText('Already at rest the foam below would be squeezed beyond its data', {ignoreCase: true});
+  await expect(page.locator('#pressure-legend')).toHaveCount(0);
+});
+
+test('a foam of one\'s own is entered, kept, opened from a file, and refused with the library\'s words', async ({studio: page}) => {
+  await open(page, RING);
+  await page.getByText('Foams of your own').click();
+  await page.getByLabel('Name', {exact: true}).fill('bench-foam');
+  await page.getByLabel('Source', {exact: true}).fill('own bench, 2024');
+  await page.getByLabel('A point a line: strain (0 to 1), kPa').fill('0.1 20');
+  await page.getByRole('button', {name: 'Add it and use it'}).click();
+  await expect(check(page).getByRole('alert')).toContainText('foam 1');
+  await page.getByLabel('A point a line: strain (0 to 1), kPa').fill('0.1 20\n0.3 35\n0.6 90');
+  expect(await violations(page)).toEqual([]);
+  await page.getByRole('button', {name: 'Add it and use it'}).click();
+  await expect(check(page).getByRole('alert')).toHaveCount(0);
+  await expect(page.getByLabel('Foam material', {exact: true})).toHaveValue('bench-foam');
+  await expect(check(page)).toContainText('own bench, 2024');
+  await commandSays(page, 'protection.foam.name="bench-foam"');
+
+  const file = JSON.stringify([{name: 'from-file', source: 'a file', curve: [[0.1, 30], [0.5, 60]]}]);
+  await page.getByLabel(/^Open a foams.json/).setInputFiles({name: 'foams.json', mimeType: 'application/json', buffer: Buffer.from(file)});
+  await expect(page.getByLabel('Foam material', {exact: true})).toHaveValue('from-file');
+  const download = page.waitForEvent('download');
+  await page.getByRole('button', {name: 'Save as foams.json'}).click();
+  const saved = JSON.parse(readFileSync((await (await download).path())!, 'utf8')) as {name: string}[];
+  expect(saved.map(({name}) => name)).toEqual(['bench-foam', 'from-file']);
+
+  await page.reload();
+  await expect(status(page)).toContainText('F ');
+  await expect(page.getByLabel('Foam material', {exact: true})).toHaveValue('from-file');
+  await page.getByText('Foams of your own').last().click();
+  await page.getByRole('button', {name: 'Remove bench-foam'}).click();
+  await expect(page.getByLabel('Foam material', {exact: true}).getByRole('option', {name: 'bench-foam'})).toHaveCount(0);
+});

@@ -186,6 +186,7 @@ function spread(moment: Moment, defaults: Design): Moment {
     rotation_deg: same(rotation_deg, defaults.placement.rotation_deg) ? null : rotation_deg,
     offset_mm: same(offset_mm, defaults.placement.offset_mm) ? null : offset_mm,
     mass_kg: design.workshop.mass_kg,
+    centre_mm: item.centre_mm ?? design.protection.centre_mm,
     zones: item.zones.length > 0 ? item.zones : design.protection.zones,
   };
   return {
@@ -196,7 +197,7 @@ function spread(moment: Moment, defaults: Design): Moment {
       object: defaults.object,
       placement: defaults.placement,
       items: [own],
-      protection: {...design.protection, zones: []},
+      protection: {...design.protection, centre_mm: null, zones: []},
       workshop: {...design.workshop, mass_kg: null},
     },
   };

@@ -5,7 +5,7 @@ import type {BrickRange, Design, KnownCase, Preset, Triple} from '../design/desi
 import type {ObjectUse} from '../design/moment';
 import type {Dependent, Schema} from '../design/options';
 import type {Pair} from '../words/words';
-import type {DropChoices, Drops} from './drops';
+import type {ContactMap, DropChoices, Drops, KnownFoam, Pressing} from './drops';
 import type {ZoneResults} from './zones';
 
 /** A file that came with the object. */
@@ -287,6 +287,8 @@ export interface Engine {
   presets(): Promise<Preset[]>;
   bricks(): Promise<BrickRange>;
   dropChoices(): Promise<DropChoices>;
+  /** Foams of a person's own, from the text of a foams.json. */
+  parseFoams(text: string): Promise<KnownFoam[] | Failure>;
   /** The table of options. */
   options(): Promise<Schema>;
   /** The objects that Snug generates itself, by name. */
@@ -319,12 +321,7 @@ export interface Engine {
   projectText(design: Design, objects?: readonly ObjectUse[]): Promise<string>;
   /** The `snug make` that gives this design from the file, or from one for each object; a Failure for a design that
    *  parseProject() would refuse. `language`: of what it makes, "en" or "ja". */
-  commandLine(
-    file: string | readonly string[],
-    design: Design,
-    language?: string,
-    objects?: readonly ObjectUse[],
-  ): Promise<string | Failure>;
+  commandLine(file: string | readonly string[], design: Design, language?: string, objects?: readonly ObjectUse[]): Promise<string | Failure>;
   /** While one packing is being made only the newest waiting request survives; the others get a Failure of kind
    *  `cancelled`. */
   pack(design: Design, objects?: readonly ObjectUse[]): Promise<Packing | Failure>;
@@ -332,6 +329,8 @@ export interface Engine {
   gaps(onProgress?: OnProgress): Promise<Gap | Failure>;
   /** What the items of the last packing meet in a drop. */
   drops(): Promise<Drops | Failure>;
+  /** What squeezes what then. */
+  contacts(pressing: Pressing): Promise<ContactMap | Failure>;
   /** The design with the walls that hold what it asks for in a drop. Cancelled by cancel(). */
   protectingWalls(
     design: Design,

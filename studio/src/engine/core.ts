@@ -23,7 +23,7 @@ import type {
   WorkshopFigures,
 } from './api';
 import {simplified} from './display_mesh';
-import {readChoices, type DropChoices, type Drops} from './drops';
+import {readChoices, readFoams, type ContactMap, type DropChoices, type Drops, type KnownFoam, type Pressing} from './drops';
 import {brokenModule, isFailure} from './failure';
 import {arranged, listeners, throttled} from './listeners';
 import {sha256} from './sha256';
@@ -90,6 +90,11 @@ export class EngineCore {
 
   async dropChoices(): Promise<DropChoices> {
     return readChoices(this.#snug.protectionChoices());
+  }
+
+  async parseFoams(text: string): Promise<KnownFoam[] | Failure> {
+    const answer = guarded(() => this.#snug.parseFoams(text));
+    return isFailure(answer) ? answer : readFoams(answer);
   }
 
   async options(): Promise<Schema> {
@@ -215,6 +220,10 @@ export class EngineCore {
     return guarded(() => this.#session.drops());
   }
 
+  async contacts(pressing: Pressing): Promise<ContactMap | Failure> {
+    return guarded(() => this.#session.contacts(pressing === 'rest' ? null : pressing));
+  }
+
   /** Blocks its thread until it is done. */
   async protectingWalls(design: Design, onProgress?: OnProgress, objects?: Objects): Promise<{design: Design} | Failure> {
     const given = await this.#given(objects);
@@ -248,11 +257,7 @@ export class EngineCore {
     return isFailure(distinct) ? distinct : {...end, distinct};
   }
 
-  async fitCase(
-    design: Design,
-    onProgress?: OnProgress,
-    objects?: Objects,
-  ): Promise<{design: Design} | Failure> {
+  async fitCase(design: Design, onProgress?: OnProgress, objects?: Objects): Promise<{design: Design} | Failure> {
     const given = await this.#given(objects);
     return designOf(guarded(() => this.#session.fitCase(JSON.stringify(design), given, throttled(onProgress))));
   }

@@ -30,8 +30,15 @@ export interface DropChoices {
 /** As the library hands them over: the design of a foam is a JSON text. */
 export type DropChoicesText = Omit<DropChoices, 'foams'> & {foams: (Omit<KnownFoam, 'design'> & {design: string})[]};
 
+/** Foams as the library hands them over. */
+export type FoamsText = {foams: DropChoicesText['foams']};
+
+export function readFoams({foams}: FoamsText): KnownFoam[] {
+  return foams.map((foam) => ({...foam, design: JSON.parse(foam.design) as FoamData}));
+}
+
 export function readChoices(choices: DropChoicesText): DropChoices {
-  return {...choices, foams: choices.foams.map((foam) => ({...foam, design: JSON.parse(foam.design) as FoamData}))};
+  return {...choices, foams: readFoams(choices)};
 }
 
 export type Verdict = 'unknown' | 'meets_item' | 'bottoms' | 'thin' | 'over' | 'within' | 'unasked';
@@ -61,10 +68,49 @@ export interface DropOnSide {
 export interface DroppedItem {
   mass_kg: number | null;
   asked_g: number | null;
+  /** Of mass, design coordinates; not given, one density is assumed. */
+  centre: Triple;
+  centre_given: boolean;
   /** By side: floor, lid, back, front, left, right. */
   faces: DropOnSide[];
   /** On the lower foam. */
   rest: {sink_mm: number; peak_kpa: number; area_cm2: number} | null;
+}
+
+/** Of what squeezes what the drop on a side, or the rest. */
+export type Pressing = number | 'rest';
+
+/** What squeezes what, line by line along an axis. */
+export interface ContactMap {
+  axis: number;
+  /** Cells side by side from the space's low faces: rows along axis + 1 and columns along axis + 2 (mod 3), of this size. */
+  rows: number;
+  columns: number;
+  cell_mm: [number, number];
+  /** In the design's order. `why`: nothing is known; `columns`: CONTACT_NUMBERS of each column of foam. */
+  items: {why: Pair | null; columns: Float32Array<ArrayBuffer>}[];
+}
+
+/** row, column, 1 before the item's high end or 0 before its low one, from_mm and to_mm along the axis between which the
+ *  foam lies, strain, kPa */
+export const CONTACT_NUMBERS = 7;
+
+/** A column of foam that an item squeezes. */
+export interface Contact {
+  row: number;
+  column: number;
+  high: boolean;
+  from_mm: number;
+  to_mm: number;
+  strain: number;
+  kpa: number;
+}
+
+export function contactsOf({columns}: ContactMap['items'][number]): Contact[] {
+  return Array.from({length: columns.length / CONTACT_NUMBERS}, (_, i) => {
+    const [row, column, high, from_mm, to_mm, strain, kpa] = columns.subarray(i * CONTACT_NUMBERS, (i + 1) * CONTACT_NUMBERS);
+    return {row: row!, column: column!, high: high === 1, from_mm: from_mm!, to_mm: to_mm!, strain: strain!, kpa: kpa!};
+  });
 }
 
 export interface Drops {

@@ -21,7 +21,7 @@ import type {
   SearchStep,
   WorkshopFigures,
 } from './api';
-import type {Drops} from './drops';
+import type {ContactMap, Drops, Pressing} from './drops';
 import {brokenModule, CANCELLED, failure, isFailure} from './failure';
 import {latest} from './latest';
 import {copied, loadAgain, sent, type Kept, type Objects} from './sent';
@@ -76,6 +76,7 @@ class PageEngine implements Engine {
   presets = () => this.#quickly((core) => core.presets()).then(orThrow);
   bricks = () => this.#quickly((core) => core.bricks()).then(orThrow);
   dropChoices = () => this.#quickly((core) => core.dropChoices()).then(orThrow);
+  parseFoams = (text: string) => this.#quickly((core) => core.parseFoams(text));
   options = () => this.#quickly((core) => core.options()).then(orThrow);
   samples = () => this.#quickly((core) => core.samples()).then(orThrow);
   sampleFile = (name: string) => this.#quickly((core) => core.sampleFile(name));
@@ -255,6 +256,10 @@ class PageEngine implements Engine {
   }
 
   drops = (): Promise<Drops | Failure> => this.#quickly((core) => core.drops());
+  contacts = latest(
+    (pressing: Pressing): Promise<ContactMap | Failure> => this.#quickly((core) => core.contacts(pressing)),
+    (): ContactMap | Failure => SUPERSEDED,
+  );
 
   protectingWalls(design: Design, onProgress?: OnProgress, objects?: Objects): Promise<{design: Design} | Failure> {
     const [plain, uses] = sent(design, objects);

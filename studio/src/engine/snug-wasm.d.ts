@@ -16,7 +16,7 @@ declare module 'snug-wasm/snug.mjs' {
     SearchStep,
     WorkshopFigures,
   } from './api';
-  import type {DropChoicesText, Drops} from './drops';
+  import type {ContactMap, DropChoicesText, Drops, FoamsText} from './drops';
   import type {ZoneResults} from './zones';
 
   type Progress = ((fraction: number) => boolean) | null;
@@ -64,6 +64,8 @@ declare module 'snug-wasm/snug.mjs' {
     pack(design: string, objects: GivenObject[]): (Omit<Packing, 'dependent'> & {dependent: string}) | Failure;
     gaps(progress: Progress): Gap | Failure;
     drops(): Drops | Failure;
+    /** On a side, 0 to 5; null: at rest. */
+    contacts(side: number | null): ContactMap | Failure;
     protectingWalls(design: string, objects: GivenObject[], progress: Progress): {design: string} | Failure;
     zones(): ZoneResults | Failure;
     distances(points: Float32Array): Float32Array<ArrayBuffer> | Failure;
@@ -88,6 +90,8 @@ declare module 'snug-wasm/snug.mjs' {
     bricks(): BrickRange;
     /** A foam's `design`: a JSON text. */
     protectionChoices(): DropChoicesText;
+    /** The same of a foams.json, see snug/design/known_foams.h. */
+    parseFoams(text: string): FoamsText | Failure;
     samples(): string[];
     sampleFile(name: string): OutputFile | Failure;
     parseProject(text: string): {objects: {name: string; bytes: number; sha256: string; own: string | null}[]; design: string; dependent: string} | Failure;

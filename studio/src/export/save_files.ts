@@ -28,6 +28,11 @@ export async function saveProject(studio: Studio): Promise<void> {
   download(`${stem(studio)}.snug.json`, [new TextEncoder().encode(text)]);
 }
 
+/** A person's own foams, as the command line reads them. */
+export function saveFoams(text: string): void {
+  download('foams.json', [new TextEncoder().encode(text)]);
+}
+
 /** Objects that Snug made, and scenes or archives with the files they were read with, come with their project. */
 async function withObjects(studio: Studio, files: OutputFile[]): Promise<OutputFile[]> {
   const all = [...files];

@@ -1,8 +1,10 @@
 import type {Moment} from '../design/moment';
 import type {Engine, Failure, Finding, Packing} from '../engine/api';
-import type {DropChoices, Drops} from '../engine/drops';
+import type {DropChoices, Drops, KnownFoam} from '../engine/drops';
 import {isFailure} from '../engine/failure';
+import {ContactsOnScreen} from './contacts.svelte';
 import type {Work} from './on_the_page';
+import {OwnFoams} from './own_foams.svelte';
 
 /** What is dropped. */
 interface Pack {
@@ -21,13 +23,25 @@ const STILL_MS = 150;
 export class DropsOnScreen {
   readonly choices: DropChoices;
   readonly #pack: Pack;
+  readonly ownFoams: OwnFoams;
+  /** What squeezes what, where that is to be seen. */
+  readonly contacts: ContactsOnScreen;
   #found = $state.raw<{of: Packing; drops: Drops} | null>(null);
   /** They are of the foams on the screen. */
   current = $derived.by(() => this.#found !== null && this.#found.of === this.#pack.packing);
 
   constructor(pack: Pack, choices: DropChoices) {
     this.#pack = pack;
+    this.contacts = new ContactsOnScreen(pack);
     this.choices = choices;
+    this.ownFoams = new OwnFoams(pack.engine);
+  }
+
+  /** The library's and behind them this person's own, which count where names are the same. */
+  get foams(): readonly KnownFoam[] {
+    const own = this.ownFoams.all;
+    const others = this.choices.foams.filter(({design}) => own.every((one) => one.design.name !== design.name));
+    return [...others, ...own];
   }
 
   /** Anything was asked that drops, or a rest, could answer. */

@@ -3,6 +3,8 @@ import type {Packing} from '../engine/api';
 import {kindOf, type PieceKind} from '../engine/pieces';
 import type {Look} from '../state/view.svelte';
 import {foamQuads, type Quads} from './foam_geometry';
+import type {PressureGrid} from './pressure_grid';
+import {PressurePaint} from './pressure_paint';
 import {foamShading, type Shading} from './shading';
 
 /** What may be drawn of all pieces together: while something moves, with the objects' own copies besides, and later. */
@@ -21,6 +23,7 @@ type FoamMesh = Mesh<BufferGeometry, ShaderMaterial>;
 export class FoamMeshes {
   readonly group = new Group();
   readonly #shades: Record<PieceKind, Shading> = {lower: foamShading(), middle: foamShading(), upper: foamShading()};
+  readonly #pressure = new PressurePaint();
   #meshes: FoamMesh[] = [];
   #quads: Quads[] = [];
   #packing: Packing | null = null;
@@ -50,6 +53,12 @@ export class FoamMeshes {
       this.#build(piece);
     });
     this.#dress();
+  }
+
+  /** How much it is squeezed; null: not to be seen. */
+  set pressure(grid: PressureGrid | null) {
+    this.#pressure.see(grid);
+    for (const [, {material}] of this.#kinds()) this.#pressure.apply(material);
   }
 
   /** Fewer triangles while something moves. */

@@ -5,7 +5,6 @@ import {
   Mesh,
   Raycaster,
   Scene,
-  Vector2,
   Vector3,
   type ShaderMaterial,
 } from 'three';
@@ -14,9 +13,12 @@ import type {DisplayMesh, PackedItem, Packing} from '../engine/api';
 import type {PlacedItem} from '../state/on_the_page';
 import type {Cell, Look, Part} from '../state/view.svelte';
 import {apart, type Apart} from './apart';
+import {CentreMarks, type SeenCentre} from './centre_marks';
 import {FoamMeshes, type PieceColours} from './foam_meshes';
 import {arrow, boxEdges, columnBox, ruler} from './furniture';
 import {objectGeometry} from './object_geometry';
+import {PressurePaint} from './pressure_paint';
+import type {SeenPressure} from './seen_pressure';
 import {GLASS, objectShading} from './shading';
 import {ZonePaint, type PaintHint, type SeenZones} from './zone_paint';
 
@@ -59,6 +61,9 @@ interface Body {
   mesh: Mesh<BufferGeometry, ShaderMaterial>;
   geometries: Geometries;
   paint: ZonePaint;
+  pressure: PressurePaint;
+  /** How far what is drawn lies from the object at most, mm. */
+  deviation: number;
 }
 type Geometries = {moving: BufferGeometry; still: BufferGeometry};
 
@@ -76,6 +81,7 @@ export class FoamScene {
   readonly #up = arrow();
   readonly #own = arrow();
   readonly #ruler = ruler();
+  readonly #centres = new CentreMarks();
   /** By the copy that was drawn. */
   #geometries = new Map<DisplayMesh, BufferGeometry>();
   #colours: Colours | null = null;
@@ -91,7 +97,7 @@ export class FoamScene {
   constructor() {
     this.#root.matrixAutoUpdate = false;
     this.#root.matrix.copy(TO_WORLD);
-    this.#root.add(this.#frames, this.#foams.group, this.#space, this.#column);
+    this.#root.add(this.#frames, this.#foams.group, this.#space, this.#column, this.#centres.group);
     this.scene.add(this.#root, this.#up.group);
     this.#column.visible = false;
     this.#column.material.depthTest = false;
@@ -148,13 +154,15 @@ export class FoamScene {
         this.#geometries.delete(mesh);
       }
     while (this.#bodies.length > placed.length) {
-      const {lift, paint} = this.#bodies.pop()!;
+      const {lift, paint, pressure} = this.#bodies.pop()!;
       this.#root.remove(lift);
       paint.dispose();
+      pressure.dispose();
     }
     placed.forEach(({meshes: {moving, still}, placement}, i) => {
       const body = (this.#bodies[i] ??= this.#body());
       body.geometries = {moving: this.#geometry(moving), still: this.#geometry(still)};
+      body.deviation = Math.max(moving.deviation, still.deviation);
       body.group.matrix.fromArray([...placement]);
       body.group.matrixWorldNeedsUpdate = true;
     });
@@ -172,12 +180,14 @@ export class FoamScene {
     group.matrixAutoUpdate = false;
     lift.add(group.add(mesh));
     this.#root.add(lift);
-    const paint = new ZonePaint();
+    const geometries = {moving: mesh.geometry, still: mesh.geometry};
+    const body = {lift, group, mesh, geometries, paint: new ZonePaint(), pressure: new PressurePaint(), deviation: 0};
     mesh.onBeforeRender = () => {
-      paint.apply(mesh.material);
+      body.paint.apply(mesh.material);
+      body.pressure.apply(mesh.material, group.matrix, body.deviation);
       mesh.material.uniformsNeedUpdate = true;
     };
-    return {lift, group, mesh, geometries: {moving: mesh.geometry, still: mesh.geometry}, paint};
+    return body;
   }
 
   #geometry(mesh: DisplayMesh): BufferGeometry {
@@ -194,6 +204,17 @@ export class FoamScene {
       paint.see(seen[i]);
       paint.hint = i === this.#selected ? hint : null;
     });
+  }
+
+  /** What squeezes what; null: not to be seen. */
+  set pressure(seen: SeenPressure | null) {
+    this.#bodies.forEach(({pressure}, i) => pressure.see(seen?.items[i] ?? null));
+    this.#foams.pressure = seen?.foam ?? null;
+  }
+
+  set centres(seen: readonly SeenCentre[]) {
+    this.#centres.see(seen);
+    this.#place();
   }
 
   /** Frames around items: the one that is selected among several, and those that are too near each other. */
@@ -367,13 +388,8 @@ export class FoamScene {
     const layer = (item: number) => this.#packing?.items[item]?.layer ?? 1;
     this.#foams.place((piece) => this.#apart?.piece(piece) ?? 0);
     this.#bodies.forEach(({lift}, item) => lift.position.copy(this.drawnAt(new Vector3(), layer(item))));
+    this.#centres.place((place, layer) => this.drawnAt(place, layer));
     for (const {position, userData} of this.#frames.children)
       position.copy(this.drawnAt((userData.middle as Vector3).clone(), userData.layer as number));
   }
-}
-
-/** From the place of a pointer in the picture. */
-export function pointerAt(event: {clientX: number; clientY: number}, canvas: HTMLElement): Vector2 {
-  const {left, top, width, height} = canvas.getBoundingClientRect();
-  return new Vector2(((event.clientX - left) / width) * 2 - 1, 1 - ((event.clientY - top) / height) * 2);
 }

@@ -1,9 +1,10 @@
 import {Color, DoubleSide, ShaderMaterial, Vector3} from 'three';
 import type {Look} from '../state/view.svelte';
+import {FOAM_PRESSURE, ITEM_PRESSURE, pressureUniforms} from './pressure_paint';
 import {ZONE_FRAGMENT, ZONE_VERTEX, zoneUniforms} from './zone_paint';
 
 // One small shader for the object and the foams: two lights that go with the camera, block edges drawn from the
-// design coordinates (so that they cost no triangles), and the colours of the gaps.
+// design coordinates (so that they cost no triangles), the colours of the gaps, and of what is pressed.
 
 const VERTEX = /* glsl */ `
 varying vec3 vDesign;
@@ -54,8 +55,10 @@ float edges() {
   vec3 line = (1.0 - smoothstep(0.35, 1.25, distance)) * faded * step(abs(vOwnNormal), vec3(0.5));
   return max(line.x, max(line.y, line.z));
 }
+${FOAM_PRESSURE}
 #else
 ${ZONE_FRAGMENT}
+${ITEM_PRESSURE}
 #endif
 void main() {
   vec3 normal = normalize(vNormal) * (gl_FrontFacing ? 1.0 : FLIP);
@@ -64,8 +67,9 @@ void main() {
   vec3 shaded = color;
   #ifdef FOAM
   if (showGaps > 0.5 && vGap >= 0.0) shaded = ramp(min(vGap, 1.0));
+  shaded = pressed(shaded);
   #else
-  shaded = zoned(shaded);
+  shaded = pressed(zoned(shaded));
   #endif
   shaded *= 0.50 + 0.42 * key + 0.20 * fill;
   #ifdef FOAM
@@ -94,6 +98,7 @@ function shading(defines: Record<string, string>): Shading {
     showGaps: {value: 0},
     zoneColor: {value: new Color()},
     ...zoneUniforms(),
+    ...pressureUniforms(),
   };
   const material = new ShaderMaterial({
     vertexShader: VERTEX,

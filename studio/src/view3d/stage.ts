@@ -268,3 +268,9 @@ export class Stage {
     this.draw();
   };
 }
+
+/** From the place of a pointer in the picture. */
+export function pointerAt(event: {clientX: number; clientY: number}, canvas: HTMLElement): Vector2 {
+  const {left, top, width, height} = canvas.getBoundingClientRect();
+  return new Vector2(((event.clientX - left) / width) * 2 - 1, 1 - ((event.clientY - top) / height) * 2);
+}

@@ -56,6 +56,14 @@ test('and becomes the design’s again when it is left alone', () => {
   expect(withoutItem(join(one(chosen), ['b']), 1)).toEqual(one(chosen));
 });
 
+test('a centre of mass belongs to its item alone', () => {
+  const chosen = {...defaults, protection: {...defaults.protection, centre_mm: [1, 2, 3] as Triple}};
+  const {design} = join(one(chosen), ['b']);
+  expect(design.items.map(({centre_mm}) => centre_mm)).toEqual([[1, 2, 3], null]);
+  expect(design.protection.centre_mm).toBeNull();
+  expect(withoutItem(join(one(chosen), ['b']), 1)).toEqual(one(chosen));
+});
+
 test('a layer whose last item is taken out closes up, and levels that were chosen for it are chosen anew', () => {
   const {design, ...rest} = row();
   const items = design.items.map((item, i) => ({...item, layer: i + 1}));

@@ -1,8 +1,10 @@
 import {beforeEach, expect, test, vi} from 'vitest';
-import {withTray, withWorkshop} from '../../src/design/edit';
+import {inFile} from '../../src/design/centre';
+import {withRotation, withTray, withWorkshop} from '../../src/design/edit';
 import {withItemOptions} from '../../src/design/moment';
 import {lackingForDrops, lackingForWalls, withDrop, withFoamData, withFragility} from '../../src/design/protection';
-import type {Design} from '../../src/design/design';
+import type {Design, Triple} from '../../src/design/design';
+import {withValue} from '../../src/design/options';
 import type {Studio} from '../../src/state/studio.svelte';
 import {box} from '../support/shapes';
 import {startStudio} from '../support/studio';
@@ -109,6 +111,26 @@ test('a tray is not dropped, but it rests', async () => {
   expect(studio.drops.last!.items[0]!.faces.map(({verdict}) => verdict)).toEqual(Array(6).fill('unknown'));
   expect(studio.drops.last!.items[0]!.faces[0]!.sentence).toEqual(studio.drops.choices.tray);
   expect(studio.drops.findings).toEqual([]);
+});
+
+test('the centre of mass is told where it is assumed, and moves where it is given in the file', async () => {
+  const centred = () => {
+    const {centre, centre_given} = studio.drops.last!.items[0]!;
+    return {given: centre_given, file: inFile(centre, studio.packing!.items[0]!.placement, studio.object!.origin_mm!), place: centre};
+  };
+  await change((design) => withRotation(asked(design), [30, 40, 50]));
+  const assumed = centred();
+  expect(assumed.given).toBe(false);
+  // Of a box its middle, which is where the case has it, too.
+  const {min, max} = studio.packing!.items[0]!.bounds;
+  assumed.place.forEach((mm, axis) => expect(mm).toBeCloseTo((min[axis]! + max[axis]!) / 2, 2));
+  const given = assumed.file.map((mm, axis) => mm + [3, -4, 12][axis]!) as Triple;
+  await change((design) => withValue(design, 'protection.centre_mm', given));
+  expect(centred()).toMatchObject({given: true, file: given.map((mm) => expect.closeTo(mm, 5))});
+  const moved = centred().place.map((mm, axis) => mm - assumed.place[axis]!);
+  expect(Math.hypot(...moved)).toBeCloseTo(13, 1);
+  await change((design) => withValue(design, 'protection.centre_mm', null));
+  expect(centred()).toEqual(assumed);
 });
 
 test('of several items each side tells the worst, by what each bears', async () => {
