@@ -47,7 +47,7 @@ Packing packed(const Object& object, const Design& design) {
 
 bool warns(const Packing& packing, std::string_view code) {
     return std::any_of(packing.findings.begin(), packing.findings.end(),
-                       [&](const Finding& finding) { return finding.code() == code; });
+                       [&](const Finding& finding) { return finding.message.code == code; });
 }
 
 TEST(ReliefIslands, StandTowardsTheCornersAndAllElseUnderTheItemGoes) {
