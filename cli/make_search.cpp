@@ -38,17 +38,16 @@ Result<SearchReport> search(Object& object, Design& design, const SearchArgument
     using Clock = std::chrono::steady_clock;
     const Clock::time_point begun = Clock::now();
     bool out_of_time = false;
-    auto report = search_design(
-        object.mesh, *object.prepared, design, task, [&](double share, std::optional<long long> cut_blocks) {
-            const std::chrono::duration<double> spent = Clock::now() - begun;
-            if (arguments.seconds) share = spent.count() / *arguments.seconds;
-            const std::string percent = fmt::format("{:.0f}", share * 100);
-            status.show(cut_blocks ? say("status.searching",
-                                         {{"percent", percent}, {"blocks", std::to_string(*cut_blocks)}})
-                                   : say("status.fitting", {{"percent", percent}}));
-            out_of_time = arguments.seconds && share >= 1;
-            return !out_of_time && !InterruptGuard::interrupted();
-        });
+    auto report = search_design(object, design, task, [&](double share, std::optional<long long> cut_blocks) {
+        const std::chrono::duration<double> spent = Clock::now() - begun;
+        if (arguments.seconds) share = spent.count() / *arguments.seconds;
+        const std::string percent = fmt::format("{:.0f}", share * 100);
+        status.show(cut_blocks ? say("status.searching",
+                                     {{"percent", percent}, {"blocks", std::to_string(*cut_blocks)}})
+                               : say("status.fitting", {{"percent", percent}}));
+        out_of_time = arguments.seconds && share >= 1;
+        return !out_of_time && !InterruptGuard::interrupted();
+    });
     if (report && out_of_time) report->cancelled = false;
     // The interrupt is answered by keeping what was found.
     InterruptGuard::forget();

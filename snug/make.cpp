@@ -319,8 +319,6 @@ Result<Made> make(std::span<Object> objects, Project& project, const Tools& tool
     const bool whole =
         std::all_of(objects.begin(), objects.end(), [](const Object& each) { return each.whole(); });
     if ((made.search || made.arrangement) && !whole) note_stand_in(made.packing);
-    if ((made.search || made.arrangement) && !made.packing.zone_cuts.empty())
-        add_findings({{Severity::note, say("searched_zones")}}, made.packing.findings);
     if (!made.packing.foams) return made;
 
     if (wants_protection(design)) {

@@ -14,6 +14,7 @@
 #include "snug/search/protecting_walls.h"
 #include "snug/search/rank_cases.h"
 #include "snug/search/search_design.h"
+#include "snug/search/searched_zones.h"
 #include "snug/space/place_items.h"
 
 #include "wasm/arrangements.h"
@@ -261,8 +262,10 @@ val Session::start_search(const std::string& design_text, const val& objects) {
     prepare_for_many(object);
     const auto packing = snug::pack(object, project->design);
     if (!packing) return to_val(packing.error());
+    auto zones = searched_zones(object, project->design);
+    if (!zones) return to_val(zones.error());
     auto search = PlacementSearch::start(object.mesh, *object.prepared, project->design, packing->space,
-                                         kSearchSeed, packing->available);
+                                         kSearchSeed, packing->available, std::move(*zones));
     if (!search) return to_val(search.error());
     search_ = std::move(*search);
     searched_ = packing->space;
@@ -296,7 +299,7 @@ val Session::fit_case(const std::string& design_text, const val& objects, const 
     task.fit_case = true;
     const Progress told = progress_from(progress);
     const auto news = [&](double share, std::optional<long long>) { return go_on(told, share); };
-    const auto report = search_design(object.mesh, *object.prepared, project->design, task, news);
+    const auto report = search_design(object, project->design, task, news);
     if (!report) return to_val(report.error());
     val result = val::object();
     result.set("design", design_json(project->design));
@@ -324,8 +327,10 @@ val Session::start_map(const std::string& design_text, const val& objects) {
     prepare_for_many(object);
     const auto packing = snug::pack(object, project->design);
     if (!packing) return to_val(packing.error());
+    auto zones = searched_zones(object, project->design);
+    if (!zones) return to_val(zones.error());
     map_.emplace(object.mesh, *object.prepared, project->design, packing->space, kMapDirections,
-                 packing->available);
+                 packing->available, std::move(*zones));
     return to_val(*map_);
 }
 

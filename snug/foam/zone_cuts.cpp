@@ -28,10 +28,7 @@ Result<std::vector<ZoneCut>> cut_zones(const Item& item, std::size_t number, con
     for (std::size_t i = 0; i < item.zones.size(); ++i) {
         const ItemZone& zone = item.zones[i];
         if (zone.asked.keep_off_mm <= 0) continue;
-        CutOptions cut = item.cut;
-        cut.clearance_mm = zone.asked.keep_off_mm;
-        cut.liner_mm = 0;
-        auto depths = object_depths(*zone.surface, item.placement, space, cut, progress);
+        auto depths = object_depths(*zone.surface, item.placement, space, zone.own_cut(item.cut), progress);
         if (!depths) return tl::unexpected(depths.error());
         if (zone.surface->is_streamed() && sees_nothing(*depths))
             return fail(ErrorKind::usage, say("zone.numbered", {{"zone", std::to_string(i + 1)},

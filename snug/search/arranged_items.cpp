@@ -8,6 +8,7 @@
 
 #include "snug/base/side.h"
 #include "snug/base/text.h"
+#include "snug/search/searched_zones.h"
 #include "snug/space/fitted_space.h"
 #include "snug/space/place_items.h"
 
@@ -21,16 +22,38 @@ struct Kind {
     std::size_t object;
     Vec3d rotation_deg;
     CutOptions cut;
+    Zones asked;
+    std::vector<ItemZone> zones;
     std::vector<int> shapes;
 };
 
-std::size_t kind_of(const Item& item, std::vector<Kind>& kinds) {
+std::size_t kind_of(const Item& item, const Zones& asked, const std::vector<ItemZone>& zones,
+                    std::vector<Kind>& kinds) {
     for (std::size_t i = 0; i < kinds.size(); ++i)
         if (kinds[i].object == item.object && kinds[i].rotation_deg == item.rotation_deg &&
-            kinds[i].cut == item.cut)
+            kinds[i].cut == item.cut && kinds[i].asked == asked)
             return i;
-    kinds.push_back({item.object, item.rotation_deg, item.cut, {}});
+    kinds.push_back({item.object, item.rotation_deg, item.cut, asked, zones, {}});
     return kinds.size() - 1;
+}
+
+/// The zones of every item; items of one object that ask for the same share them.
+Result<void> add_zones(std::span<const Object> objects, const Design& design, ItemMasks& masks) {
+    for (std::size_t i = 0; i < masks.items.size(); ++i) {
+        const Zones& asked = zones_of(design.items[i], design);
+        std::size_t same = 0;
+        while (same < i && !(masks.items[same].object == masks.items[i].object &&
+                             zones_of(design.items[same], design) == asked))
+            ++same;
+        if (same < i) {
+            masks.zones.push_back(masks.zones[same]);
+            continue;
+        }
+        auto zones = searched_zones(objects[masks.items[i].object], asked);
+        if (!zones) return tl::unexpected(zones.error());
+        masks.zones.push_back(std::move(*zones));
+    }
+    return {};
 }
 
 int add_shape(ItemMasks& masks, ItemWay way) {
@@ -51,7 +74,8 @@ Result<void> add_ways(std::span<const Object> objects, const Design& design, std
         Kind& kind = kinds[i];
         const Object& object = objects[kind.object];
         auto ways = ways_to_lay(object, kind.cut, masks.block_mm,
-                                allowed_rotations(object, kind.rotation_deg, design.search), places, most);
+                                allowed_rotations(object, kind.rotation_deg, design.search), places, most,
+                                kind.zones);
         if (!ways) return tl::unexpected(ways.error());
         for (ItemWay& way : *ways) kind.shapes.push_back(add_shape(masks, std::move(way)));
     }
@@ -132,8 +156,10 @@ Result<ItemMasks> item_masks(std::span<const Object> objects, const Design& desi
     masks.items = std::move(*items);
     std::vector<Kind> kinds;
     std::vector<std::size_t> own(masks.items.size());
+    if (auto done = add_zones(objects, design, masks); !done) return tl::unexpected(done.error());
     for (std::size_t i = 0; i < masks.items.size(); ++i)
-        if (!locked[i]) own[i] = kind_of(masks.items[i], kinds);
+        if (!locked[i])
+            own[i] = kind_of(masks.items[i], zones_of(design.items[i], design), masks.zones[i], kinds);
     if (auto done = add_ways(objects, design, kinds, masks, progress); !done)
         return tl::unexpected(done.error());
     masks.problem.gap = block_walls(design.space, block_mm).gap;
@@ -171,7 +197,8 @@ Result<ItemMasks> with_locked(ItemMasks masks, std::span<const Object> objects, 
             return fail(
                 ErrorKind::does_not_fit,
                 say("arrange.locked_outside", {{"name", item.name}, {"space", dimensions(space.size())}}));
-        auto way = locked_way(objects[item.object], item.cut, space, item.rotation_deg, item.offset_mm);
+        auto way = locked_way(objects[item.object], item.cut, space, item.rotation_deg, item.offset_mm,
+                              masks.zones[i]);
         if (!way) return tl::unexpected(way.error());
         if (way->way.mask.rows() == 0)
             return fail(ErrorKind::usage, say("arrange.cuts_nothing", {{"name", item.name}}));

@@ -37,8 +37,9 @@ struct BlockWalls {
 struct ItemMasks {
     MaskProblem problem;
     std::vector<ItemWay> ways;
-    std::vector<Item> items;   ///< as place_items() lays them first, for their names and masses
-    std::vector<bool> locked;  ///< of each item
+    std::vector<Item> items;  ///< as place_items() lays them first, for their names and masses
+    std::vector<std::vector<ItemZone>> zones;  ///< of each item, as searched_zones() has them
+    std::vector<bool> locked;                  ///< of each item
     std::vector<double> mass;  ///< of each item in kg or, where one is not known, in blocks that are cut
     Vec3d block_mm;
     [[nodiscard]] bool any_locked() const;

@@ -7,10 +7,9 @@
 
 #include "snug/base/parallel.h"
 #include "snug/object/turned_bounds.h"
+#include "snug/search/searched_zones.h"
 #include "snug/search/turn.h"
 #include "snug/space/fitted_space.h"
-#include "snug/space/placement.h"
-#include "snug/space/space_for.h"
 
 namespace snug {
 namespace {
@@ -67,8 +66,13 @@ DesignSpace roomy(double longest, Vec3d block_mm, const CutOptions& cut) {
 }  // namespace
 
 DirectionMap::DirectionMap(const Mesh& mesh, const PreparedSurface& surface, const Design& design,
-                           const DesignSpace& space, std::size_t directions, Grid<Run> available)
-    : surface_(surface), design_(design), space_(space), available_(std::move(available)) {
+                           const DesignSpace& space, std::size_t directions, Grid<Run> available,
+                           std::vector<ItemZone> zones)
+    : surface_(surface),
+      design_(design),
+      space_(space),
+      available_(std::move(available)),
+      zones_(std::move(zones)) {
     fitted_ = !design.space.blocks && !design.case_options.inside_mm;
     const Vec3d size = bounds(mesh).size();
     longest_ = std::sqrt(dot(size, size));
@@ -98,8 +102,11 @@ void DirectionMap::step() {
             const Vec3d rotation_deg =
                 to_thousandths(euler_of(rotation_of(turn_onto_x(cuts_[i].direction, spin))));
             const Rotation rotation = rotation_from_euler(rotation_deg);
-            improve(i, rotation_deg,
-                    quick.least(points_, rotation, turned_bounds(surface_.body, rotation), kMostExact));
+            const Box3d turned = turned_bounds(surface_.body, rotation);
+            // A space that is fitted has room for zones by itself, too.
+            const Box3d kept_free =
+                fitted_ ? Box3d{} : kept_free_by_zones(lying({rotation, {}, turned}, design_.cut, zones_));
+            improve(i, rotation_deg, quick.least(points_, rotation, turned, kMostExact, kept_free));
         }
     });
     next_ = end;
@@ -131,14 +138,20 @@ std::optional<ExactCut> DirectionMap::exact(Vec3d rotation_deg, Vec3d offset_mm)
     const Vec3d lies = offset_mm + shift_between_walls(design_.space, !fitted_);
     std::optional<ExactCut> found;
     if (fitted_) {
-        const auto own = space_for(place(surface_, rotation_deg, lies).bounds, design_);
+        const auto own = fitted_space(rotation_deg, lies);
         if (!own) return {};
-        found = exact_cut(surface_, own->space, design_.cut, rotation_deg, lies, own->available);
+        found = exact_cut(surface_, own->space, design_.cut, rotation_deg, lies, own->available, zones_);
     } else {
-        found = exact_cut(surface_, space_, design_.cut, rotation_deg, lies, available_);
+        found = exact_cut(surface_, space_, design_.cut, rotation_deg, lies, available_, zones_);
     }
     if (found && !keeps_walls(found->wall_mm, wanted_wall_mm(design_.space))) return {};
     return found;
+}
+
+/// That of the design where the object lies so.
+Result<PackedSpace> DirectionMap::fitted_space(Vec3d rotation_deg, Vec3d lies) const {
+    return space_for(room_of(lying(surface_, design_.cut, zones_, rotation_deg, lies)),
+                     design_.cut.whole_clearance_mm().least(), design_);
 }
 
 /// The offset at which the object meets the blocks of its fitted space as it meets those of space_: a fitted
@@ -152,7 +165,7 @@ Vec3d DirectionMap::offset_when_fitted(Vec3d rotation_deg, Vec3d offset_mm) cons
         even[axis] = wrapped(offset_mm[axis] - shift[axis], block[axis]);
         odd[axis] = wrapped(offset_mm[axis] - shift[axis] - block[axis] / 2, block[axis]);
     }
-    const auto own = space_for(place(surface_, rotation_deg, even + shift).bounds, design_);
+    const auto own = fitted_space(rotation_deg, even + shift);
     if (!own) return even;
     Vec3d result;
     for (int axis = 0; axis < 3; ++axis)

@@ -13,6 +13,8 @@
 #include "snug/search/quick_cut.h"
 #include "snug/search/surface_points.h"
 #include "snug/space/design_space.h"
+#include "snug/space/item.h"
+#include "snug/space/space_for.h"
 
 namespace snug {
 
@@ -33,9 +35,10 @@ class DirectionMap {
     /// In `space`, or, where the design leaves the number of blocks open, each placement in the space that is
     /// fitted to it. `available`: the blocks that exist in `space`, as exact_cut() has them. `directions`: of
     /// the half sphere; 250 to 1000 make a picture. `surface` is prepared from `mesh` and must outlive the
-    /// map.
+    /// map; `zones`: as searched_zones() has them.
     DirectionMap(const Mesh& mesh, const PreparedSurface& surface, const Design& design,
-                 const DesignSpace& space, std::size_t directions, Grid<Run> available);
+                 const DesignSpace& space, std::size_t directions, Grid<Run> available,
+                 std::vector<ItemZone> zones = {});
 
     /// Looks at one more spin of some directions: a few milliseconds of work.
     void step();
@@ -47,12 +50,14 @@ class DirectionMap {
     void improve(std::size_t direction, const Vec3d& rotation_deg, const std::vector<OffsetCut>& offsets);
     [[nodiscard]] std::optional<ExactCut> exact(Vec3d rotation_deg, Vec3d offset_mm) const;
     [[nodiscard]] Vec3d offset_when_fitted(Vec3d rotation_deg, Vec3d offset_mm) const;
+    [[nodiscard]] Result<PackedSpace> fitted_space(Vec3d rotation_deg, Vec3d lies) const;
 
     const PreparedSurface& surface_;
     Design design_;
     bool fitted_ = false;  ///< every placement has a space of its own
     DesignSpace space_;    ///< of the offsets: the design's, or one that holds the object however it lies
     Grid<Run> available_;  ///< blocks that exist in the design's space
+    std::vector<ItemZone> zones_;
     std::array<double, 6> least_wall_{};
     double longest_ = 0;
     SurfacePoints points_;

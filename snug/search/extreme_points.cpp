@@ -37,8 +37,8 @@ void ExtremePoints::add(Vec3d direction) {
     z_.push_back(point.z);
 }
 
-Vec3d ExtremePoints::lengths(const Rotation& rotation) const {
-    Vec3d result;
+Box3d ExtremePoints::turned(const Rotation& rotation) const {
+    Box3d result;
     for (int axis = 0; axis < 3; ++axis) {
         const Vec3d row = rotation.row[static_cast<std::size_t>(axis)];
         double low = std::numeric_limits<double>::infinity(), high = -low;
@@ -47,7 +47,8 @@ Vec3d ExtremePoints::lengths(const Rotation& rotation) const {
             low = reached < low ? reached : low;
             high = reached > high ? reached : high;
         }
-        result[axis] = high - low;
+        result.min[axis] = low;
+        result.max[axis] = high;
     }
     return result;
 }
@@ -58,12 +59,11 @@ std::vector<Vec3d> ExtremePoints::points() const {
     return result;
 }
 
-Vec3d ExtremePoints::add_furthest(const Rotation& rotation) {
+void ExtremePoints::add_furthest(const Rotation& rotation) {
     for (const Vec3d& row : rotation.row) {
         add(row);
         add(-row);
     }
-    return lengths(rotation);
 }
 
 }  // namespace snug

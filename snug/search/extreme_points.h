@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "snug/base/box.h"
 #include "snug/base/rotation.h"
 #include "snug/base/vec.h"
 #include "snug/mesh/mesh.h"
@@ -16,10 +17,13 @@ class ExtremePoints {
     /// The furthest vertices in some hundred directions.
     explicit ExtremePoints(const Mesh& mesh);
 
-    /// Lengths along the axes of what the points span once they are turned: never longer than the object.
-    [[nodiscard]] Vec3d lengths(const Rotation& rotation) const;
-    /// The object's own lengths, by a pass over all vertices, whose furthest are added.
-    Vec3d add_furthest(const Rotation& rotation);
+    /// What the points span once they are turned: never longer than the object.
+    [[nodiscard]] Box3d turned(const Rotation& rotation) const;
+    /// Its lengths along the axes.
+    [[nodiscard]] Vec3d lengths(const Rotation& rotation) const { return turned(rotation).size(); }
+    /// Adds those that lie furthest out once they are turned, by a pass over all vertices: then turned() is
+    /// the object's own box.
+    void add_furthest(const Rotation& rotation);
     [[nodiscard]] std::vector<Vec3d> points() const;
 
   private:

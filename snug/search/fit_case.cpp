@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "snug/search/frames.h"
 #include "snug/search/turn.h"
 #include "snug/space/fitted_space.h"
+#include "snug/space/place_zones.h"
 
 namespace snug {
 namespace {
@@ -37,10 +39,65 @@ Vec3d wall_blocks(const Walls& walls, Vec3d block_mm) {
     return blocks;
 }
 
+/// How long an object is once it is turned. Where its zones keep more free than its clearance does: how long
+/// one without zones would be that takes as much of a space with it in the middle.
+class TurnedLengths {
+  public:
+    TurnedLengths(const Mesh& mesh, const CutOptions& cut, const std::vector<ItemZone>& zones)
+        : body_(mesh), cut_(cut), zones_(zones) {
+        for (const ItemZone& zone : zones) {
+            points_.emplace_back();
+            if (!zone.surface->mesh.vertices.empty()) points_.back().emplace(zone.surface->mesh);
+        }
+    }
+
+    [[nodiscard]] Vec3d operator()(const Rotation& rotation) const {
+        const Placement lies{rotation, {}, body_.turned(rotation)};
+        const Vec3d middle = lies.bounds.centre(), most = most_clearance(cut_);
+        Vec3d lengths = lies.bounds.size();
+        for (std::size_t i = 0; i < zones_.size(); ++i) {
+            const Box3d room = grown(turned(i, lies), zones_[i].clearance_mm(cut_));
+            for (int axis = 0; axis < 3; ++axis) {
+                const double half = std::max(room.max[axis] - middle[axis], middle[axis] - room.min[axis]);
+                lengths[axis] = std::max(lengths[axis], 2 * (half - most[axis]));
+            }
+        }
+        return lengths;
+    }
+    void add_furthest(const Rotation& rotation) {
+        body_.add_furthest(rotation);
+        for (auto& points : points_)
+            if (points) points->add_furthest(rotation);
+    }
+    /// On the side where an object is grown most: it stays in the middle.
+    [[nodiscard]] static Vec3d most_clearance(const CutOptions& cut) {
+        const Box3d growth = grown({Vec3d{}, Vec3d{}}, cut.whole_clearance_mm());
+        Vec3d most;
+        for (int axis = 0; axis < 3; ++axis) most[axis] = std::max(growth.max[axis], -growth.min[axis]);
+        return most;
+    }
+
+  private:
+    [[nodiscard]] Box3d turned(std::size_t zone, const Placement& lies) const {
+        Box3d box;
+        if (points_[zone]) box = points_[zone]->turned(lies.rotation);
+        if (zones_[zone].stands_for) box.include(placed_box(*zones_[zone].stands_for, lies));
+        return box;
+    }
+
+    ExtremePoints body_;
+    CutOptions cut_;
+    const std::vector<ItemZone>& zones_;
+    std::vector<std::optional<ExtremePoints>> points_;  ///< of each zone, where it has a surface
+};
+
 class CaseSearch {
   public:
-    CaseSearch(const Mesh& mesh, const Design& design, std::uint64_t seed)
-        : design_(design), points_(mesh), allowed_(design.search.upright), numbers_(seed) {
+    CaseSearch(const Mesh& mesh, const Design& design, std::uint64_t seed, const std::vector<ItemZone>& zones)
+        : design_(design),
+          lengths_(mesh, design.cut, zones),
+          allowed_(design.search.upright),
+          numbers_(seed) {
         const Vec3d size = bounds(mesh).size();
         longest_ = std::sqrt(dot(size, size));
         // What the design has stands first: where it is as good as any it stays.
@@ -59,12 +116,10 @@ class CaseSearch {
 
     /// How long an object may be that so many blocks hold.
     [[nodiscard]] Vec3d room(Vec3d blocks) const {
-        // On the side where the object is grown most: it stays in the middle.
-        const Box3d most = grown({Vec3d{}, Vec3d{}}, design_.cut.whole_clearance_mm());
+        const Vec3d most = TurnedLengths::most_clearance(design_.cut);
         Vec3d room;
         for (int axis = 0; axis < 3; ++axis)
-            room[axis] = blocks[axis] * design_.space.block_mm[axis] + 0.02 -
-                         2 * std::max(most.max[axis], -most.min[axis]);
+            room[axis] = blocks[axis] * design_.space.block_mm[axis] + 0.02 - 2 * most[axis];
         return room;
     }
 
@@ -96,7 +151,9 @@ class CaseSearch {
 
     /// With the lengths that all vertices give.
     Sample measured(const Sample& sample) {
-        return {sample.turn, points_.add_furthest(rotation_from_euler(euler_of(rotation_of(sample.turn))))};
+        const Rotation rotation = rotation_from_euler(euler_of(rotation_of(sample.turn)));
+        lengths_.add_furthest(rotation);
+        return {sample.turn, lengths_(rotation)};
     }
 
   private:
@@ -107,7 +164,7 @@ class CaseSearch {
     /// As the project will have it: with rounded angles.
     Sample exact(const Turn& turn) const {
         const Turn rounded = turn_of(rotation_from_euler(euler_of(rotation_of(turn))));
-        return {rounded, points_.lengths(rotation_of(rounded))};
+        return {rounded, lengths_(rotation_of(rounded))};
     }
 
     /// Ever smaller turns towards a room; vertices that turn out to be missing are added on the way.
@@ -117,7 +174,7 @@ class CaseSearch {
             double over = excess(at.lengths, room);
             for (int i = 0; i < kTries && over > 0; ++i) {
                 const Turn turn = allowed_.small(numbers_, step * numbers_.between(0.2, 1)) * at.turn;
-                const Vec3d lengths = points_.lengths(rotation_of(turn));
+                const Vec3d lengths = lengths_(rotation_of(turn));
                 const double next = excess(lengths, room);
                 if (next <= over) {
                     // Where steps succeed they may be longer again.
@@ -138,7 +195,7 @@ class CaseSearch {
     }
 
     const Design& design_;
-    ExtremePoints points_;
+    TurnedLengths lengths_;
     AllowedTurns allowed_;
     SeededNumbers numbers_;
     double longest_ = 0;
@@ -200,8 +257,8 @@ std::vector<CaseCandidate> cheaper_cases(const CaseSearch& search, const Design&
 }  // namespace
 
 Result<FittedCase> fit_case(const Mesh& mesh, const Design& design, std::uint64_t seed,
-                            const Progress& progress) {
-    CaseSearch search(mesh, design, seed);
+                            const Progress& progress, const std::vector<ItemZone>& zones) {
+    CaseSearch search(mesh, design, seed, zones);
     const Vec3d walls = wall_blocks(design.space.wall_mm.value_or(equal_walls(50)), design.space.block_mm);
 
     Cost least{std::numeric_limits<double>::infinity(), 0};
@@ -242,8 +299,8 @@ Result<FittedCase> fit_case(const Mesh& mesh, const Design& design, std::uint64_
 }
 
 Result<Vec3d> fitting_rotation(const Mesh& mesh, const Design& design, const DesignSpace& space,
-                               std::uint64_t seed) {
-    CaseSearch search(mesh, design, seed);
+                               std::uint64_t seed, const std::vector<ItemZone>& zones) {
+    CaseSearch search(mesh, design, seed, zones);
     const Vec3d inside =
         vec_cast<double>(space.blocks) - wall_blocks(wanted_wall_mm(design.space), space.block_mm);
     double excess = 0;

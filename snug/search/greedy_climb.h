@@ -2,6 +2,7 @@
 
 #include <array>
 #include <functional>
+#include <vector>
 
 #include "snug/base/result.h"
 #include "snug/base/vec.h"
@@ -11,6 +12,7 @@
 #include "snug/mesh/mesh.h"
 #include "snug/object/prepared_surface.h"
 #include "snug/space/design_space.h"
+#include "snug/space/item.h"
 
 // The paper's search for a better rotation (section 3.4): a greedy climb of the fill ratio F over the three
 // Euler angles, from where they stand. The space does not change on the way, so F rises exactly when fewer
@@ -22,6 +24,7 @@ namespace snug {
 struct Climb {
     DesignSpace space;                   ///< stays that of the start, fitted or not
     CutOptions cut;                      ///< as the design has it
+    std::vector<ItemZone> zones;         ///< of the object, as searched_zones() has them
     Vec3d offset_mm;                     ///< as the design has it
     Grid<Run> available;                 ///< blocks that exist in the space
     std::array<double, 6> least_wall{};  ///< mm on each side (FitReport::wall_mm): as wanted, or as at the
@@ -44,9 +47,9 @@ constexpr double kLeastClimbStep = 1;  // degrees
 using ClimbProgress = std::function<bool(const Climb&)>;
 
 /// Stands at the design's rotation. `space` is that of the packing there. Fails (kind does_not_fit) where the
-/// object, grown by its clearance, leaves the space already.
+/// object, grown by its clearance, or what its zones keep free leaves the space already.
 [[nodiscard]] Result<Climb> start_climb(const PreparedSurface& surface, const Design& design,
-                                        const DesignSpace& space);
+                                        const DesignSpace& space, const std::vector<ItemZone>& zones = {});
 
 /// Looks at the six rotations one step away, up and down each angle, and moves to the one that cuts the
 /// fewest blocks (the first of equals) of those that cut fewer than now, stay inside the space and keep the
@@ -57,6 +60,7 @@ bool climb_round(Climb& climb, const PreparedSurface& surface, const ClimbProgre
 /// Rounds until the climb has ended or was cancelled: in both cases where it then stands, which is never
 /// worse than the start. Fails as start_climb() does.
 [[nodiscard]] Result<Climb> greedy_climb(const Mesh& mesh, const Design& design, const DesignSpace& space,
-                                         const ClimbProgress& progress = {});
+                                         const ClimbProgress& progress = {},
+                                         const std::vector<ItemZone>& zones = {});
 
 }  // namespace snug

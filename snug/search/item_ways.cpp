@@ -12,6 +12,7 @@
 #include "snug/foam/object_cut.h"
 #include "snug/search/extreme_points.h"
 #include "snug/search/frames.h"
+#include "snug/search/searched_zones.h"
 #include "snug/search/turn.h"
 #include "snug/space/place_object.h"
 
@@ -23,11 +24,6 @@ constexpr double kUncut = 0.0101;            // mm that a room may reach into bl
 constexpr std::uint64_t kSpreadTurns = 400;  // of all rotations, looked at by their boxes
 constexpr std::size_t kFreeTurns = 16;       // of these, laid on the blocks
 
-void shift(Placement& placement, Vec3d by) {
-    placement.shift = placement.shift + by;
-    placement.bounds = {placement.bounds.min + by, placement.bounds.max + by};
-}
-
 /// Blocks around the middle that hold the item wherever it lies within a block of the middle.
 DesignSpace space_around(const Box3d& grown_box, Vec3d block_mm) {
     DesignSpace space{{}, block_mm};
@@ -38,20 +34,43 @@ DesignSpace space_around(const Box3d& grown_box, Vec3d block_mm) {
     return space;
 }
 
-bool reached(const ObjectDepths& depths, int j, int k) {
-    return !depths.lower.depths(j, k).none() || (depths.upper && !depths.upper->depths(j, k).none());
+/// What an item and its zones see of their columns; the item first.
+using SeenDepths = std::vector<ObjectDepths>;
+
+SeenDepths seen_by(const PreparedSurface& surface, const Item& item, const DesignSpace& space) {
+    SeenDepths seen{object_depths(surface, item.placement, space, item.cut)};
+    for (const ItemZone& zone : item.zones)  // of meshes it never fails
+        if (auto depths = object_depths(*zone.surface, item.placement, space, zone.own_cut(item.cut)))
+            seen.push_back(std::move(*depths));
+    return seen;
+}
+
+bool reached(const SeenDepths& seen, int j, int k) {
+    return std::any_of(seen.begin(), seen.end(), [&](const ObjectDepths& depths) {
+        return !depths.lower.depths(j, k).none() || (depths.upper && !depths.upper->depths(j, k).none());
+    });
+}
+
+/// As pack() cuts them, by either half.
+BlockMap cut_by(const SeenDepths& seen, const DesignSpace& space) {
+    HalfCuts all = half_cuts(seen.front(), space);
+    for (std::size_t i = 1; i < seen.size(); ++i) {
+        const HalfCuts own = half_cuts(seen[i], space);
+        all = united(std::array<const HalfCuts*, 2>{&all, &own});
+    }
+    return cut_by_either(all);
 }
 
 /// What is reached and cut, from its first level, row and column, which `first` is told; none where nothing
 /// is. Columns count that the surface reaches, and blocks that the item's room does: squeezed it may cut none
 /// of them, as its level has it, and must not leave the space.
-std::optional<ItemWay> trimmed(const ObjectDepths& depths, const DesignSpace& space, const Box3d& room,
+std::optional<ItemWay> trimmed(const SeenDepths& seen, const DesignSpace& space, const Box3d& room,
                                Vec3i& first) {
-    const BlockMap cut = cut_by_either(half_cuts(depths, space));
+    const BlockMap cut = cut_by(seen, space);
     Vec3i low{1 << 30, 1 << 30, 1 << 30}, high{-1, -1, -1};
     for (int j = 0; j < cut.ny(); ++j)
         for (int k = 0; k < cut.nz(); ++k) {
-            if (!reached(depths, j, k)) continue;
+            if (!reached(seen, j, k)) continue;
             low = {low.x, std::min(low.y, j), std::min(low.z, k)};
             high = {high.x, std::max(high.y, j), std::max(high.z, k)};
             const CutRun run = cut(j, k);
@@ -71,10 +90,10 @@ std::optional<ItemWay> trimmed(const ObjectDepths& depths, const DesignSpace& sp
     way.mask = BitMask(high.y - low.y + 1, high.z - low.z + 1);
     way.cut = Grid<Run>(way.mask.rows(), way.mask.columns());
     way.height = high.x - low.x;
-    way.halves_differ = depths.upper.has_value();
+    way.halves_differ = seen.front().upper.has_value();
     for (int j = std::max(0, -low.y); j < std::min(way.mask.rows(), cut.ny() - low.y); ++j)
         for (int k = std::max(0, -low.z); k < std::min(way.mask.columns(), cut.nz() - low.z); ++k) {
-            if (reached(depths, low.y + j, low.z + k)) way.mask.set(j, k);
+            if (reached(seen, low.y + j, low.z + k)) way.mask.set(j, k);
             const CutRun run = cut(low.y + j, low.z + k);
             if (run.none()) continue;
             way.cut(j, k) = {static_cast<std::int16_t>(run.first - low.x),
@@ -94,17 +113,19 @@ void raise(HalfDepths& half, double mm) {
 }
 
 /// Of the levels within a block the one that needs the least height, and cuts least.
-std::optional<ItemWay> at_best_level(const PreparedSurface& surface, const Placement& placement, Vec3d offset,
-                                     const DesignSpace& space, const CutOptions& cut) {
-    const ObjectDepths depths = object_depths(surface, placement, space, cut);
+std::optional<ItemWay> at_best_level(const PreparedSurface& surface, const Item& item, Vec3d offset,
+                                     const DesignSpace& space) {
+    const SeenDepths seen = seen_by(surface, item, space);
     std::optional<ItemWay> best;
     for (int level = 0; level < kLevels; ++level) {
         const double mm = space.block_mm.x * level / kLevels;
-        ObjectDepths raised = depths;
-        raise(raised.lower, mm);
-        if (raised.upper) raise(*raised.upper, mm);
+        SeenDepths raised = seen;
+        for (ObjectDepths& depths : raised) {
+            raise(depths.lower, mm);
+            if (depths.upper) raise(*depths.upper, mm);
+        }
         Vec3i first;
-        Box3d room = grown(placement.bounds, cut.whole_clearance_mm());
+        Box3d room = room_of(item);
         room.min.x += mm;
         room.max.x += mm;
         auto way = trimmed(raised, space, room, first);
@@ -117,9 +138,9 @@ std::optional<ItemWay> at_best_level(const PreparedSurface& surface, const Place
 }
 
 /// Of one rotation, in every place of a lattice within a block, whose first lays the box by a block's face.
-std::vector<ItemWay> laid_everywhere(const PreparedSurface& surface, const Placement& middle,
-                                     const CutOptions& cut, Vec3d block_mm, int places) {
-    const Box3d room = grown(middle.bounds, cut.whole_clearance_mm());
+std::vector<ItemWay> laid_everywhere(const PreparedSurface& surface, const Item& middle, Vec3d block_mm,
+                                     int places) {
+    const Box3d room = room_of(middle);
     const DesignSpace space = space_around(room, block_mm);
     Vec3d flush;  // shifts the room's corner to the next corner of a block
     for (int axis = 0; axis < 3; ++axis)
@@ -130,9 +151,9 @@ std::vector<ItemWay> laid_everywhere(const PreparedSurface& surface, const Place
         const int place = static_cast<int>(i);
         const Vec3d offset =
             flush + Vec3d{0, block_mm.y * (place / places) / places, block_mm.z * (place % places) / places};
-        Placement placement = middle;
-        shift(placement, offset);
-        found[i] = at_best_level(surface, placement, offset, space, cut);
+        Item item = middle;
+        move(item, offset);
+        found[i] = at_best_level(surface, item, offset, space);
     });
     std::vector<ItemWay> ways;
     for (auto& way : found)
@@ -216,12 +237,13 @@ std::vector<Vec3d> allowed_rotations(const Object& object, Vec3d given_deg, cons
 
 Result<std::vector<ItemWay>> ways_to_lay(const Object& object, const CutOptions& cut, Vec3d block_mm,
                                          const std::vector<Vec3d>& rotations_deg, int places,
-                                         std::size_t most) {
+                                         std::size_t most, const std::vector<ItemZone>& zones) {
     std::vector<std::vector<ItemWay>> of_each;
     for (const Vec3d rotation : rotations_deg) {
         const auto placement = place(object, rotation, {});
         if (!placement) return tl::unexpected(placement.error());
-        of_each.push_back(the_few_best(laid_everywhere(*object.prepared, *placement, cut, block_mm, places)));
+        const Item middle = lying(*placement, cut, zones);
+        of_each.push_back(the_few_best(laid_everywhere(*object.prepared, middle, block_mm, places)));
         for (ItemWay& way : of_each.back()) way.rotation_deg = rotation;
     }
     // The best of each rotation first, then the second of each.
@@ -235,12 +257,12 @@ Result<std::vector<ItemWay>> ways_to_lay(const Object& object, const CutOptions&
 }
 
 Result<LockedWay> locked_way(const Object& object, const CutOptions& cut, const DesignSpace& space,
-                             Vec3d rotation_deg, Vec3d offset_mm) {
+                             Vec3d rotation_deg, Vec3d offset_mm, const std::vector<ItemZone>& zones) {
     const auto placement = place(object, rotation_deg, offset_mm);
     if (!placement) return tl::unexpected(placement.error());
     LockedWay locked;
-    const ObjectDepths depths = object_depths(*object.prepared, *placement, space, cut);
-    auto way = trimmed(depths, space, grown(placement->bounds, cut.whole_clearance_mm()), locked.first);
+    const Item item = lying(*placement, cut, zones);
+    auto way = trimmed(seen_by(*object.prepared, item, space), space, room_of(item), locked.first);
     if (way) locked.way = std::move(*way);
     locked.way.rotation_deg = rotation_deg;
     locked.way.offset_mm = offset_mm - corner(space, locked.first);

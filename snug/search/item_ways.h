@@ -11,10 +11,11 @@
 #include "snug/object/object.h"
 #include "snug/search/mask.h"
 #include "snug/space/design_space.h"
+#include "snug/space/item.h"
 
 namespace snug {
 
-/// One way to lay an item on blocks, wherever they are: a rotation, and how it meets them.
+/// One way to lay an item on blocks, wherever they are: a rotation, and how it and its zones meet them.
 struct ItemWay {
     Vec3d rotation_deg;
     /// From the corner of the first level, row and column that it cuts to the item's offset. mm.
@@ -35,11 +36,12 @@ struct ItemWay {
 /// For each rotation, of so many `places` within a block along y and along z, those that cut the fewest
 /// columns, of these the fewest blocks, and what is narrower along one axis, however many it cuts: a few.
 /// Exact, with the clearance, from the depth maps. Never more than `most`. `object`: prepared for many
-/// (prepare.h). Empty where it cuts nothing in any way. Fails as place() does.
+/// (prepare.h); `zones`: as searched_zones() has them. Empty where it cuts nothing in any way. Fails as
+/// place() does.
 [[nodiscard]] Result<std::vector<ItemWay>> ways_to_lay(const Object& object, const CutOptions& cut,
                                                        Vec3d block_mm,
                                                        const std::vector<Vec3d>& rotations_deg, int places,
-                                                       std::size_t most);
+                                                       std::size_t most, const std::vector<ItemZone>& zones);
 
 /// The only way of an item that stays where it is, and where its first level, row and column lie in the
 /// space.
@@ -48,6 +50,7 @@ struct LockedWay {
     Vec3i first;
 };
 [[nodiscard]] Result<LockedWay> locked_way(const Object& object, const CutOptions& cut,
-                                           const DesignSpace& space, Vec3d rotation_deg, Vec3d offset_mm);
+                                           const DesignSpace& space, Vec3d rotation_deg, Vec3d offset_mm,
+                                           const std::vector<ItemZone>& zones);
 
 }  // namespace snug

@@ -14,6 +14,7 @@
 #include "snug/search/frames.h"
 #include "snug/search/objective.h"
 #include "snug/search/quick_cut.h"
+#include "snug/search/searched_zones.h"
 #include "snug/search/surface_points.h"
 #include "snug/search/turn.h"
 #include "snug/space/case_space.h"
@@ -51,6 +52,7 @@ struct PlacementSearch::State {
     const PreparedSurface* surface = nullptr;
     DesignSpace space;
     CutOptions cut;
+    std::vector<ItemZone> zones;
     Grid<Run> available;
     std::array<double, 6> least_wall{};
     std::uint64_t seed = 0;
@@ -119,7 +121,8 @@ std::vector<Candidate> State::look(QuickCut& kernel, const Level& level, const T
     hoped.bearing = 1;
     hoped.steadiness = steadiness ? (*steadiness)(rotation) : 1;
     std::vector<Candidate> result;
-    for (const OffsetCut& at : kernel.least(level.points, rotation, turned, most)) {
+    const Box3d kept_free = kept_free_by_zones(lying({rotation, {}, turned}, cut, zones));
+    for (const OffsetCut& at : kernel.least(level.points, rotation, turned, most, kept_free)) {
         hoped.cut_blocks = static_cast<double>(at.blocks);
         result.push_back({turn, at, (*score)(hoped)});
     }
@@ -128,7 +131,7 @@ std::vector<Candidate> State::look(QuickCut& kernel, const Level& level, const T
 
 /// What the exact kernel measures; none where walls are not kept.
 std::optional<PlacementMeasures> State::exactly(Vec3d rotation_deg, Vec3d offset_mm) const {
-    const auto exact = exact_cut(*surface, space, cut, rotation_deg, offset_mm, available);
+    const auto exact = exact_cut(*surface, space, cut, rotation_deg, offset_mm, available, zones);
     if (!exact || !keeps_walls(exact->wall_mm, least_wall)) return {};
     PlacementMeasures result = measures(*exact, space);
     result.steadiness = steadiness ? (*steadiness)(exact->placement.rotation) : 1;
@@ -259,14 +262,15 @@ void State::decide(const Candidate& candidate) {
 
 Result<PlacementSearch> PlacementSearch::start(const Mesh& mesh, const PreparedSurface& surface,
                                                const Design& design, const DesignSpace& space,
-                                               std::uint64_t seed, Grid<Run> available) {
+                                               std::uint64_t seed, Grid<Run> available,
+                                               std::vector<ItemZone> zones) {
     auto state = std::make_unique<State>();
     state->surface = &surface;
     state->space = space;
     state->cut = design.cut;
     state->seed = seed;
     const PlacementOptions& at = design.placement;
-    const auto exact = exact_cut(surface, space, design.cut, at.rotation_deg, at.offset_mm, available);
+    const auto exact = exact_cut(surface, space, design.cut, at.rotation_deg, at.offset_mm, available, zones);
     if (!exact)
         return fail(ErrorKind::does_not_fit,
                     say("search.leaves_space", {{"space", dimensions(space.size())}}));
@@ -277,6 +281,7 @@ Result<PlacementSearch> PlacementSearch::start(const Mesh& mesh, const PreparedS
         alike = alike && (side % 2 == 0 || state->least_wall[side] == state->least_wall[side - 1]);
     }
     state->available = std::move(available);
+    state->zones = std::move(zones);
     state->allowed = AllowedTurns(design.search.upright);
     const Rotation stands = rotation_from_euler(at.rotation_deg);
     if (design.search.weight[static_cast<std::size_t>(Objective::flat)] > 0) state->steadiness.emplace(mesh);

@@ -12,6 +12,7 @@
 #include "snug/mesh/mesh.h"
 #include "snug/object/prepared_surface.h"
 #include "snug/space/design_space.h"
+#include "snug/space/item.h"
 
 // Search over everything that changes the foam: all rotations, less those that the blocks' symmetry makes
 // equal, and the offset within half a block of the centre. Coarse to fine: points of the surface, for a
@@ -38,11 +39,13 @@ struct FoundPlacement {
 class PlacementSearch {
   public:
     /// Stands at the design's placement. `space` is that of the packing there; `surface` is prepared from
-    /// `mesh`, and must outlive the search. Fails (kind does_not_fit) where the object, grown by its
-    /// clearance, leaves the space already, or the blocks that exist in it.
+    /// `mesh`, and must outlive the search; `zones`: as searched_zones() has them. Fails (kind does_not_fit)
+    /// where the object, grown by its clearance, or what its zones keep free leaves the space already, or
+    /// the blocks that exist in it.
     [[nodiscard]] static Result<PlacementSearch> start(const Mesh& mesh, const PreparedSurface& surface,
                                                        const Design& design, const DesignSpace& space,
-                                                       std::uint64_t seed, Grid<Run> available);
+                                                       std::uint64_t seed, Grid<Run> available,
+                                                       std::vector<ItemZone> zones = {});
     PlacementSearch(PlacementSearch&&) noexcept;
     PlacementSearch& operator=(PlacementSearch&&) noexcept;
     ~PlacementSearch();

@@ -191,24 +191,25 @@ double QuickCut::offset(int axis, int phase, double extent) const {
     return rounded == 0 ? 0 : rounded;
 }
 
-bool QuickCut::keeps_walls(int axis, double offset, double extent) const {
-    const double block = space_.block_mm[axis];
-    const double below = extent / 2 + grown_below_[axis] - inset_[axis] - 1e-6;
-    const double above = extent / 2 + grown_above_[axis] - inset_[axis] - 1e-6;
-    const double first = std::ceil((offset - below - space_.face(axis, 0)) / block) - 1;
-    const double end = std::floor((offset + above - space_.face(axis, 0)) / block) + 1;
+/// `room`: what is kept free, from the middle of the object.
+bool QuickCut::keeps_walls(int axis, double offset, const Box3d& room) const {
+    const double block = space_.block_mm[axis], rounding = inset_[axis] + 1e-6;
+    const double first = std::ceil((offset + room.min[axis] + rounding - space_.face(axis, 0)) / block) - 1;
+    const double end = std::floor((offset + room.max[axis] - rounding - space_.face(axis, 0)) / block) + 1;
     const auto side = static_cast<std::size_t>(2 * axis);
     return first >= 0 && end <= space_.blocks[axis] && first * block >= least_wall_[side] &&
            (space_.blocks[axis] - end) * block >= least_wall_[side + 1];
 }
 
 std::vector<OffsetCut> QuickCut::least(const SurfacePoints& points, const Rotation& rotation,
-                                       const Box3d& turned, std::size_t most) {
-    const Vec3d extent = turned.size();
+                                       const Box3d& turned, std::size_t most, const Box3d& kept_free) {
+    const Vec3d extent = turned.size(), middle = turned.centre();
+    Box3d room{extent * -0.5 - grown_below_, extent * 0.5 + grown_above_};
+    if (!kept_free.empty()) room.include(Box3d{kept_free.min - middle, kept_free.max - middle});
     std::array<std::vector<int>, 3> phases;
     for (int axis = 0; axis < 3; ++axis) {
         for (int phase = 0; phase < axes_[static_cast<std::size_t>(axis)].fine; ++phase)
-            if (keeps_walls(axis, offset(axis, phase, extent[axis]), extent[axis]))
+            if (keeps_walls(axis, offset(axis, phase, extent[axis]), room))
                 phases[static_cast<std::size_t>(axis)].push_back(phase);
         if (phases[static_cast<std::size_t>(axis)].empty()) return {};
     }

@@ -32,9 +32,11 @@ class QuickCut {
              double longest, int fine_y_z, int fine_x);
 
     /// The offsets that cut the fewest blocks, best first, at most `most`; of equals the first of the
-    /// lattice. None where no offset keeps the walls. `turned`: the bounding box of the turned surface.
+    /// lattice. None where no offset keeps the walls. `turned`: the bounding box of the turned surface;
+    /// `kept_free`: what its zones keep free there, whose blocks are not counted; empty: nothing.
     [[nodiscard]] std::vector<OffsetCut> least(const SurfacePoints& points, const Rotation& rotation,
-                                               const Box3d& turned, std::size_t most);
+                                               const Box3d& turned, std::size_t most,
+                                               const Box3d& kept_free = {});
 
   private:
     static constexpr int kLanes = 8;
@@ -56,7 +58,7 @@ class QuickCut {
     void slide_along_y();
     void count();
     [[nodiscard]] double offset(int axis, int phase, double extent) const;
-    [[nodiscard]] bool keeps_walls(int axis, double offset, double extent) const;
+    [[nodiscard]] bool keeps_walls(int axis, double offset, const Box3d& room) const;
     [[nodiscard]] std::size_t slot(int px, int py, int pz) const {
         return static_cast<std::size_t>((py * axes_[0].fine + px) * axes_[2].fine + pz);
     }

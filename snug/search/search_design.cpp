@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "snug/base/text.h"
 #include "snug/search/exact_cut.h"
 #include "snug/search/fit_case.h"
 #include "snug/search/placement_search.h"
+#include "snug/search/searched_zones.h"
 #include "snug/search/turn.h"
 #include "snug/space/available.h"
 #include "snug/space/case_space.h"
@@ -29,22 +31,29 @@ Result<Room> room_of(const Design& design) {
     return Room{fitted->space, available_blocks(*fitted)};
 }
 
-std::optional<long long> cut_where_it_stands(const PreparedSurface& surface, const Design& design,
+/// What is searched: an object and its zones.
+struct Searched {
+    const Object& object;
+    std::vector<ItemZone> zones;
+};
+
+std::optional<long long> cut_where_it_stands(const Searched& searched, const Design& design,
                                              const Room& room) {
-    const auto exact = exact_cut(surface, room.space, design.cut, design.placement.rotation_deg,
-                                 design.placement.offset_mm, room.available);
+    const auto exact =
+        exact_cut(*searched.object.prepared, room.space, design.cut, design.placement.rotation_deg,
+                  design.placement.offset_mm, room.available, searched.zones);
     if (!exact) return {};
     return exact->cut_blocks;
 }
 
 /// Counts that were left open become those that the object needs as it stands.
-std::optional<Error> settle_counts(const PreparedSurface& surface, Design& design) {
+std::optional<Error> settle_counts(const Searched& searched, Design& design) {
     if (design.space.blocks || design.case_options.inside_mm) return {};
     design.space.wall_mm = wanted_wall_mm(design.space);
     const PlacementOptions& at = design.placement;
-    const Vec3d counts = fitted_blocks(
-        grown(place(surface, at.rotation_deg, at.offset_mm).bounds, design.cut.whole_clearance_mm()),
-        design.space.block_mm, *design.space.wall_mm);
+    const Item item =
+        lying(*searched.object.prepared, design.cut, searched.zones, at.rotation_deg, at.offset_mm);
+    const Vec3d counts = fitted_blocks(room_of(item), design.space.block_mm, *design.space.wall_mm);
     if (std::max({counts.x, counts.y, counts.z}) > kMostBlocks)
         return Error{ErrorKind::usage, say("space.too_many_blocks", {{"blocks", dimensions(counts, 0)}})};
     design.space.blocks = vec_cast<int>(counts);
@@ -52,11 +61,13 @@ std::optional<Error> settle_counts(const PreparedSurface& surface, Design& desig
     return {};
 }
 
-std::optional<Error> fit(const Mesh& mesh, Design& design, const SearchNews& news, SearchReport& report) {
-    const auto fitted = fit_case(mesh, design, design.search.seed, [&](double share) {
+std::optional<Error> fit(const Searched& searched, Design& design, const SearchNews& news,
+                         SearchReport& report) {
+    const auto told = [&](double share) {
         report.cancelled = news && !news(share, {});
         return !report.cancelled;
-    });
+    };
+    const auto fitted = fit_case(searched.object.mesh, design, design.search.seed, told, searched.zones);
     if (!fitted) return fitted.error();
     report.evaluations += fitted->evaluations;
     design.space.wall_mm = design.space.wall_mm.value_or(equal_walls(50));
@@ -65,18 +76,20 @@ std::optional<Error> fit(const Mesh& mesh, Design& design, const SearchNews& new
     return {};
 }
 
-std::optional<Error> turn_and_shift(const Mesh& mesh, const PreparedSurface& surface, Design& design,
-                                    const SearchTask& task, const SearchNews& news, SearchReport& report) {
+std::optional<Error> turn_and_shift(const Searched& searched, Design& design, const SearchTask& task,
+                                    const SearchNews& news, SearchReport& report) {
+    const Mesh& mesh = searched.object.mesh;
     auto room = room_of(design);
     if (!room) return room.error();
     const Turn stands = turn_of(rotation_from_euler(design.placement.rotation_deg));
-    if (!AllowedTurns(design.search.upright).allows(stands) || !cut_where_it_stands(surface, design, *room)) {
-        const auto rotation = fitting_rotation(mesh, design, room->space, design.search.seed);
+    if (!AllowedTurns(design.search.upright).allows(stands) ||
+        !cut_where_it_stands(searched, design, *room)) {
+        const auto rotation = fitting_rotation(mesh, design, room->space, design.search.seed, searched.zones);
         if (!rotation) return rotation.error();
         design.placement = {*rotation, {}};
     }
-    auto search = PlacementSearch::start(mesh, surface, design, room->space, design.search.seed,
-                                         std::move(room->available));
+    auto search = PlacementSearch::start(mesh, *searched.object.prepared, design, room->space,
+                                         design.search.seed, std::move(room->available), searched.zones);
     if (!search) return search.error();
     const auto tell = [&](const PlacementSearch& at) {
         return !news || news(static_cast<double>(at.evaluations()) / static_cast<double>(task.evaluations),
@@ -90,31 +103,34 @@ std::optional<Error> turn_and_shift(const Mesh& mesh, const PreparedSurface& sur
 
 }  // namespace
 
-Result<SearchReport> search_design(const Mesh& mesh, const PreparedSurface& surface, Design& design,
-                                   const SearchTask& task, const SearchNews& news) {
+Result<SearchReport> search_design(const Object& object, Design& design, const SearchTask& task,
+                                   const SearchNews& news) {
     SearchReport report;
     report.seed = design.search.seed;
     if (task.fit_case && design.case_options.inside_mm)
         return fail(ErrorKind::usage, say("search.case_given"));
+    auto zones = searched_zones(object, design);
+    if (!zones) return tl::unexpected(zones.error());
+    const Searched whole{object, std::move(*zones)};
     Design searched = design;
-    if (auto error = settle_counts(surface, searched); error && !task.fit_case) return tl::unexpected(*error);
+    if (auto error = settle_counts(whole, searched); error && !task.fit_case) return tl::unexpected(*error);
     if (searched.space.blocks || searched.case_options.inside_mm) {
         const auto room = room_of(searched);
         if (!room) return tl::unexpected(room.error());
-        report.start_cut_blocks = cut_where_it_stands(surface, searched, *room);
+        report.start_cut_blocks = cut_where_it_stands(whole, searched, *room);
     }
     if (task.fit_case) {
         report.method = "fit-case";
-        if (const auto error = fit(mesh, searched, news, report)) return tl::unexpected(*error);
+        if (const auto error = fit(whole, searched, news, report)) return tl::unexpected(*error);
     }
     if (task.placement && !report.cancelled) {
         report.method += report.method.empty() ? "placement" : ", placement";
-        if (const auto error = turn_and_shift(mesh, surface, searched, task, news, report))
+        if (const auto error = turn_and_shift(whole, searched, task, news, report))
             return tl::unexpected(*error);
     }
     const auto room = room_of(searched);
     if (!room) return tl::unexpected(room.error());
-    report.cut_blocks = cut_where_it_stands(surface, searched, *room).value_or(0);
+    report.cut_blocks = cut_where_it_stands(whole, searched, *room).value_or(0);
     design = searched;
     return report;
 }

@@ -7,8 +7,7 @@
 
 #include "snug/base/result.h"
 #include "snug/design/design.h"
-#include "snug/mesh/mesh.h"
-#include "snug/object/prepared_surface.h"
+#include "snug/object/object.h"
 
 namespace snug {
 
@@ -33,10 +32,10 @@ struct SearchTask {
 using SearchNews = std::function<bool(double share, std::optional<long long> cut_blocks)>;
 
 /// Searches from the design's placement and writes what was found into it: block counts, rotation, offset.
-/// Counts that were to be fitted become those of the start. Fails (kind does_not_fit) where the object fits
-/// in no orientation, with the sentence of fitting_rotation(), or as fit_case() does.
-[[nodiscard]] Result<SearchReport> search_design(const Mesh& mesh, const PreparedSurface& surface,
-                                                 Design& design, const SearchTask& task,
+/// Counts that were to be fitted become those of the start. The object is the design's only item, with its
+/// mesh or stand-in, and prepared for many (prepare.h). Fails (kind does_not_fit) where it fits in no
+/// orientation, with the sentence of fitting_rotation(), or as fit_case() and zone_surface() do.
+[[nodiscard]] Result<SearchReport> search_design(const Object& object, Design& design, const SearchTask& task,
                                                  const SearchNews& news = {});
 
 }  // namespace snug

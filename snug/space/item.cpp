@@ -30,10 +30,16 @@ void settle(Item& item, double mm) {
     shift(item, {-mm, 0, 0});
 }
 
-Box3d room_of(const Item& item) {
-    Box3d room = grown(item.placement.bounds, item.cut.whole_clearance_mm());
+Box3d kept_free_by_zones(const Item& item) {
+    Box3d room;
     for (const ItemZone& zone : item.zones)
         if (zone.asked.keep_off_mm > 0) room.include(grown(zone.bounds, zone.clearance_mm(item.cut)));
+    return room;
+}
+
+Box3d room_of(const Item& item) {
+    Box3d room = grown(item.placement.bounds, item.cut.whole_clearance_mm());
+    room.include(kept_free_by_zones(item));
     return room;
 }
 

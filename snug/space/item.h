@@ -18,12 +18,20 @@ struct ItemZone {
     Zone asked;
     std::shared_ptr<const Object> surface;
     Box3d bounds;  ///< of the surface where it lies, or more; design coordinates
+    /// Where the surface is that of a stand-in the box of what it stands for, in the object's coordinates:
+    /// the bounds hold it, too.
+    std::optional<Box3d> stands_for = {};
 
-    /// How far the foam stays away: studs stand into the cavity here, too.
-    [[nodiscard]] Clearance clearance_mm(const CutOptions& cut) const {
-        const Vec3d studs{cut.stud_mm, 0, 0};
-        const Vec3d kept = Vec3d{asked.keep_off_mm, asked.keep_off_mm, asked.keep_off_mm} + studs;
-        return {kept, kept};
+    /// How the foam gives way to it, of an item that it gives way to so: studs stand into the cavity here,
+    /// too.
+    [[nodiscard]] CutOptions own_cut(CutOptions of_item) const {
+        of_item.clearance_mm = asked.keep_off_mm;
+        of_item.liner_mm = 0;
+        return of_item;
+    }
+    /// How far the foam stays away.
+    [[nodiscard]] Clearance clearance_mm(const CutOptions& of_item) const {
+        return own_cut(of_item).whole_clearance_mm();
     }
 };
 
@@ -51,6 +59,8 @@ void raise(Item& item, double mm);
 /// The same downward onto foam.
 void settle(Item& item, double mm);
 
+/// What its zones keep free; empty where they keep nothing.
+[[nodiscard]] Box3d kept_free_by_zones(const Item& item);
 /// What an item takes up with its clearance and what its zones keep free; and what all of them take up
 /// together.
 [[nodiscard]] Box3d room_of(const Item& item);

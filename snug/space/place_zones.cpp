@@ -7,25 +7,39 @@
 #include <utility>
 
 #include "snug/object/triangle_groups.h"
+#include "snug/object/turned_bounds.h"
 #include "snug/object/zone_surface.h"
 
 namespace snug {
 namespace {
 
-/// Exact of a mesh; else its turned box, within the object's own.
-Box3d placed_bounds(const Object& surface, const Placement& placement) {
+/// Exact of a mesh; else its turned box.
+Box3d placed_bounds(const ItemZone& zone, const Placement& placement) {
+    const Object& surface = *zone.surface;
     Box3d box;
-    for (const Vec3f& vertex : surface.mesh.vertices) box.include(placement(vertex));
-    if (!box.empty()) return box;
-    box = reached(placement.rotation, placement.shift, surface.measure.bounds);
+    if (surface.prepared) {
+        box = turned_bounds(surface.prepared->body, placement.rotation);
+        box = {box.min + placement.shift, box.max + placement.shift};
+    } else {
+        for (const Vec3f& vertex : surface.mesh.vertices) box.include(placement(vertex));
+    }
+    if (zone.stands_for)
+        box.include(placed_box(*zone.stands_for, placement));
+    else if (box.empty())
+        box = placed_box(surface.measure.bounds, placement);
+    return box;
+}
+
+}  // namespace
+
+Box3d placed_box(const Box3d& own, const Placement& placement) {
+    Box3d box = reached(placement.rotation, placement.shift, own);
     for (int axis = 0; axis < 3; ++axis) {
         box.min[axis] = std::max(box.min[axis], placement.bounds.min[axis]);
         box.max[axis] = std::min(box.max[axis], placement.bounds.max[axis]);
     }
     return box;
 }
-
-}  // namespace
 
 Result<std::vector<ItemZone>> place_zones(const Object& object, const Zones& zones,
                                           const Placement& placement) {
@@ -41,7 +55,7 @@ Result<std::vector<ItemZone>> place_zones(const Object& object, const Zones& zon
 }
 
 std::vector<ItemZone> place_zones(std::vector<ItemZone> zones, const Placement& placement) {
-    for (ItemZone& zone : zones) zone.bounds = placed_bounds(*zone.surface, placement);
+    for (ItemZone& zone : zones) zone.bounds = placed_bounds(zone, placement);
     return zones;
 }
 

@@ -13,5 +13,7 @@ namespace snug {
                                                         const Placement& placement);
 /// The same of zones that are known, of the object in another place.
 [[nodiscard]] std::vector<ItemZone> place_zones(std::vector<ItemZone> zones, const Placement& placement);
+/// What a box in the object's coordinates reaches where it lies, within the object's own bounds.
+[[nodiscard]] Box3d placed_box(const Box3d& own, const Placement& placement);
 
 }  // namespace snug

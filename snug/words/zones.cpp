@@ -43,12 +43,6 @@ constexpr Wording kWordsOfZones[] = {
     {"packing.zones_claim",
      "Free is not protected: what such a part meets through its own inertia is not computed.",
      "空いていることは、保護されていることではありません。その部分自身の慣性による力は計算していません。"},
-    {"searched_zones",
-     "places and arrangements are looked for without the zones that foam keeps away from; it is cut around "
-     "them "
-     "afterwards. Look whether the walls there, and the foam between items, are still as wanted",
-     "置き方や並べ方は、触れない場所を考えずに探し、その後でそのまわりを切っています。そこの壁や、もの同士の"
-     "間のフォームが足りるか確かめてください"},
     {"zone.numbered", "zone {zone}: {why}", "場所 {zone}：{why}"},
     {"zone.no_place", "zone {zone} must have a place: a part from 1 upward, or balls such as {example}",
      "場所 {zone} には、1 以上の部品番号か {example} のような球が必要です"},

@@ -129,9 +129,13 @@ class Zones(unittest.TestCase):
         many = ",".join(["1,2,3,4"] * 2001) + ":15"
         self.assertIn("2000", self.report(self.vase, *FOAM, "--keep-off", many, status=1))
 
-    def test_a_search_says_that_it_does_not_know_zones(self):
-        report = self.report(self.vase, *FOAM, "--keep-off", "60,0,20,15:22", "--optimize")
-        self.assertIn("searched_zones", {finding["code"] for finding in report["findings"]})
+    def test_a_search_knows_them(self):
+        for ask in [["--optimize", "--search-seconds", "2"], ["--fit-case"]]:
+            with self.subTest(ask):
+                report = self.report(self.vase, *FOAM, "--keep-off", "60,0,20,15:40", *ask)
+                self.assertEqual(report["search"]["cut_blocks"], report["foam"]["cut_blocks"])
+                self.assertGreater(report["protection"]["zones"][0]["cut_blocks"], 0)
+                self.assertGreaterEqual(min(report["wall_mm"]), 50)
 
 
 if __name__ == "__main__":

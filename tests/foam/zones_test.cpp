@@ -17,6 +17,7 @@
 #include "tests/support/fit_designs.h"
 #include "tests/support/random.h"
 #include "tests/support/random_design.h"
+#include "tests/support/random_zone.h"
 #include "tests/support/shapes.h"
 #include "tests/support/zoned_kit.h"
 

@@ -45,7 +45,7 @@ TEST(SearchInACase, NeverCutsMoreKeepsTheWallsAndStaysAmongTheBlocksThatExist) {
         SearchTask task;
         task.placement = true;
         task.evaluations = test::cases_at_most(700);
-        const auto report = search_design(object->mesh, *object->prepared, design, task);
+        const auto report = search_design(*object, design, task);
         ASSERT_TRUE(report) << text(report.error().message);
         const auto after = pack(*object, design);
         ASSERT_TRUE(after);
@@ -70,7 +70,7 @@ TEST(SearchInACase, FitsNoCaseWhereOneIsGiven) {
     prepare_for_many(*object);
     SearchTask task;
     task.fit_case = true;
-    const auto report = search_design(object->mesh, *object->prepared, design, task);
+    const auto report = search_design(*object, design, task);
     ASSERT_FALSE(report);
     EXPECT_EQ(report.error().kind, ErrorKind::usage);
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "snug/object/prepare.h"
 #include "snug/samples/samples.h"
 #include "snug/search/direction_map.h"
 #include "snug/search/objective.h"
@@ -21,6 +22,13 @@ namespace {
 using test::Random;
 using test::roomy_design;
 using test::space_of;
+
+Object prepared_sample(const char* name) {
+    Object object;
+    object.mesh = *sample(name);
+    prepare_for_many(object);
+    return object;
+}
 
 FoundPlacement found_with(const Mesh& mesh, Design design, Objective objective, long long evaluations) {
     design.search.weight.fill(0);
@@ -94,13 +102,12 @@ TEST(SearchObjective, GapAndBearingImproveWhereTheyAreWhatCounts) {
 }
 
 TEST(SearchObjective, AnAxisKeptUprightStaysUprightEvenFromAStartThatIsNot) {
-    const Mesh mesh = *sample("camera");
-    const PreparedSurface surface = prepare_surface(mesh);
+    const Object object = prepared_sample("camera");
     for (const Upright upright : {Upright::plus_z, Upright::minus_y, Upright::plus_x, Upright::minus_x}) {
         Design design;
         design.object.units = Unit::mm;
         design.search.upright = upright;
-        const auto report = search_design(mesh, surface, design, {false, true, 600});
+        const auto report = search_design(object, design, {false, true, 600});
         ASSERT_TRUE(report);
         EXPECT_NEAR(rotation_from_euler(design.placement.rotation_deg)(direction(upright)).x, 1, 1e-9);
         EXPECT_GT(report->evaluations, 500);
@@ -109,17 +116,17 @@ TEST(SearchObjective, AnAxisKeptUprightStaysUprightEvenFromAStartThatIsNot) {
 }
 
 TEST(SearchObjective, ASearchInAFittedCaseKeepsItsWalls) {
-    const Mesh mesh = *sample("figurine");
-    const PreparedSurface surface = prepare_surface(mesh);
+    const Object object = prepared_sample("figurine");
     Design design;
     design.object.units = Unit::mm;
     design.space.blocks.reset();
     design.space.wall_mm = equal_walls(30);
-    const auto report = search_design(mesh, surface, design, {true, true, 600});
+    const auto report = search_design(object, design, {true, true, 600});
     ASSERT_TRUE(report);
     ASSERT_TRUE(design.space.blocks);
-    const auto exact = exact_cut(surface, space_of(design), design.cut, design.placement.rotation_deg,
-                                 design.placement.offset_mm, all_blocks(space_of(design).blocks));
+    const auto exact =
+        exact_cut(*object.prepared, space_of(design), design.cut, design.placement.rotation_deg,
+                  design.placement.offset_mm, all_blocks(space_of(design).blocks));
     ASSERT_TRUE(exact);
     EXPECT_EQ(exact->cut_blocks, report->cut_blocks);
     for (const double wall : exact->wall_mm) EXPECT_GE(wall, 30);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -72,14 +73,26 @@ inline KitToArrange random_kit_to_arrange(Random& random) {
     return kit;
 }
 
-/// What each item cuts of the foam below and above it, by the brute force, keeps what is wanted.
+/// What each item and its zones cut of the foam below and above it, by the brute force, keeps what is wanted.
 inline void expect_room_between(const Packing& packing, const KitToArrange& kit) {
     std::vector<std::pair<Columns, Columns>> ends;
     for (const Item& item : packing.items) {
-        const auto triangles = placed_triangles(kit.objects[item.object].mesh, item.placement);
+        const auto add = [&](const Mesh& mesh, Vec3d clearance, Columns& columns) {
+            const Blocks cut =
+                brute_force_cut(placed_triangles(mesh, item.placement), packing.space, clearance, false);
+            for (const auto& [at, run] : columns_of(cut, packing.space.blocks)) {
+                Run& all = columns.try_emplace(at, run).first->second;
+                all = {std::min(all.first, run.first), std::max(all.end, run.end)};
+            }
+        };
         const auto cut = [&](Vec3d clearance) {
-            return columns_of(brute_force_cut(triangles, packing.space, clearance, false),
-                              packing.space.blocks);
+            Columns columns;
+            add(kit.objects[item.object].mesh, clearance, columns);
+            for (const ItemZone& zone : item.zones) {
+                const double mm = zone.asked.keep_off_mm;
+                if (mm > 0) add(zone.surface->mesh, {mm, mm, mm}, columns);
+            }
+            return columns;
         };
         ends.push_back({cut(item.cut.clearance_mm.lower), cut(item.cut.clearance_mm.upper)});
     }

@@ -87,7 +87,6 @@ export const check = words({
       nothing_to_mill: ['Nothing to mill', '削るところがない'],
       searched_stand_in: ['Searched with a copy', '写しで探した'],
       near_collections: ['Near collections', '収蔵品の近くで'],
-      searched_zones: ['Searched without zones', '触れない場所を考えずに探した'],
       zone_reached: ['A zone would be reached', '触れない場所に届く'],
       zone_pressed: ['A zone is pressed too much', '場所が押されすぎる'],
       zone_free: ['Free is not protected', '空きは保護ではない'],
