@@ -74,6 +74,7 @@ std::vector<PackedItem> packed_items(std::span<const Object> objects, const Pack
         items.push_back({short_name(project, i), objects[item.object].measure.bounds.size(),
                          mass_kg(project.design.items[i], project.design), objects[item.object].mesh,
                          item.placement, item.layer});
+        for (const ItemZone& zone : item.zones) items.back().zones.push_back(zone.bounds);
     }
     return items;
 }

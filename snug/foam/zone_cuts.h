@@ -21,8 +21,7 @@ struct ZoneCut {
 /// Adds to what an item cuts what its zones keep foam away from: in each column the blocks that the zone's
 /// surface cuts with its own reach, and all between them and the item's. So foam keeps away from a zone all
 /// round, and on its way in and out, for foam never stands between an item's cut and where it comes out.
-/// `number`: of the item. Fails as object_depths() does, and (kind `usage`) where a stream turns out to have
-/// no surface in the zone.
+/// `number`: of the item. Fails as object_depths() does.
 [[nodiscard]] Result<std::vector<ZoneCut>> cut_zones(const Item& item, std::size_t number,
                                                      const DesignSpace& space, HalfCuts& cuts,
                                                      const Progress& progress = {});

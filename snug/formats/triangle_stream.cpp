@@ -74,31 +74,42 @@ Result<TriangleStream> TriangleStream::open(ByteSource source, const Progress& p
     return open_stl(std::move(source));
 }
 
-TriangleStream TriangleStream::only(std::function<bool(const Corners&)> wanted) const {
-    TriangleStream some = *this;
-    some.decode_ = [decode = decode_, wanted = std::move(wanted)](
-                       const RecordPiece& piece, std::span<Corners> corners) -> Result<std::size_t> {
-        const auto usable = decode(piece, corners);
-        if (!usable) return usable;
-        const auto all = corners.first(*usable);
-        const auto end =
-            std::remove_if(all.begin(), all.end(), [&](const Corners& each) { return !wanted(each); });
-        return static_cast<std::size_t>(end - all.begin());
-    };
-    return some;
+TriangleStream TriangleStream::divided(Divide divide) const {
+    TriangleStream pieces = *this;
+    pieces.divide_ = std::move(divide);
+    return pieces;
 }
 
 Result<void> TriangleStream::pass(const std::function<void(std::span<const Corners>, std::size_t)>& visit,
                                   const Progress& progress) const {
-    std::vector<std::vector<Corners>> rooms(worker_count());
+    constexpr std::size_t kManyPieces = 1 << 14;
+    struct Room {
+        std::vector<Corners> corners, pieces;
+    };
+    std::vector<Room> rooms(worker_count());
     return pass_records(
         source_, records_,
         [&](const RecordPiece& piece) -> Result<void> {
-            std::vector<Corners>& corners = rooms[piece.worker];
+            auto& [corners, pieces] = rooms[piece.worker];
             corners.resize(piece.count);
             const auto usable = decode_(piece, corners);
             if (!usable) return tl::unexpected(usable.error());
-            if (*usable > 0) visit(std::span(corners).first(*usable), piece.worker);
+            const auto show = [&](std::span<const Corners> all) {
+                if (!all.empty()) visit(all, piece.worker);
+            };
+            const auto whole = std::span<const Corners>(corners).first(*usable);
+            if (!divide_) {
+                show(whole);
+                return {};
+            }
+            pieces.clear();
+            for (const Corners& each : whole) {
+                divide_(each, pieces);
+                if (pieces.size() < kManyPieces) continue;
+                show(pieces);
+                pieces.clear();
+            }
+            show(pieces);
             return {};
         },
         progress);

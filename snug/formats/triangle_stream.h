@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 #include <utility>
+#include <vector>
 
 #include "snug/base/byte_source.h"
 #include "snug/base/progress.h"
@@ -47,8 +48,11 @@ class TriangleStream {
         const std::function<void(std::span<const Corners> piece, std::size_t worker)>& visit,
         const Progress& progress = {}) const;
 
-    /// The same file without the triangles that `wanted` refuses; it is asked from several threads.
-    [[nodiscard]] TriangleStream only(std::function<bool(const Corners&)> wanted) const;
+    /// Appends what a triangle comes to: pieces of it, or nothing.
+    using Divide = std::function<void(const Corners&, std::vector<Corners>&)>;
+    /// The same file, of whose triangles a pass shows what they come to; `divide` is asked from several
+    /// threads.
+    [[nodiscard]] TriangleStream divided(Divide divide) const;
 
     TriangleStream& with_vertices(std::uint64_t count, Vec3d origin) {
         vertices_ = count;
@@ -60,6 +64,7 @@ class TriangleStream {
     ByteSource source_;
     Records records_;
     Decode decode_;
+    Divide divide_;  ///< may be none
     std::optional<std::uint64_t> vertices_;
     Vec3d origin_;
 };

@@ -4,9 +4,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "snug/base/parallel.h"
 #include "snug/base/text.h"
 #include "snug/base/visit_kinds.h"
 #include "snug/object/zone_balls.h"
@@ -114,29 +117,71 @@ Result<Object> of_cloud(const Object& object, const PointBalls& points, const Zo
     return part;
 }
 
-/// The part of a box that lies in another; empty where they lie apart.
-Box3d common(const Box3d& a, const Box3d& b) {
-    Box3d both;
-    for (int axis = 0; axis < 3; ++axis) {
-        both.min[axis] = std::max(a.min[axis], b.min[axis]);
-        both.max[axis] = std::min(a.max[axis], b.max[axis]);
-        if (both.min[axis] > both.max[axis]) return {};
-    }
-    return both;
+ZoneBalls::Corners in_object(const FileToObject& to_object, const TriangleStream::Corners& corners) {
+    ZoneBalls::Corners own;
+    for (std::size_t i = 0; i < 3; ++i) own[i] = vec_cast<double>(to_object(corners[i]));
+    return own;
 }
 
-Result<Object> of_stream(const Object& object, const StreamedTriangles& streamed, const Zone& zone) {
-    Object part = begun(object);
+/// What a pass over a file finds of a zone, in the object's coordinates.
+struct StreamedZone {
+    Box3d box;
+    std::uint64_t triangles = 0;  ///< of the whole object
+    std::uint64_t whole = 0;      ///< of them in the zone, undivided
+    void include(const StreamedZone& other) {
+        box.include(other.box);
+        triangles += other.triangles;
+        whole += other.whole;
+    }
+};
+
+Result<StreamedZone> look_for(const ZoneBalls& balls, const StreamedTriangles& streamed,
+                              const Progress& progress) {
+    std::vector<StreamedZone> workers(worker_count());
+    std::vector<std::vector<ZoneBalls::Corners>> rooms(workers.size());
+    const auto done = streamed.stream.pass(
+        [&](std::span<const TriangleStream::Corners> piece, std::size_t worker) {
+            StreamedZone own;
+            own.triangles = piece.size();
+            for (const TriangleStream::Corners& each : piece) {
+                const auto corners = in_object(streamed.to_object, each);
+                auto& pieces = rooms[worker];
+                pieces.clear();
+                balls.add_pieces(corners, pieces);
+                own.whole += pieces.size() == 1 && pieces.front() == corners;
+                for (const auto& found : pieces)
+                    for (const Vec3d corner : found)
+                        own.box.include(vec_cast<double>(vec_cast<float>(corner)));
+            }
+            workers[worker].include(own);
+        },
+        progress);
+    if (!done) return tl::unexpected(done.error());
+    StreamedZone all;
+    for (const StreamedZone& own : workers) all.include(own);
+    return all;
+}
+
+Result<Object> of_stream(const Object& object, const StreamedTriangles& streamed, const Zone& zone,
+                         const Progress& progress) {
     const auto balls = std::make_shared<const ZoneBalls>(zone, origin_mm(object));
-    part.measure.bounds = common(object.measure.bounds, balls->bounds());
-    if (part.measure.bounds.min.x > part.measure.bounds.max.x) return no_surface(object);
-    part.surface = StreamedTriangles{
-        streamed.stream.only([balls, to_object = streamed.to_object](const TriangleStream::Corners& corners) {
-            ZoneBalls::Corners own;
-            for (std::size_t i = 0; i < 3; ++i) own[i] = vec_cast<double>(to_object(corners[i]));
-            return balls->meet(own);
-        }),
-        streamed.to_object, streamed.rotation_deg, streamed.turned, nullptr};
+    const auto found = look_for(*balls, streamed, progress);
+    if (!found) return tl::unexpected(found.error());
+    if (found->whole == found->triangles && zone.keep_off_mm > 0)
+        return fail(ErrorKind::usage, say("zone.all"));
+    if (found->box.empty()) return no_surface(object);
+    Object part = begun(object);
+    part.measure.bounds = found->box;
+    const auto divide = [balls, to_object = streamed.to_object](const TriangleStream::Corners& corners,
+                                                                std::vector<TriangleStream::Corners>& all) {
+        std::vector<ZoneBalls::Corners> pieces;
+        balls->add_pieces(in_object(to_object, corners), pieces);
+        for (const ZoneBalls::Corners& piece : pieces)
+            all.push_back({vec_cast<float>(piece[0]), vec_cast<float>(piece[1]), vec_cast<float>(piece[2])});
+    };
+    // Its pieces are the object's already.
+    part.surface =
+        StreamedTriangles{streamed.stream.divided(divide), FileToObject{}, {}, found->box, nullptr};
     return part;
 }
 
@@ -156,12 +201,12 @@ Vec3d origin_mm(const Object& object) {
         });
 }
 
-Result<Object> zone_surface(const Object& object, const Zone& zone) {
+Result<Object> zone_surface(const Object& object, const Zone& zone, const Progress& progress) {
     if (zone.part != 0 && !object.whole()) return fail(ErrorKind::usage, say("zone.parts_unknown"));
     return visit_kinds(
         object.surface, [&](const OwnMesh&) { return of_mesh(object, zone); },
         [&](const PointBalls& points) { return of_cloud(object, points, zone); },
-        [&](const StreamedTriangles& streamed) { return of_stream(object, streamed, zone); });
+        [&](const StreamedTriangles& streamed) { return of_stream(object, streamed, zone, progress); });
 }
 
 Mesh zone_of_mesh(const Object& object, const Zone& zone) {

@@ -31,10 +31,12 @@ Result<Item> placed(std::span<const Object> objects, const ItemOptions& options,
               mass_kg(options, design),
               {},
               {}};
-    const auto placement = place(objects[index], item.rotation_deg, item.offset_mm + walls_shift, progress);
+    const auto placement =
+        place(objects[index], item.rotation_deg, item.offset_mm + walls_shift, part_of(progress, 0, 0.5));
     if (!placement) return tl::unexpected(placement.error());
     item.placement = *placement;
-    auto zones = place_zones(objects[index], zones_of(options, design), item.placement);
+    auto zones =
+        place_zones(objects[index], zones_of(options, design), item.placement, part_of(progress, 0.5, 1));
     if (!zones) return tl::unexpected(zones.error());
     item.zones = std::move(*zones);
     return item;

@@ -65,9 +65,6 @@ constexpr Wording kWordsOfZones[] = {
      "no surface lies in it. Its place counts in the file's coordinates in mm, where the object reaches from "
      "{from} to {to}",
      "この場所に表面がありません。位置はファイルの座標（mm）で、対象物は {from} から {to} までにあります"},
-    {"zone.none_of_stream",
-     "no surface lies in it. Its place counts in the file's coordinates in mm; snug inspect shows them",
-     "この場所に表面がありません。位置はファイルの座標（mm）です"},
     {"zone.all", "the whole object lies in it, so nothing could carry it: make it smaller",
      "対象物全体が入っており、支える所がありません。小さくしてください"},
     {"zone.no_part", "there is no part {part}; the object has {parts} {parts|part|parts}, the largest is 1",

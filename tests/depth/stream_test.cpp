@@ -17,6 +17,7 @@
 #include "tests/support/cases.h"
 #include "tests/support/models.h"
 #include "tests/support/random_design.h"
+#include "tests/support/random_zone.h"
 
 // Objects that are read in pieces, beside the same objects in memory.
 
@@ -53,6 +54,16 @@ Result<Streamed> pack_stream(TriangleStream stream, const Design& design, const 
     return Streamed{std::move(*object), std::move(*packing)};
 }
 
+void expect_the_same_zones(const Packing& streamed, const Packing& whole) {
+    const auto& zones = whole.items.front().zones;
+    ASSERT_EQ(streamed.items.front().zones.size(), zones.size());
+    for (std::size_t i = 0; i < zones.size(); ++i)
+        EXPECT_EQ(streamed.items.front().zones[i].bounds, zones[i].bounds);
+    ASSERT_EQ(streamed.zone_cuts.size(), whole.zone_cuts.size());
+    for (std::size_t i = 0; i < whole.zone_cuts.size(); ++i)
+        EXPECT_EQ(streamed.zone_cuts[i].blocks, whole.zone_cuts[i].blocks);
+}
+
 void expect_the_same_streamed(const FileBytes& bytes, const Design& design) {
     auto mesh = read_mesh(bytes, "object");
     ASSERT_TRUE(mesh) << snug::text(mesh.error().message);
@@ -82,6 +93,7 @@ void expect_the_same_streamed(const FileBytes& bytes, const Design& design) {
     if (!packing->foams) return;
     EXPECT_EQ(streamed->packing.foams->pieces, packing->foams->pieces);
     EXPECT_EQ(streamed->packing.foams->parting, packing->foams->parting);
+    expect_the_same_zones(streamed->packing, *packing);
 }
 
 Design random_design_for(Random& random) {
@@ -108,6 +120,27 @@ TEST(Stream, RandomSoupsHaveTheFoamsThatTheyHaveInMemory) {
         if (seed % 2 == 0)
             for (Vec3f& v : soup.mesh.vertices) v = v + Vec3f{5e4f, -3e4f, 2e4f};
         expect_the_same_streamed(stl_of(soup.mesh), random_design_for(random));
+    }
+}
+
+TEST(Stream, ZonesTakeTheSamePiecesOfTheirTriangles) {
+    for (int seed = 0; seed < test::cases(60); ++seed) {
+        SCOPED_TRACE(seed);
+        Random random(static_cast<std::uint64_t>(seed) + 400);
+        test::RandomDesign soup = test::random_design(random);
+        if (seed % 2 == 0)
+            for (Vec3f& v : soup.mesh.vertices) v = v + Vec3f{5e4f, -3e4f, 2e4f};
+        const FileBytes bytes = stl_of(soup.mesh);
+        Design design = random_design_for(random);
+        design.fit.settle = random.chance(0.5);
+        const auto object = prepare(*read_mesh(bytes, "object"), design);
+        if (!object) continue;
+        for (int i = random.integer(1, 3); i > 0; --i)
+            design.protection.zones.push_back(test::random_zone(random, *object));
+        // Some hold nothing, others everything: the same is said.
+        if (random.chance(0.1)) design.protection.zones.front().balls.front().radius_mm = 1e5;
+        if (random.chance(0.1)) design.protection.zones.front().balls = {{{1e6, 0, 0}, 3}};
+        expect_the_same_streamed(bytes, design);
     }
 }
 

@@ -84,6 +84,14 @@ struct Grips {
     std::optional<Message> widest;  ///< none where there is no room at all
 };
 
+/// Whether a hand there would come to a place that is kept off.
+bool near_zone(Vec3d where, const std::vector<Box3d>& zones) {
+    return std::any_of(zones.begin(), zones.end(), [&](const Box3d& zone) {
+        return where.y > zone.min.y - kFingerWidth && where.y < zone.max.y + kFingerWidth &&
+               where.z > zone.min.z - kFingerWidth && where.z < zone.max.z + kFingerWidth;
+    });
+}
+
 Grips grips(const PackedItem& item, const FoamDesign& design) {
     const auto layer = static_cast<std::size_t>(item.layer) - 1;
     const std::array<FingerRoom, 4> room =
@@ -98,9 +106,11 @@ Grips grips(const PackedItem& item, const FoamDesign& design) {
                           {"column", column_at(room[side].where, design.space)}});
     };
     Grips found;
-    for (const std::size_t side : order)
+    for (const std::size_t side : order) {
+        if (!(room[side].mm > 0) || near_zone(room[side].where, item.zones)) continue;
         if (room[side].mm >= kFingerWidth) found.places.push_back(place("packing.place", side));
-    if (room[order[0]].mm > 0) found.widest = place("packing.widest", order[0]);
+        if (!found.widest) found.widest = place("packing.widest", side);
+    }
     return found;
 }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "snug/base/box.h"
 #include "snug/check/fit_report.h"
 #include "snug/check/protection_report.h"
 #include "snug/design/workshop_options.h"
@@ -25,6 +26,7 @@ struct PackedItem {
     const Mesh& mesh;
     const Placement& placement;
     int layer = 1;
+    std::vector<Box3d> zones{};  ///< where it may not be touched, design coordinates
 };
 
 /// What the packing sheet tells of.
