@@ -8,6 +8,7 @@
 
 #include "snug/base/text.h"
 #include "snug/design/object_argument.h"
+#include "snug/make.h"
 #include "snug/object/prepare.h"
 #include "snug/search/placement_search.h"
 
@@ -33,6 +34,7 @@ Result<SearchReport> search(Object& object, Design& design, const SearchArgument
     task.fit_case = arguments.fit_case;
     task.placement = arguments.optimize;
     task.evaluations = arguments.seconds ? std::numeric_limits<long long>::max() : kSearchEvaluations;
+    task.pack_it = [&object](const Design& tried) { return pack(object, tried); };
 
     InterruptGuard guard;
     using Clock = std::chrono::steady_clock;
@@ -78,6 +80,7 @@ Result<Arrangement> arrange(std::span<Object> objects, Design& design, const Sea
         out_of_time = arguments.seconds && share >= 1;
         return !out_of_time && !InterruptGuard::interrupted();
     };
+    watch.pack_it = [&](const Design& tried) { return pack(objects, tried); };
     const auto look = [&](long long most, const ArrangeWatch& told) {
         return arguments.known_case ? arrange_in_known_case(objects, searched, all, cases, most, told)
                                     : snug::arrange(objects, searched, all, most, told);
@@ -85,7 +88,7 @@ Result<Arrangement> arrange(std::span<Object> objects, Design& design, const Sea
     auto found = look(work, watch);
     // Where time ran out before all went in: who is left is said as after fixed work.
     if (!found && out_of_time && found.error().kind == ErrorKind::cancelled)
-        found = look(usual_arranging_work(design) / 4, {});
+        found = look(usual_arranging_work(design) / 4, {{}, {}, watch.pack_it});
     if (!found) return found;
     if (out_of_time) found->cancelled = false;
     InterruptGuard::forget();

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "snug/design/project.h"
+#include "snug/make.h"
 #include "snug/search/fill_space.h"
 #include "snug/search/other_arrangements.h"
 #include "snug/space/place_items.h"
@@ -13,14 +14,16 @@ namespace {
 /// Of the whole work; the others come after it.
 constexpr double kBestShare = 0.7;
 
-ArrangeWatch watch_for(const ArrangementListeners& listeners, double from, double to) {
+ArrangeWatch watch_for(std::span<const Object> objects, const ArrangementListeners& listeners, double from,
+                       double to) {
     const Progress told = progress_from(listeners.progress);
     return {[told, from, to](double share, std::optional<double>) {
                 return go_on(told, from + (to - from) * share);
             },
             [better = listeners.better](const Design& design) {
                 if (!better.isNull()) better(design_json(design));
-            }};
+            },
+            [objects](const Design& tried) { return pack(objects, tried); }};
 }
 
 val plan_of(std::span<const Object> objects, const Design& design) {
@@ -64,14 +67,15 @@ val choices_val(const val& choices) {
 val arrange(std::span<Object> objects, const Design& design, const ArrangementListeners& listeners) {
     ArrangedDesign best{design, {}};
     const long long work = usual_arranging_work(design);
-    const auto found = snug::arrange(objects, best.design, true, work, watch_for(listeners, 0, kBestShare));
+    const auto found =
+        snug::arrange(objects, best.design, true, work, watch_for(objects, listeners, 0, kBestShare));
     if (!found) return to_val(found.error());
     best.arrangement = *found;
     val choices = val::array();
     choices.call<void>("push", arranged_val(objects, best));
     const ArrangementListeners quiet{listeners.progress, val::null()};
     for (const ArrangedDesign& other :
-         other_arrangements(objects, design, best.design, work / 2, watch_for(quiet, kBestShare, 1)))
+         other_arrangements(objects, design, best.design, work / 2, watch_for(objects, quiet, kBestShare, 1)))
         choices.call<void>("push", arranged_val(objects, other));
     return choices_val(choices);
 }
@@ -80,7 +84,7 @@ val fill(std::span<Object> objects, const Design& design, std::size_t item,
          const ArrangementListeners& listeners) {
     ArrangedDesign filled{design, {}};
     const auto found = fill_space(objects, filled.design, item, usual_arranging_work(design) / 4,
-                                  watch_for(listeners, 0, 1));
+                                  watch_for(objects, listeners, 0, 1));
     if (!found) return to_val(found.error());
     filled.arrangement = *found;
     val choices = val::array();

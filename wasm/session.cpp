@@ -264,8 +264,16 @@ val Session::start_search(const std::string& design_text, const val& objects) {
     if (!packing) return to_val(packing.error());
     auto zones = searched_zones(object, project->design);
     if (!zones) return to_val(zones.error());
-    auto search = PlacementSearch::start(object.mesh, *object.prepared, project->design, packing->space,
-                                         kSearchSeed, packing->available, std::move(*zones));
+    std::optional<ShockMargins> shocks;
+    if (project->design.search.weighs(Objective::shock)) {
+        const auto pack_it = [&object](const Design& tried) { return snug::pack(object, tried); };
+        auto started = ShockMargins::start(object, project->design, packing->space, pack_it);
+        if (!started) return to_val(started.error());
+        shocks = std::move(*started);
+    }
+    auto search =
+        PlacementSearch::start(object.mesh, *object.prepared, project->design, packing->space, kSearchSeed,
+                               packing->available, std::move(*zones), std::move(shocks));
     if (!search) return to_val(search.error());
     search_ = std::move(*search);
     searched_ = packing->space;
@@ -297,6 +305,7 @@ val Session::fit_case(const std::string& design_text, const val& objects, const 
     prepare_for_many(object);
     SearchTask task;
     task.fit_case = true;
+    task.pack_it = [&object](const Design& tried) { return snug::pack(object, tried); };
     const Progress told = progress_from(progress);
     const auto news = [&](double share, std::optional<long long>) { return go_on(told, share); };
     const auto report = search_design(object, project->design, task, news);

@@ -188,12 +188,25 @@ double farthest(const Stops& stops) {
     return mm;
 }
 
-FaceShock shock_of(const FaceTask& task, const Stops& stops, const Box3d& bounds) {
+/// As FaceShock::beyond_data has it.
+double beyond_data(const FaceTask& task, const Stops& stops, const Curves& curves) {
+    const auto bottoms = [](const std::optional<Stop>& stop) { return !stop; };
+    if (stops.given && std::none_of(stops.possible.begin(), stops.possible.end(), bottoms))
+        return stops.given->thin_share > kMostThinShare ? stops.given->thin_share : 0;
+    const Cushioned item = task.cushioned();
+    double lacking = lacking_share(item, curves.given, task.height_mm);
+    for (const StressCurve& curve : curves.possible)
+        lacking = std::max(lacking, lacking_share(item, curve, task.height_mm));
+    return 1 + lacking;
+}
+
+FaceShock shock_of(const FaceTask& task, const Stops& stops, const Curves& curves, const Box3d& bounds) {
     FaceShock shock;
     shock.face = task.face;
     const auto& stop = stops.given;
     const Spread spread = spread_of(task, stops);
     shock.bottoms = !spread.high;
+    shock.beyond_data = beyond_data(task, stops, curves);
     if (spread.high) shock.travel_most_mm = farthest(stops);
     if (stop) {
         const double end = task.face % 2 == 1 ? bounds.max[task.axis()] : bounds.min[task.axis()];
@@ -262,8 +275,9 @@ IslandReport relief_of(FaceTask task, const Curves& curves) {
 /// What the items of a packing meet along an axis.
 class AxisDrops {
   public:
-    AxisDrops(const AxisContacts& contacts, const Packing& packing, const Curves& curves, Protection& all)
-        : contacts_(contacts), packing_(packing), curves_(curves), all_(all) {}
+    AxisDrops(const AxisContacts& contacts, const Packing& packing, const Curves& curves, FaceDetail detail,
+              Protection& all)
+        : contacts_(contacts), packing_(packing), curves_(curves), detail_(detail), all_(all) {}
 
     void add() {
         for (const std::vector<int>& set : joint_sets(contacts_.contacts, all_.items.size()))
@@ -285,7 +299,7 @@ class AxisDrops {
     void add_alone(std::size_t i) {
         ItemProtection& item = all_.items[i];
         const HeldItem found = held(contacts_, static_cast<int>(i));
-        if (contacts_.axis == 0 && item.mass_kg) {
+        if (contacts_.axis == 0 && item.mass_kg && detail_ == FaceDetail::all) {
             item.rest = rest_of(at_rest(towards(found, false, *item.mass_kg), curves_.given));
             item.rest.contacts = alone_between(i, kFloor, item.rest.sink_mm);
         }
@@ -294,9 +308,10 @@ class AxisDrops {
             face.why_none = obstacle(all_, item, packing_);
             if (face.why_none != NoShock::none) continue;
             const FaceTask task = task_of(i, side, found);
-            face =
-                shock_of(task, stops_on(task.cushioned(), task, curves_), packing_.items[i].placement.bounds);
+            face = shock_of(task, stops_on(task.cushioned(), task, curves_), curves_,
+                            packing_.items[i].placement.bounds);
             face.bottoms_itself = face.bottoms;
+            if (detail_ == FaceDetail::shock) continue;
             if (face.travel_mm) face.contacts = alone_between(i, side, *face.travel_mm);
             face.force = force_on_the_way(task.cushioned(), curves_.given, kForceSteps);
             if (side == kFloor && found.low_on_stiff_base) item.relief = relief_of(task, curves_);
@@ -362,9 +377,10 @@ class AxisDrops {
             FaceShock& face = all_.items[i].faces[static_cast<std::size_t>(side)];
             if (unsettled) {
                 face.why_none = NoShock::unsettled;
+                face.beyond_data = 1;
                 continue;
             }
-            face = shock_of(task_of(i, side, found), stops, packing_.items[i].placement.bounds);
+            face = shock_of(task_of(i, side, found), stops, curves_, packing_.items[i].placement.bounds);
             for (const JointStops& each : by_curve) {
                 face.meets_item = face.meets_item || (each.items_meet && each.bottoms[k]);
                 face.bottoms_itself = face.bottoms_itself || each.bottoms[k];
@@ -375,6 +391,7 @@ class AxisDrops {
     const AxisContacts& contacts_;
     const Packing& packing_;
     const Curves& curves_;
+    FaceDetail detail_;
     Protection& all_;
 };
 
@@ -388,8 +405,8 @@ NoShock obstacle(const Protection& all, const ItemProtection& item, const Packin
 }
 
 void add_face_shocks(const AxisContacts& contacts, const Packing& packing, const Curves& curves,
-                     Protection& all) {
-    AxisDrops(contacts, packing, curves, all).add();
+                     Protection& all, FaceDetail detail) {
+    AxisDrops(contacts, packing, curves, detail, all).add();
 }
 
 }  // namespace snug

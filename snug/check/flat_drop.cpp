@@ -87,6 +87,15 @@ std::optional<Stop> flat_drop(const Cushioned& item, const StressCurve& curve, d
     return balance.stop_at(travel, thin_mm);
 }
 
+double lacking_share(const Cushioned& item, const StressCurve& curve, double height_mm) {
+    if (!has_foam(item)) return 1;
+    const Balance balance(item, curve);
+    const double travel = balance.longest_mm();
+    if (!(travel > 0)) return 1;
+    const double fall = item.mass_kg * kStandardGravity * (height_mm + travel) * 1e-3;
+    return std::clamp((fall - balance.joule(travel)) / fall, 0.0, 1.0);
+}
+
 std::optional<Stop> at_rest(const Cushioned& item, const StressCurve& curve) {
     if (!has_foam(item)) return {};
     const Balance balance(item, curve);

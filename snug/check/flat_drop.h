@@ -38,6 +38,10 @@ struct Stop {
 [[nodiscard]] std::optional<Stop> flat_drop(const Cushioned& item, const StressCurve& curve, double height_mm,
                                             double thin_mm);
 
+/// Of the energy of such a fall the share that the foam cannot take up, as far as its data go and the case is
+/// not met: 0 where it stops the item, 1 where there is no foam.
+[[nodiscard]] double lacking_share(const Cushioned& item, const StressCurve& curve, double height_mm);
+
 /// At rest: m g = F(d). None as above.
 [[nodiscard]] std::optional<Stop> at_rest(const Cushioned& item, const StressCurve& curve);
 

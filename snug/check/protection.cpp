@@ -117,6 +117,22 @@ std::size_t Protection::worst_item(Side face) const {
     return worst;
 }
 
+double margin(const ItemProtection& item, Side face) {
+    const FaceShock& shock = item.faces[static_cast<std::size_t>(face)];
+    if (!shock.g_high) return kNoMargin * (1 + shock.beyond_data);
+    return std::min(*shock.g_high / item.asked_g.value_or(1), kNoMargin);
+}
+
+std::array<double, 6> Protection::margins() const {
+    std::array<double, 6> worst{};
+    for (const ItemProtection& item : items)
+        for (int side = 0; side < 6; ++side) {
+            double& most = worst[static_cast<std::size_t>(side)];
+            most = std::max(most, margin(item, static_cast<Side>(side)));
+        }
+    return worst;
+}
+
 std::array<Side, 6> Protection::worst_first() const {
     std::array<Side, 6> sides{kFloor, kRoof, kBack, kFront, kLeft, kRight};
     const auto worst_on = [&](Side side) { return badness(items[worst_item(side)], side); };

@@ -51,6 +51,10 @@ struct FaceShock {
     /// Units of gravity: at the centre of mass with the curve as it is given; and the range of what is met at
     /// the item's far end, at least 20 % to either side. The high end is none where the foam may bottom.
     std::optional<double> g_model, g_low, g_high;
+    /// How far it is from a G, to compare what has none; 0: it has one, or why not says nothing of the foam.
+    /// Of thin columns their share of the energy; from 1 upward it bottoms, with what the foam to the case
+    /// lacks of the energy added (lacking_share(), the most of the range).
+    double beyond_data = 0;
     bool bottoms = false;         ///< with some curve of the range, on it or on what it reaches through foam
     bool bottoms_itself = false;  ///< of items that reach one another: on this one
     bool meets_item = false;      ///< another item, with some curve of the range
@@ -133,6 +137,14 @@ struct Protection {
     [[nodiscard]] std::size_t worst_item(Side face) const;
     /// The sides by what their worst item meets, the worst first.
     [[nodiscard]] std::array<Side, 6> worst_first() const;
+    /// The margin of the worst item on each side.
+    [[nodiscard]] std::array<double, 6> margins() const;
 };
+
+/// Where there is no G.
+constexpr double kNoMargin = 1e6;
+/// The high end of G for what an item bears: less is better, above 1 a face is not shown to hold. Where there
+/// is no G from kNoMargin upward, more where it is farther from one; without a fragility as of 1 G.
+[[nodiscard]] double margin(const ItemProtection& item, Side face);
 
 }  // namespace snug

@@ -26,7 +26,6 @@ struct Choice {
     std::function<void(int)> set;
 };
 
-using Weights = std::array<double, kObjectives>;
 using Plane = std::array<double, 4>;
 
 /// Where the value lies, by its type. monostate: a group that is absent.

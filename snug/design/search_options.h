@@ -18,12 +18,16 @@ enum class Objective {
     depth,    ///< least insertion depth: what is cut along x
     bearing,  ///< most bearing area: columns whose foam lies within 3 mm of the surface
     flat,     ///< lies flat and stable: low over its wide base
+    shock,    ///< least that it meets in a drop on its worst side, for what it bears
 };
-constexpr std::size_t kObjectives = 5;
+constexpr std::size_t kObjectives = 6;
 template <>
 struct Names<Objective> {
-    static constexpr std::string_view list[] = {"cut", "gap", "depth", "bearing", "flat"};
+    static constexpr std::string_view list[] = {"cut", "gap", "depth", "bearing", "flat", "shock"};
 };
+
+/// One for each objective; a type of its own, so that nothing else of as many numbers is taken for it.
+struct Weights : std::array<double, kObjectives> {};
 
 /// A direction along one of the object's own axes.
 enum class Upright { plus_x, plus_y, plus_z, minus_x, minus_y, minus_z };
@@ -55,15 +59,19 @@ constexpr int kMostLayers = 20;
 
 /// How the best placement, the smallest case and the best arrangement are searched.
 struct SearchOptions {
-    std::array<double, kObjectives> weight{1, 0, 0, 0, 0};  ///< of each objective, 0 to 1000; not all 0
-    std::optional<Upright> upright;                         ///< this axis of the object stays along +x
+    Weights weight{{1}};             ///< of each objective, 0 to 1000; not all 0
+    std::optional<Upright> upright;  ///< this axis of the object stays along +x
     CaseGoal case_goal = CaseGoal::volume;
     double billed_divisor = 5000;  ///< cm3 that are billed as a kilogram, 100 to 100,000
     std::uint32_t seed = 1;
-    Turns turns = Turns::upright;  ///< of arranged items
+    Turns turns = Turns::upright;  ///< of arranged items, and of one that is searched with shock weighed
     /// In how many layers they are arranged; 1: each in that of its own; none: in whichever are best.
     std::optional<int> layers = 1;
     friend bool operator==(const SearchOptions&, const SearchOptions&) = default;
+
+    [[nodiscard]] bool weighs(Objective objective) const {
+        return weight[static_cast<std::size_t>(objective)] > 0;
+    }
 };
 
 /// --billed-weight
@@ -71,17 +79,19 @@ struct SearchOptions {
 
 template <class Visit>
 void visit_options(Visit& visit, SearchOptions& search) {
-    visit.option(search.weight, {.json = "weights",
-                                 .flag = "--objective",
-                                 .takes = "NAME[=WEIGHT],...",
-                                 .range = {0, 1000},
-                                 .step = 0.1,
-                                 .label = {"the weight of an objective", "目的の重み"},
-                                 .help = {"What --optimize weighs: cut, gap, depth, bearing, flat",
-                                          "--optimize "
-                                          "が重視するもの：cut（切り取る量）、gap（表面のすきま）、depth（差"
-                                          "し込む深さ）、bearing（支える面）、flat（低く安定した向き）"},
-                                 .usual = "cut"});
+    visit.option(
+        search.weight,
+        {.json = "weights",
+         .flag = "--objective",
+         .takes = "NAME[=WEIGHT],...",
+         .range = {0, 1000},
+         .step = 0.1,
+         .label = {"the weight of an objective", "目的の重み"},
+         .help = {"What --optimize weighs: cut, gap, depth, bearing, flat, shock",
+                  "--optimize "
+                  "が重視するもの：cut（切り取る量）、gap（表面のすきま）、depth（差"
+                  "し込む深さ）、bearing（支える面）、flat（低く安定した向き）、shock（落下の衝撃）"},
+         .usual = "cut"});
     visit.option(search.upright,
                  {.json = "upright",
                   .flag = "--upright",
@@ -117,8 +127,9 @@ void visit_options(Visit& visit, SearchOptions& search) {
         {.json = "turns",
          .flag = "--turns",
          .label = {"how arranged items may be turned", "並べるときの回し方"},
-         .help = {"With --arrange: how items may be turned from how they are given",
-                  "--arrange で、指定の向きからどのように回してよいか：none（回さない）、upright（縦軸まわり"
+         .help = {"With --arrange or --objective shock: how items may be turned from how they are given",
+                  "--arrange または --objective shock "
+                  "で、指定の向きからどのように回してよいか：none（回さない）、upright（縦軸まわり"
                   "の 90 度ごと）、quarter（すべての 90 度ごと）、any（自由）"}});
     visit.option(search.layers, {.json = "layers",
                                  .flag = "--layers",

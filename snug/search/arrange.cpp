@@ -28,6 +28,7 @@ std::string name_of(const ItemOptions& item, std::span<const Object> objects) {
 }
 
 std::optional<Error> problem_of(const Design& design, std::span<const Object> objects) {
+    if (auto error = lacking_for_search(design)) return error;
     for (const ItemOptions& item : design.items)
         if (item.lock && !item.offset_mm)
             return Error{ErrorKind::usage, say("arrange.locked_nowhere",
@@ -132,9 +133,13 @@ Design as_asked(Design arranged, const Design& asked) {
 
 Result<Arrangement> arranged(std::span<Object> objects, Design& design, const std::vector<bool>& locked,
                              long long work, const ArrangeWatch& watch, bool explain) {
-    const ArrangeWatch told{watch.go_on, [&](const Design& better) {
+    const ArrangeWatch told{watch.go_on,
+                            [&](const Design& better) {
                                 if (watch.better) watch.better(as_asked(better, design));
-                            }};
+                            },
+                            watch.pack_it
+                                ? [&](const Design& tried) { return watch.pack_it(as_asked(tried, design)); }
+                                : PackIt()};
     const auto look = [&](const Design& wish, long long most, bool tell) {
         Design found_design;
         auto found = Arranger(objects, wish, locked, most, told).run(found_design, tell);

@@ -10,6 +10,7 @@
 #include "snug/design/cases.h"
 #include "snug/design/design.h"
 #include "snug/object/object.h"
+#include "snug/search/shock_wishes.h"
 
 // The smallest case that holds several items: how each is turned, where it lies and in which layer. On masks
 // of the columns that the items cut (item_ways.h, mask_rooms.h), so what the method makes of the design
@@ -35,7 +36,9 @@ struct ArrangeWatch {
     /// The share of the work that is done, and the volume of the best so far; false cancels.
     std::function<bool(double share, std::optional<double> volume_mm3)> go_on;
     /// Every better answer, as the design would then be.
-    std::function<void(const Design&)> better;
+    std::function<void(const Design&)> better = {};
+    /// Packs the objects by a design; only needed where shocks are weighed.
+    PackIt pack_it = {};
 };
 
 /// What is usually enough: some tenths of a second for each item, on one core.
@@ -46,10 +49,12 @@ struct ArrangeWatch {
 /// wants are kept, and `between` among the items; in a space that is given without any, walls of 50, 25.4 or
 /// 12.7 mm where they leave room, and layers lie in its middle. Of equal volumes the one that cuts less is
 /// taken, and of these one whose weight lies nearer to the middle; of several layers the heaviest lies
-/// lowest. `all`: also items that have a place already. Objects are prepared for many here. The same for the
-/// same seed on every machine and any number of threads, unless cancelled. Fails with kind `does_not_fit`
-/// where the space does not hold them all, as far as was looked (the sentence says which are left, and what
-/// would hold them), and with kind `usage` where locked items meet or there are more layers than items.
+/// lowest. Where shocks are weighed a few arrangements in that volume are compared by what the items meet on
+/// their worst side, by the full calculation, and the least is taken. `all`: also items that have a place
+/// already. Objects are prepared for many here. The same for the same seed on every machine and any number of
+/// threads, unless cancelled. Fails with kind `does_not_fit` where the space does not hold them all, as far
+/// as was looked (the sentence says which are left, and what would hold them), and with kind `usage` where
+/// locked items meet or there are more layers than items.
 [[nodiscard]] Result<Arrangement> arrange(std::span<Object> objects, Design& design, bool all, long long work,
                                           const ArrangeWatch& watch = {});
 

@@ -200,14 +200,23 @@ void Arranger::centre_layers(const ItemMasks& masks, Found& found) const {
     }
 }
 
-void Arranger::settle(const ItemMasks& masks, Found& found, MaskPacker& packer) {
-    if (!cancelled_) {
-        CutAndBalance cost(masks, found.room, found.layout);
-        packer.refine(found.room, found.layout, std::ref(cost), packer.work() + work_ / 4);
-    }
+void Arranger::refine(const ItemMasks& masks, Found& found, MaskPacker& packer, long long most_work) const {
+    CutAndBalance cost(masks, found.room, found.layout);
+    packer.refine(found.room, found.layout, std::ref(cost), packer.work() + most_work);
+}
+
+void Arranger::finish(const ItemMasks& masks, Found& found) const {
     put_heaviest_low(masks, found);
     centre_layers(masks, found);
     drop_empty_layers(found.layout, static_cast<int>(found.heights.size()));
+}
+
+void Arranger::settle(const ItemMasks& masks, Found& found, MaskPacker& packer) {
+    if (!cancelled_) refine(masks, found, packer, work_ / 4);
+    const Found refined = found;
+    finish(masks, found);
+    if (!cancelled_ && watch_.pack_it && design_.search.weighs(Objective::shock))
+        take_least_shock(masks, refined, found, packer);
 }
 
 Design Arranger::written(const ItemMasks& masks, const Found& found) const {

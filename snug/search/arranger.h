@@ -61,6 +61,9 @@ class Arranger {
     [[nodiscard]] Found found_in_room(const PackedMasks& packed, const std::vector<int>& heights) const;
     [[nodiscard]] std::optional<long long> least_blocks() const;
     void settle(const ItemMasks& masks, Found& found, MaskPacker& packer);
+    void refine(const ItemMasks& masks, Found& found, MaskPacker& packer, long long most_work) const;
+    void finish(const ItemMasks& masks, Found& found) const;
+    void take_least_shock(const ItemMasks& masks, const Found& refined, Found& found, MaskPacker& packer);
     void put_heaviest_low(const ItemMasks& masks, Found& found) const;
     void centre_layers(const ItemMasks& masks, Found& found) const;
     [[nodiscard]] Design written(const ItemMasks& masks, const Found& found) const;

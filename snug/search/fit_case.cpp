@@ -96,7 +96,7 @@ class CaseSearch {
     CaseSearch(const Mesh& mesh, const Design& design, std::uint64_t seed, const std::vector<ItemZone>& zones)
         : design_(design),
           lengths_(mesh, design.cut, zones),
-          allowed_(design.search.upright),
+          allowed_(allowed_turns(design.search, design.placement.rotation_deg)),
           numbers_(seed) {
         const Vec3d size = bounds(mesh).size();
         longest_ = std::sqrt(dot(size, size));

@@ -180,12 +180,7 @@ std::vector<ItemWay> the_few_best(std::vector<ItemWay> ways) {
 }
 
 void add_quarter_turns(const Turn& given, bool all_ways, std::vector<Turn>& turns) {
-    const std::array<Turn, 6> lays{Turn{},
-                                   turn_about({0, 1, 0}, 180),
-                                   turn_about({0, 1, 0}, 90),
-                                   turn_about({0, 1, 0}, -90),
-                                   turn_about({0, 0, 1}, 90),
-                                   turn_about({0, 0, 1}, -90)};
+    const std::array<Turn, 6>& lays = turns_onto_faces();
     for (std::size_t lay = 0; lay < (all_ways ? lays.size() : 1); ++lay)
         for (int quarter = 0; quarter < 4; ++quarter)
             turns.push_back(turn_about({1, 0, 0}, 90 * quarter) * lays[lay] * given);

@@ -119,9 +119,15 @@ Score::Score(const std::array<double, kObjectives>& weight, const PlacementMeasu
 
 double Score::operator()(const PlacementMeasures& at) const {
     const auto share = [](double value, double start) { return value / std::max(start, 1e-6); };
-    const std::array<double, kObjectives> term{
-        share(at.cut_blocks, start_.cut_blocks), share(at.gap_mm, start_.gap_mm),
-        share(at.depth_mm, start_.depth_mm), 1 - at.bearing, 1 - at.steadiness};
+    const auto worst = [](const PlacementMeasures& of) {
+        return *std::max_element(of.margins.begin(), of.margins.end());
+    };
+    const std::array<double, kObjectives> term{share(at.cut_blocks, start_.cut_blocks),
+                                               share(at.gap_mm, start_.gap_mm),
+                                               share(at.depth_mm, start_.depth_mm),
+                                               1 - at.bearing,
+                                               1 - at.steadiness,
+                                               share(worst(at), worst(start_))};
     double sum = 0;
     for (std::size_t i = 0; i < kObjectives; ++i) sum += weight_[i] * term[i];
     return sum;

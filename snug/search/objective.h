@@ -19,9 +19,10 @@ struct PlacementMeasures {
     double depth_mm = 0;    ///< that the cut is deep, from the lowest block to the highest
     double bearing = 0;     ///< share of those ends that lie within 3 mm of the foam
     double steadiness = 0;  ///< sine of the angle at which the object lying there tips over; below 0 it falls
+    std::array<double, 6> margins{};  ///< what is met on each side for what it bears, as Protection has it
 };
 
-/// All but the steadiness.
+/// All but the steadiness and the margins.
 [[nodiscard]] PlacementMeasures measures(const ExactCut& exact, const DesignSpace& space);
 
 /// How steadily an object stands on a plane across x. Its weight is taken to lie at the centre of its
@@ -37,8 +38,8 @@ class Steadiness {
     double touching_ = 0;  ///< mm above the lowest point that count as touching the plane
 };
 
-/// Weighs measures against those of the start: cut, gap and depth as shares of the start's, bearing and
-/// steadiness as what is missing from 1. Less is better.
+/// Weighs measures against those of the start: cut, gap, depth and the worst margin as shares of the start's,
+/// bearing and steadiness as what is missing from 1. Less is better.
 class Score {
   public:
     Score(const std::array<double, kObjectives>& weight, const PlacementMeasures& start);

@@ -47,7 +47,7 @@ std::vector<ArrangedDesign> other_arrangements(std::span<Object> objects, const 
     const std::vector<bool> locked = locked_items(start, true);
     if (std::find(locked.begin(), locked.end(), true) != locked.end()) return others;
     if (!begin_arranging(objects, start, watch)) return others;
-    const ArrangeWatch quiet{watch.go_on, {}};
+    const ArrangeWatch quiet{watch.go_on, {}, watch.pack_it};
     const auto take = [&](const Result<Arrangement>& found, Design design) {
         if (!found || found->cancelled || volume_of(design) > kMostVolume * volume_of(best)) return;
         if (alike(design, best)) return;

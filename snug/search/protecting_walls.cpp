@@ -16,13 +16,7 @@ constexpr double kGreatest = 400;  // mm
 constexpr int kMostRounds = 60;
 
 std::optional<Error> lacking(const Design& design) {
-    const ProtectionOptions& options = design.protection;
-    const bool borne =
-        options.asked_g() || std::all_of(design.items.begin(), design.items.end(),
-                                         [](const ItemOptions& item) { return item.fragility_g; });
-    const bool complete = options.foam && !options.foam->curve.empty() && options.drops() && borne &&
-                          mass_kg(design).has_value();
-    if (!complete) return Error{ErrorKind::usage, say("protect.lacking")};
+    if (auto error = lacking_for_shocks(design, say("protect.wish/walls"))) return error;
     if (design.space.blocks || design.case_options.inside_mm)
         return Error{ErrorKind::usage, say("protect.not_fitted", {{"option", "--blocks auto"}})};
     return {};
@@ -55,8 +49,7 @@ Error too_thick(Side side, const Protection& found) {
 
 }  // namespace
 
-Result<Walls> protecting_walls(std::span<const Object> objects, const Design& design,
-                               const std::function<Result<Packing>(const Design&)>& pack_it,
+Result<Walls> protecting_walls(std::span<const Object> objects, const Design& design, const PackIt& pack_it,
                                const Progress& progress) {
     if (const auto error = lacking(design)) return tl::unexpected(*error);
     Design tried = design;

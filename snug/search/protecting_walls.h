@@ -1,14 +1,13 @@
 #pragma once
 
-#include <functional>
 #include <span>
 
 #include "snug/base/progress.h"
 #include "snug/base/result.h"
-#include "snug/check/packing.h"
 #include "snug/design/design.h"
 #include "snug/design/walls.h"
 #include "snug/object/object.h"
+#include "snug/search/shock_wishes.h"
 
 namespace snug {
 
@@ -17,7 +16,6 @@ namespace snug {
 /// Fails with kind `usage` where the design says no foam of known curve, no mass, no drop or nothing that it
 /// must bear, or where its space is not fitted; with kind `does_not_fit` where walls of 400 mm would not do.
 [[nodiscard]] Result<Walls> protecting_walls(std::span<const Object> objects, const Design& design,
-                                             const std::function<Result<Packing>(const Design&)>& pack_it,
-                                             const Progress& progress = {});
+                                             const PackIt& pack_it, const Progress& progress = {});
 
 }  // namespace snug

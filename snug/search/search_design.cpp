@@ -82,14 +82,21 @@ std::optional<Error> turn_and_shift(const Searched& searched, Design& design, co
     auto room = room_of(design);
     if (!room) return room.error();
     const Turn stands = turn_of(rotation_from_euler(design.placement.rotation_deg));
-    if (!AllowedTurns(design.search.upright).allows(stands) ||
+    if (!allowed_turns(design.search, design.placement.rotation_deg).allows(stands) ||
         !cut_where_it_stands(searched, design, *room)) {
         const auto rotation = fitting_rotation(mesh, design, room->space, design.search.seed, searched.zones);
         if (!rotation) return rotation.error();
         design.placement = {*rotation, {}};
     }
-    auto search = PlacementSearch::start(mesh, *searched.object.prepared, design, room->space,
-                                         design.search.seed, std::move(room->available), searched.zones);
+    std::optional<ShockMargins> shocks;
+    if (design.search.weighs(Objective::shock)) {
+        auto started = ShockMargins::start(searched.object, design, room->space, task.pack_it);
+        if (!started) return started.error();
+        shocks = std::move(*started);
+    }
+    auto search =
+        PlacementSearch::start(mesh, *searched.object.prepared, design, room->space, design.search.seed,
+                               std::move(room->available), searched.zones, std::move(shocks));
     if (!search) return search.error();
     const auto tell = [&](const PlacementSearch& at) {
         return !news || news(static_cast<double>(at.evaluations()) / static_cast<double>(task.evaluations),
@@ -109,6 +116,7 @@ Result<SearchReport> search_design(const Object& object, Design& design, const S
     report.seed = design.search.seed;
     if (task.fit_case && design.case_options.inside_mm)
         return fail(ErrorKind::usage, say("search.case_given"));
+    if (const auto error = lacking_for_search(design)) return tl::unexpected(*error);
     auto zones = searched_zones(object, design);
     if (!zones) return tl::unexpected(zones.error());
     const Searched whole{object, std::move(*zones)};

@@ -8,6 +8,7 @@
 #include "snug/base/result.h"
 #include "snug/design/design.h"
 #include "snug/object/object.h"
+#include "snug/search/shock_wishes.h"
 
 namespace snug {
 
@@ -26,6 +27,7 @@ struct SearchTask {
     bool fit_case = false;   ///< choose the block counts first
     bool placement = false;  ///< then turn and shift inside them
     long long evaluations = 0;
+    PackIt pack_it = {};  ///< packs the object; only needed where shocks are weighed
 };
 
 /// Is told the share of the evaluations that is done and the blocks cut so far, if known; false cancels.
@@ -34,7 +36,8 @@ using SearchNews = std::function<bool(double share, std::optional<long long> cut
 /// Searches from the design's placement and writes what was found into it: block counts, rotation, offset.
 /// Counts that were to be fitted become those of the start. The object is the design's only item, with its
 /// mesh or stand-in, and prepared for many (prepare.h). Fails (kind does_not_fit) where it fits in no
-/// orientation, with the sentence of fitting_rotation(), or as fit_case() and zone_surface() do.
+/// orientation, with the sentence of fitting_rotation(), or as fit_case(), zone_surface() and, where shocks
+/// are weighed, lacking_for_search() do.
 [[nodiscard]] Result<SearchReport> search_design(const Object& object, Design& design, const SearchTask& task,
                                                  const SearchNews& news = {});
 

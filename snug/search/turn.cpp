@@ -139,30 +139,59 @@ Turn spread_turn(std::uint64_t i, std::uint64_t seed) {
 
 AllowedTurns::AllowedTurns(std::optional<Upright> upright) {
     if (!upright) return;
-    axis_ = direction(*upright);
-    const Vec3d up{1, 0, 0};
-    const Vec3d about = cross(axis_, up);
+    const Vec3d axis = direction(*upright), up{1, 0, 0};
+    const Vec3d about = cross(axis, up);
     if (dot(about, about) > 0)
-        upright_ = turn_about(about, 90);
+        lays_ = {turn_about(about, 90)};
     else
-        upright_ = axis_.x > 0 ? Turn{} : Turn{0, 0, 1, 0};
+        lays_ = {axis.x > 0 ? Turn{} : Turn{0, 0, 1, 0}};
+}
+
+AllowedTurns::AllowedTurns(const Turn& given, Turns turns) : spins_(turns != Turns::none) {
+    if (turns == Turns::any) return;
+    for (const Turn& onto : turns_onto_faces())
+        if (turns == Turns::quarter || lays_.empty()) lays_.push_back(onto * given);
 }
 
 bool AllowedTurns::allows(const Turn& turn) const {
-    return !upright_ || rotation_of(turn)(axis_).x > 1 - 1e-9;
+    if (all()) return true;
+    const Rotation rotation = rotation_of(turn);
+    return std::any_of(lays_.begin(), lays_.end(), [&](const Turn& lay) {
+        // The object's own axis that this lays along +x.
+        const Vec3d axis = rotation_of(lay).row[0];
+        return spins_ ? rotation(axis).x > 1 - 1e-9 : closeness(turn, lay) > 1 - 1e-9;
+    });
 }
 
 Turn AllowedTurns::spread(std::uint64_t i, std::uint64_t seed) const {
-    if (!upright_) return spread_turn(i, seed);
+    if (all()) return spread_turn(i, seed);
+    const Turn& lay = lays_[static_cast<std::size_t>(i % lays_.size())];
+    if (!spins_) return lay;
     constexpr double kGoldenTurn = 0.61803398874989484820;
     SeededNumbers numbers(seed);
-    return turn_about({1, 0, 0}, 360 * fraction(numbers.unit() + kGoldenTurn * static_cast<double>(i))) *
-           *upright_;
+    const auto spin = static_cast<double>(i / lays_.size());
+    return turn_about({1, 0, 0}, 360 * fraction(numbers.unit() + kGoldenTurn * spin)) * lay;
 }
 
 Turn AllowedTurns::small(SeededNumbers& numbers, double degrees) const {
-    if (!upright_) return snug::small_turn(numbers, degrees);
+    if (all()) return snug::small_turn(numbers, degrees);
+    if (!spins_) return Turn{};
     return turn_about({1, 0, 0}, numbers.unit() < 0.5 ? degrees : -degrees);
+}
+
+AllowedTurns allowed_turns(const SearchOptions& options, Vec3d given_deg) {
+    if (options.upright || !options.weighs(Objective::shock)) return AllowedTurns(options.upright);
+    return {turn_of(rotation_from_euler(given_deg)), options.turns};
+}
+
+const std::array<Turn, 6>& turns_onto_faces() {
+    static const std::array<Turn, 6> turns{Turn{},
+                                           turn_about({0, 1, 0}, 180),
+                                           turn_about({0, 1, 0}, 90),
+                                           turn_about({0, 1, 0}, -90),
+                                           turn_about({0, 0, 1}, 90),
+                                           turn_about({0, 0, 1}, -90)};
+    return turns;
 }
 
 }  // namespace snug

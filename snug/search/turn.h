@@ -60,23 +60,34 @@ class BlockSymmetry {
 /// (Shoemake, Uniform random rotations, 1992, on a Kronecker sequence); another start for each seed.
 [[nodiscard]] Turn spread_turn(std::uint64_t i, std::uint64_t seed);
 
-/// The rotations that a search may use: all, or those that keep an axis of the object along +x.
+/// The rotations that a search may use: all, those that keep an axis of the object along +x, or fewer.
 class AllowedTurns {
   public:
     explicit AllowedTurns(std::optional<Upright> upright);
+    /// As an object is given; turned about +x from there; the same on each face that quarter turns bring
+    /// down; or all.
+    AllowedTurns(const Turn& given, Turns turns);
 
-    [[nodiscard]] bool all() const { return !upright_; }
+    [[nodiscard]] bool all() const { return lays_.empty(); }
+    [[nodiscard]] bool only_one() const { return !spins_; }
     [[nodiscard]] bool allows(const Turn& turn) const;
     /// One that is allowed and turns about nothing else.
-    [[nodiscard]] Turn plain() const { return upright_.value_or(Turn{}); }
+    [[nodiscard]] Turn plain() const { return all() ? Turn{} : lays_.front(); }
     /// As spread_turn(), among the allowed.
     [[nodiscard]] Turn spread(std::uint64_t i, std::uint64_t seed) const;
     /// As small_turn(): what may come after an allowed turn.
     [[nodiscard]] Turn small(SeededNumbers& numbers, double degrees) const;
 
   private:
-    std::optional<Turn> upright_;  ///< one that lays the axis along +x
-    Vec3d axis_;
+    std::vector<Turn> lays_;  ///< what is turned about +x; empty: all are allowed
+    bool spins_ = true;       ///< turned about +x
 };
+
+/// What a design's search allows of an object that is given so: where shock is weighed and no axis stays
+/// upward by itself, as SearchOptions::turns has it, else all.
+[[nodiscard]] AllowedTurns allowed_turns(const SearchOptions& options, Vec3d given_deg);
+
+/// From the way that an object is given onto each of its six faces; as it is first.
+[[nodiscard]] const std::array<Turn, 6>& turns_onto_faces();
 
 }  // namespace snug

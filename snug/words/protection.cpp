@@ -76,11 +76,12 @@ constexpr Wording kWordsOfProtection[] = {
     {"protection.tray", "a tray has no lid and is not dropped: leave out the drop's height, or {option}",
      "トレイにはふたがなく、落下の対象になりません。落下高さか {option} を外してください"},
     {"protect.lacking",
-     "walls that protect need the mass of every item (--mass), the drop (--drop-height), what it bears "
-     "(--fragility) and a foam whose curve is known (--foam)",
-     "保護する壁を決めるには、すべてのものの質量（--mass）、落下高さ（--drop-height）、耐える衝撃（--"
-     "fragility）、"
+     "{wish} need the mass of every item (--mass), the drop (--drop-height), what it bears (--fragility) and "
+     "a foam whose curve is known (--foam)",
+     "{wish}、すべてのものの質量（--mass）、落下高さ（--drop-height）、耐える衝撃（--fragility）、"
      "曲線の分かっているフォーム（--foam）が必要です"},
+    {"protect.wish/walls", "walls that protect", "保護する壁を決めるには"},
+    {"protect.wish/shock", "searches that weigh shocks", "衝撃を重視して探すには"},
     {"protect.not_fitted",
      "walls that protect are chosen where the space fits itself to what lies in it: leave out the case and "
      "say "

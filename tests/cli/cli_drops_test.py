@@ -56,6 +56,27 @@ class Drops(unittest.TestCase):
         self.assertIn("the object's own resonance", told["not_computed"])
         self.assertEqual(report["bearing"]["drops"], "see protection")
 
+    def test_a_search_that_weighs_shocks(self):
+        ask = ["--block-size", "10x15x15", "--blocks", "24x16x20", "--foam", "ld33", "--mass", "1.2", "--fragility", "60",
+               "--move", "30,-50,40", "--objective", "shock"]
+        drop = ["--drop-height", "200"]
+        before, after = (self.report(self.work / "camera.ply", *ask, *drop, *search)
+                         for search in ([], ["--optimize", "--turns", "none", "--search-seconds", "2"]))
+
+        def worst(report):
+            return max(face["g"][1] if face["g"] else 1e6 for face in report["protection"]["faces"])
+
+        self.assertLess(worst(after), worst(before))
+        self.assertEqual(after["placement"]["rotation_deg"], before["placement"]["rotation_deg"])
+        said = self.report(self.work / "camera.ply", *ask, "--optimize", status=1)
+        self.assertIn("searches that weigh shocks need", said)
+        self.assertIn("--drop-height", said)
+        items = [f"{self.work / 'camera.ply'}:count=2,mass=0.9", f"{self.work / 'figurine.ply'}:mass=0.4"]
+        kit = ["--block-size", "10x15x15", "--blocks", "auto", "--foam", "ld33", *drop, "--objective", "shock"]
+        arranged = self.report(*items, *kit, "--fragility", "60", "--arrange", "--search-seconds", "2")
+        self.assertEqual(len(arranged["items"]), 3)
+        self.assertIn("--fragility", self.report(*items, *kit, "--arrange", status=1))
+
     def test_walls_that_protect_do(self):
         report = self.report(self.work / "camera.ply", *DROP, "--mass", "0.9", "--drop-height", "300", "--fragility", "110",
                              "--wall", "protect")

@@ -12,6 +12,7 @@
 #include "snug/samples/samples.h"
 #include "snug/space/place_zones.h"
 
+#include "tests/support/broken_foams.h"
 #include "tests/support/brute_force.h"
 #include "tests/support/cases.h"
 #include "tests/support/fit_designs.h"

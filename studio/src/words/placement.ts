@@ -34,6 +34,7 @@ export const placement = words({
       depth: ['least insertion depth', '差し込む深さを最小に'],
       bearing: ['most bearing area', '支える面を最大に'],
       flat: ['lying flat and steady', '低く安定して置く'],
+      shock: ['least shock in a drop', '落下の衝撃を最小に'],
     }),
     upright: ['Keep upright', '上に保つ軸'],
     uprightTip: [
