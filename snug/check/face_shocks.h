@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "snug/check/face_stops.h"
 #include "snug/check/packing.h"
 #include "snug/check/pad_contacts.h"
 #include "snug/check/protection_report.h"
@@ -9,16 +10,6 @@
 #include "snug/design/stress_curve.h"
 
 namespace snug {
-
-/// The curve as it is given, and those that the foam may have.
-struct Curves {
-    StressCurve given;
-    std::vector<StressCurve> possible;
-
-    explicit Curves(const FoamMaterial& foam)
-        : given(foam.curve),
-          possible(foam.dynamic() ? std::vector<StressCurve>{} : with_other_plateaus(foam.curve)) {}
-};
 
 /// Why no drop of an item can be computed, before its foam is looked at.
 [[nodiscard]] NoShock obstacle(const Protection& all, const ItemProtection& item, const Packing& packing);
