@@ -13,7 +13,7 @@
 namespace snug {
 namespace {
 
-constexpr double kTouching = 1e-6;  // mm
+constexpr double kTouchingZone = 1e-6;  // mm
 
 DesignSpace along(const DesignSpace& space, int axis) {
     return {with_first(space.blocks, axis), with_first(space.block_mm, axis)};
@@ -50,14 +50,14 @@ class BlockLine {
 
     /// Where the way down from `mm` ends.
     [[nodiscard]] double end_below(double mm) const {
-        int block = static_cast<int>(std::floor(blocks_to(mm) + kTouching));
+        int block = static_cast<int>(std::floor(blocks_to(mm) + kTouchingZone));
         block = std::min(block, available_.end());
         while (block > available_.first() && !foam_.has(block - 1)) --block;
         return space_.face(0, std::max(block, available_.first()));
     }
     /// The same upwards.
     [[nodiscard]] double end_above(double mm) const {
-        int block = static_cast<int>(std::ceil(blocks_to(mm) - kTouching));
+        int block = static_cast<int>(std::ceil(blocks_to(mm) - kTouchingZone));
         block = std::max(block, available_.first());
         while (block < available_.end() && !foam_.has(block)) ++block;
         return space_.face(0, std::min(block, available_.end()));

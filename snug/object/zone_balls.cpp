@@ -108,8 +108,8 @@ void ZoneBalls::add_pieces(const Corners& triangle, std::vector<Corners>& pieces
     int longest = 0;
     double length = 0;
     for (int i = 0; i < 3; ++i) {
-        const double edge =
-            square_of(triangle[static_cast<std::size_t>((i + 1) % 3)] - triangle[static_cast<std::size_t>(i)]);
+        const double edge = square_of(triangle[static_cast<std::size_t>((i + 1) % 3)] -
+                                      triangle[static_cast<std::size_t>(i)]);
         if (edge <= length) continue;
         length = edge;
         longest = i;

@@ -142,6 +142,8 @@ ShockEstimate::ShockEstimate(const Mesh& mesh, const PackedShocks& start, const 
     packing_.items.front().zones.clear();
     packing_.pockets.clear();
     packing_.notches.clear();
+    packing_.pads = {};  // they are of the place that it begins at
+    packing_.relief.reset();
     packing_.findings.clear();
     known_.zones.clear();
     for (FaceShock& face : known_.items.front().faces) face.force.clear();
@@ -150,7 +152,10 @@ ShockEstimate::ShockEstimate(const Mesh& mesh, const PackedShocks& start, const 
 AxisLines ShockEstimate::lines(const std::vector<Vec3d>& placed, const Placement& placement, int axis) const {
     Lattice lattice(placement.bounds, packing_.space, axis, square_mm_);
     for (const Vec3d& p : placed) lattice.add(p);
-    AxisLines all{axis, lattice.lines(), {spread(placement)}};
+    AxisLines all;
+    all.axis = axis;
+    all.lines = lattice.lines();
+    all.spreads = {spread(placement)};
     // In the order in which RunsAlong visits them.
     std::sort(all.lines.begin(), all.lines.end(), [axis](const ItemLine& p, const ItemLine& q) {
         const auto key = [axis](const ItemLine& line) {
