@@ -86,7 +86,7 @@ export const foam = words({
     relief: ['Islands under the object', '対象物を島で支える'],
     reliefTip: [
       'Much foam under little weight stops it too hard: all but three or four islands below it is taken away. For one object, in sheets or a milled block',
-      '軽いものを広いフォームで受けると衝撃が大きくなります。下のフォームを三、四か所の島だけ残してくり抜きます。対象物一つ、シートか切削した塊のとき',
+      '軽いものを広いフォームで受けると衝撃が大きくなります。下のフォームを三、四か所の島だけ残してくり抜きます。対象物が一つで、シートか切削した塊の場合に使えます',
     ],
     lift: ['Slots to lift the foam by', '持ち上げ口'],
     liftTip: [
