@@ -325,8 +325,9 @@ Result<Made> make(std::span<Object> objects, Project& project, const Tools& tool
         auto held = protection(objects, made.packing, design, told(tools, Stage::drops));
         if (!held) return tl::unexpected(held.error());
         made.packing.protection = std::move(*held);
-        if (auto offered = offer_relief(objects, design, made.packing); !offered)
-            return tl::unexpected(offered.error());
+        const auto offered = offered_relief(objects, design, made.packing);
+        if (!offered) return tl::unexpected(offered.error());
+        if (*offered) add_findings({(*offered)->finding}, made.packing.findings);
     }
 
     find_relief(made.packing, design, made.packing.findings);

@@ -129,7 +129,7 @@ val foams_val(const std::string& text) {
     return result;
 }
 
-val to_val(const Protection& all, const Packing& packing) {
+val to_val(const Protection& all, const Packing& packing, const std::vector<Finding>& fitting) {
     val items = val::array(), worst = val::array();
     for (const ItemProtection& item : all.items) items.call<void>("push", item_val(item, all));
     for (const Side side : all.worst_first()) {
@@ -147,6 +147,7 @@ val to_val(const Protection& all, const Packing& packing) {
     result.set("claim", to_val(say("packing.drops_claim")));
     result.set("notComputed", messages_val(not_computed()));
     result.set("findings", to_val(packing.findings, packing.items));
+    result.set("fitting", to_val(fitting, packing.items));
     return result;
 }
 

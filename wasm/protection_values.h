@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "snug/check/contact_map.h"
 #include "snug/check/packing.h"
@@ -23,7 +24,9 @@ namespace snug::wasm {
 [[nodiscard]] val foams_val(const std::string& text);
 
 /// What each item meets on each side and at rest, with what is left out, and the packing's findings.
-[[nodiscard]] val to_val(const Protection& protection, const Packing& packing);
+/// `fitting`: what else follows from drops, of pads and reliefs.
+[[nodiscard]] val to_val(const Protection& protection, const Packing& packing,
+                         const std::vector<Finding>& fitting);
 
 /// {axis, rows, columns, cell_mm: [along axis + 1, along axis + 2], items: [{why, columns}]}: `why`: the
 /// sentence where nothing is known, else null; `columns`: of each of them row, column, 1 before the item's

@@ -7,6 +7,8 @@
 
 #include "snug/base/stopwatch.h"
 #include "snug/check/contact_map.h"
+#include "snug/check/find_pads.h"
+#include "snug/check/find_relief.h"
 #include "snug/check/protection.h"
 #include "snug/design/options_schema.h"
 #include "snug/formats/read_object.h"
@@ -18,6 +20,7 @@
 #include "snug/space/place_items.h"
 
 #include "wasm/arrangements.h"
+#include "wasm/fit_values.h"
 #include "wasm/projects.h"
 #include "wasm/protection_values.h"
 #include "wasm/scene_tools.h"
@@ -50,6 +53,17 @@ CaseRanking as_they_lie(CaseRanking ranking) {
                           ranking.fitting.end());
     if (ranking.nearest && turned(*ranking.nearest)) ranking.nearest.reset();
     return ranking;
+}
+
+/// drops() tells of them.
+bool tells_drops(const Design& design) {
+    return design.protection.drops() || design.protection.foam;
+}
+
+/// Of pads and reliefs, as make() finds it once its drops were looked at, or are not asked for.
+void find_fitting(const Packing& packing, const Design& design, std::vector<Finding>& findings) {
+    find_relief(packing, design, findings);
+    if (design.fit.pads) find_pads(packing, *design.fit.pads, findings);
 }
 
 }  // namespace
@@ -171,6 +185,7 @@ val Session::pack(const std::string& design_text, const val& objects) {
     auto packing = snug::pack(store_.objects(), design, {}, &depths_);
     if (!packing) return to_val(packing.error());
     packing_ = std::move(*packing);
+    if (packing_->foams && !tells_drops(design)) find_fitting(*packing_, design, packing_->findings);
     protection_.reset();
     packed_ = design;
     val result = to_val(*packing_, watch.lap());
@@ -185,7 +200,10 @@ val Session::gaps(const val& progress) {
     Packing packing = *packing_;
     const auto measured = measure_fit(store_.objects(), packing, packed_, progress_from(progress));
     if (!measured) return to_val(measured.error());
+    const auto offer = relief_offer();
+    if (!offer) return to_val(offer.error());
     val result = to_val(*measured->gap, measured->layer_gaps);
+    result.set("relief", relief_val(*offer, packing));
     result.set("bearing", to_val(*measured->bearing, packed_));
     result.set("findings", to_val(packing.findings, packing.items));
     return result;
@@ -204,7 +222,21 @@ val Session::drops() {
     if (!packing_ || !packing_->foams) return to_val(kNoFoams);
     Packing packing;
     const auto found = protection_of(packing);
-    return found ? to_val(*found, packing) : to_val(found.error());
+    if (!found) return to_val(found.error());
+    packing.protection = *found;
+    std::vector<Finding> fitting;
+    find_fitting(packing, packed_, fitting);
+    return to_val(*found, packing, fitting);
+}
+
+/// Takes too long for drops(), which follows sliders.
+Result<std::optional<ReliefOffer>> Session::relief_offer() {
+    if (!tells_drops(packed_)) return std::nullopt;
+    Packing packing;
+    auto found = protection_of(packing);
+    if (!found) return tl::unexpected(found.error());
+    packing.protection = std::move(*found);
+    return offered_relief(store_.objects(), packed_, packing);
 }
 
 val Session::contacts(const val& side) {

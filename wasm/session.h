@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "snug/check/find_relief.h"
 #include "snug/check/packing.h"
 #include "snug/depth/item_depths.h"
 #include "snug/object/object.h"
@@ -41,7 +42,8 @@ class Session {
     /// indices, parts}: of each vertex the number of its part, null where there is one alone.
     [[nodiscard]] val mesh(int number) const;
     val pack(const std::string& design, const val& objects);
-    /// Of the last packing: its gaps, what the objects lie on, and all findings.
+    /// Of the last packing: its gaps, what the objects lie on, all findings, and the relief that would do
+    /// more in its drop on the floor.
     [[nodiscard]] val gaps(const val& progress);
     /// What the items of the last packing meet in a drop.
     [[nodiscard]] val drops();
@@ -84,6 +86,7 @@ class Session {
     [[nodiscard]] Result<Project> lay_out(const std::string& design, const val& objects);
     [[nodiscard]] Result<Project> lay_out_one(const std::string& design, const val& objects);
     Result<Protection> protection_of(Packing& packing);
+    Result<std::optional<ReliefOffer>> relief_offer();
     void forget_results();
     void prepare_what_changes(const Design& design);
 

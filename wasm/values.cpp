@@ -7,6 +7,8 @@
 
 #include "snug/object/zone_surface.h"
 
+#include "wasm/fit_values.h"
+
 namespace snug::wasm {
 namespace {
 
@@ -240,9 +242,6 @@ val items_named(const Finding& finding, const std::vector<Item>& items) {
 }
 
 val item_val(const Item& item) {
-    val bounds = val::object();
-    bounds.set("min", to_val(item.placement.bounds.min));
-    bounds.set("max", to_val(item.placement.bounds.max));
     val result = val::object();
     result.set("name", item.name);
     result.set("object", item.object);
@@ -250,7 +249,8 @@ val item_val(const Item& item) {
     result.set("rotation_deg", to_val(item.rotation_deg));
     result.set("offset_mm", to_val(item.offset_mm));
     result.set("placement", matrix(item.placement));
-    result.set("bounds", bounds);
+    result.set("bounds", box_val(item.placement.bounds));
+    result.set("settled_mm", item.settled_mm);
     return result;
 }
 
@@ -280,6 +280,7 @@ val to_val(const Packing& packing, double library_ms) {
     result.set("exists", runs_val(packing.available));
     set_foams(result, packing.foams ? *packing.foams : none);
     result.set("items", items);
+    result.set("pads", pads_val(packing));
     result.set("fit", packing.foams ? fit_val(packing.fit, *packing.foams) : val::null());
     result.set("findings", to_val(packing.findings, packing.items));
     result.set("library_ms", library_ms);

@@ -90,11 +90,11 @@ std::optional<Message> no_contact_text(const ItemProtection& item, const Protect
         case NoShock::none:
             return {};
         case NoShock::no_mass:
-            return say("no_rest/mass");
+            return say("rest.unknown/mass");
         case NoShock::bottoms:
-            return say("no_rest/bottoms");
+            return say("rest.unknown/bottoms");
         default:
-            return say("no_rest/foam");
+            return say("rest.unknown/foam");
     }
 }
 

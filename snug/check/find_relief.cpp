@@ -20,7 +20,7 @@ namespace {
 constexpr double kIslandStep = 10;  // mm
 constexpr int kMostIslandSteps = 12;
 
-struct OfferedRelief {
+struct TriedRelief {
     ReliefOptions options;
     std::size_t islands = 0;
     FaceShock floor;
@@ -36,7 +36,7 @@ class ReliefTrials {
 
     /// What the drop on the floor then comes to; none where there are no such islands, or where they would
     /// bottom with little more.
-    [[nodiscard]] std::optional<OfferedRelief> on(const Packing& packing, const ReliefOptions& options) {
+    [[nodiscard]] std::optional<TriedRelief> on(const Packing& packing, const ReliefOptions& options) {
         BlockMap layer = packing.layers.front();
         FloorRelief relief = relief_islands(layer, item_, packing.space, options);
         if (relief.islands.empty()) return {};
@@ -48,7 +48,7 @@ class ReliefTrials {
         add_face_shocks(pad_contacts(lines_, tried_, {}), tried_, curves_, all);
         const ItemProtection& held = all.items.front();
         if (!held.relief || held.relief->bottoms || !held.faces[kFloor].g_high) return {};
-        return OfferedRelief{options, islands, held.faces[kFloor]};
+        return TriedRelief{options, islands, held.faces[kFloor]};
     }
 
   private:
@@ -74,7 +74,7 @@ std::vector<ReliefOptions> trials(const FloorRelief& asked_too_little, const Des
     return all;
 }
 
-bool is_better(const OfferedRelief& a, const std::optional<OfferedRelief>& b) {
+bool is_better(const TriedRelief& a, const std::optional<TriedRelief>& b) {
     return !b || *a.floor.g_high < *b->floor.g_high;
 }
 
@@ -105,11 +105,12 @@ void find_relief(const Packing& packing, const Design& design, std::vector<Findi
     sort_by_severity(findings);
 }
 
-Result<void> offer_relief(std::span<const Object> objects, const Design& design, Packing& packing) {
+Result<std::optional<ReliefOffer>> offered_relief(std::span<const Object> objects, const Design& design,
+                                                  const Packing& packing) {
     if (design.fit.relief || never_relieved(design) || !packing.protection || packing.foams->open())
-        return {};
+        return std::nullopt;
     const ItemProtection& held = packing.protection->items.front();
-    if (verdict_on(held.faces[kFloor], held) != DropVerdict::over) return {};
+    if (verdict_on(held.faces[kFloor], held) != DropVerdict::over) return std::nullopt;
     const auto cuts = cut_items(objects, packing.items, packing.space);
     if (!cuts) return tl::unexpected(cuts.error());
     const Object& object = objects[packing.items.front().object];
@@ -120,21 +121,16 @@ Result<void> offer_relief(std::span<const Object> objects, const Design& design,
     ReliefTrials tried(packing, *item, *lines);
     const FloorRelief depth = relief_islands(packing.layers.front(), *item, packing.space,
                                              {packing.space.block_mm.x, packing.space.size().y});
-    std::optional<OfferedRelief> best;
+    std::optional<TriedRelief> best;
     for (const ReliefOptions& options : trials(depth, packing.space, design.fit.least_rib_mm))
         if (auto found = tried.on(packing, options); found && is_better(*found, best))
             best = std::move(found);
-    if (!best || *best->floor.g_high >= *held.faces[kFloor].g_high) return {};
+    if (!best || *best->floor.g_high >= *held.faces[kFloor].g_high) return std::nullopt;
     const std::string flag =
         "--relief " + number(best->options.height_mm, 1) + "x" + number(best->options.island_mm, 1);
-    packing.findings.push_back(
-        {Severity::note,
-         say("relief_offer",
-             {{"flag", flag}, {"islands", best->islands}, {"range", drop_range(best->floor)}}),
-         {},
-         {}});
-    sort_by_severity(packing.findings);
-    return {};
+    const Message text =
+        say("relief_offer", {{"flag", flag}, {"islands", best->islands}, {"range", drop_range(best->floor)}});
+    return ReliefOffer{best->options, {Severity::note, text, {}, {}}};
 }
 
 }  // namespace snug

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -17,10 +18,16 @@ namespace snug {
 /// (note).
 void find_relief(const Packing& packing, const Design& design, std::vector<Finding>& findings);
 
-/// Where only less foam under an only item would make its drop on the floor enough: the islands that come to
-/// the least shock of those that would, as `relief_offer` (note) among the packing's findings. Nothing where
-/// the design has a relief, or where none helps. Fails as cut_items() does.
-[[nodiscard]] Result<void> offer_relief(std::span<const Object> objects, const Design& design,
-                                        Packing& packing);
+/// Islands for a design that has none, and what they would do: `relief_offer` (note).
+struct ReliefOffer {
+    ReliefOptions options;
+    Finding finding;
+};
+
+/// Where the drop of an only item on its floor is not shown to be enough, and less foam under it would lower
+/// its shock: the islands that come to the least of those that were tried. None where the design has a
+/// relief, where its drops were not looked at, or where none helps. Fails as cut_items() does.
+[[nodiscard]] Result<std::optional<ReliefOffer>> offered_relief(std::span<const Object> objects,
+                                                                const Design& design, const Packing& packing);
 
 }  // namespace snug

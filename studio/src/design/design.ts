@@ -10,8 +10,7 @@ export type CaseOptions = Design['case'];
 export type WorkshopOptions = Design['workshop'];
 export type BrickOptions = WorkshopOptions['bricks'];
 export type Work = NonNullable<WorkshopOptions['for']>;
-export type Notches = NonNullable<Design['fit']['notches']>;
-export type Lift = NonNullable<Design['fit']['lift']>;
+export type Relief = NonNullable<Design['fit']['relief']>;
 export type Unit = NonNullable<Design['object']['units']>;
 
 /** A case that is known, and how the object lies in it. */

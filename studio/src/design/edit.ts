@@ -1,4 +1,4 @@
-import type {Design, KnownCase, Lift, Notches, Preset, Triple, Unit, Work} from './design';
+import type {Design, KnownCase, Preset, Triple, Unit, Work} from './design';
 
 // Every change that a person can make, as a function from a design to the next one. Ranges are the library's
 // business: it refuses what cannot be, with its own sentence.
@@ -119,12 +119,8 @@ export function withClearanceOf(design: Design, side: number, mm: number): Desig
   );
 }
 
-export function withNotches(design: Design, notches: Notches | null): Design {
-  return {...design, fit: {...design.fit, notches}};
-}
-
-export function withLift(design: Design, lift: Lift | null): Design {
-  return {...design, fit: {...design.fit, lift}};
+export function withFit(design: Design, fit: Partial<Design['fit']>): Design {
+  return {...design, fit: {...design.fit, ...fit}};
 }
 
 export function withParting(design: Design, level: Design['parting']['level']): Design {
@@ -191,8 +187,8 @@ export function firstDesign(defaults: Design, object = defaults.object): Design 
 
 /** What a fresh object starts with. To the person belongs how they work: the foam and its blocks, the way of working
  *  with its machines and prices, what a search looks for. To the object belongs all that was chosen to hold or to
- *  place it: walls, case, tray, clearance, notches, which axis is up, what it weighs and bears. The latter begins anew, with the
- *  foam's own clearance, so that a thin wall for a ring never holds the next vase. */
+ *  place it: walls, case, tray, clearance, settling, pads, relief, notches, which axis is up, what it weighs and bears. The
+ *  latter begins anew, with the foam's own clearance, so that a thin wall for a ring never holds the next vase. */
 export function forNewObject(design: Design, defaults: Design, presets: readonly Preset[]): Design {
   const preset = presets.find(({name}) => name === design.space.preset);
   const {play_mm, division} = design.case;
@@ -204,7 +200,7 @@ export function forNewObject(design: Design, defaults: Design, presets: readonly
     parting: {level: 'auto'},
     space: {...design.space, blocks: 'auto', wall_mm: defaults.space.wall_mm, open: defaults.space.open},
     cut: {...design.cut, clearance_mm: preset?.clearance_mm ?? defaults.cut.clearance_mm},
-    fit: {...design.fit, notches: null},
+    fit: {...design.fit, settle: false, pads: null, relief: null, notches: null},
     case: {...defaults.case, play_mm, division},
     search: {...design.search, upright: null},
     protection: {...design.protection, fragility_g: null, fragility: null, centre_mm: null, zones: defaults.protection.zones},

@@ -78,6 +78,20 @@ export interface Design {
     cut_on_touch: boolean;
   };
   fit: {
+    /** Lower items until they lie on the foam below, not above a block's step. */
+    settle: boolean;
+    pads: {
+      /** How thick the sheet is that pads are stacked from (mm). */
+      sheet_mm: number;
+      /** How far pads above an item press on it at most (mm). */
+      squeeze_mm: number;
+    } | null;
+    relief: {
+      /** How high the islands stand free that an item lies on (mm). */
+      height_mm: number;
+      /** How wide and long each island is at least (mm). */
+      island_mm: number;
+    } | null;
     /** Cut away foam between cavities that is thinner than this (mm). */
     least_rib_mm: number;
     notches: {
@@ -286,6 +300,8 @@ export interface Design {
 /** Every option by its path in a design. */
 export type OptionPath =
   | 'items'
+  | 'fit.pads'
+  | 'fit.relief'
   | 'fit.notches'
   | 'fit.lift'
   | 'protection.foam'
@@ -320,6 +336,11 @@ export type OptionPath =
   | 'cut.clearance_mm'
   | 'cut.liner_mm'
   | 'cut.cut_on_touch'
+  | 'fit.settle'
+  | 'fit.pads.sheet_mm'
+  | 'fit.pads.squeeze_mm'
+  | 'fit.relief.height_mm'
+  | 'fit.relief.island_mm'
   | 'fit.least_rib_mm'
   | 'fit.notches.width_mm'
   | 'fit.notches.depth_mm'

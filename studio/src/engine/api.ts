@@ -6,6 +6,8 @@ import type {ObjectUse} from '../design/moment';
 import type {Dependent, Schema} from '../design/options';
 import type {Pair} from '../words/words';
 import type {ContactMap, DropChoices, Drops, KnownFoam, Pressing} from './drops';
+import type {PackedPad} from './fit';
+import type {Gap} from './gap';
 import type {ZoneResults} from './zones';
 
 /** A file that came with the object. */
@@ -133,6 +135,8 @@ export interface PackedItem {
   placement: number[];
   /** Of the placed object, design coordinates. */
   bounds: {min: Triple; max: Triple};
+  /** How far it was lowered onto its foam. */
+  settled_mm: number;
 }
 
 /** Of each column, j (y) over k (z): a run of blocks, counted from -x; none where first >= end. */
@@ -155,6 +159,8 @@ export interface Packing {
   partingLevels: number[];
   /** In the design's order. */
   items: PackedItem[];
+  /** In the order of their numbers. */
+  pads: PackedPad[];
   fit: {
     /** As Packing.pieces. `parts`: of foam that do not share a block's face. */
     pieces: {blocks: number; parts: number}[];
@@ -168,38 +174,6 @@ export interface Packing {
   dependent: Dependent;
   /** Time inside the library for this packing. */
   library_ms: number;
-}
-
-export interface GapPart {
-  widest_mm: number;
-  widest_error_mm: number;
-  widest_at: Triple;
-  step_mm3: number;
-  undercut_mm3: number | null;
-}
-/** Of one layer, and of what the foam below and above it faces; above a tray there is no gap. */
-export interface LayerGap extends GapPart {
-  lower: GapPart;
-  upper: GapPart;
-  /** Mean depths in mm, four a column: steps and undercuts of the lower half, then of the upper. */
-  columns: Float32Array<ArrayBuffer>;
-}
-/** Of all layers together, and of each, the lowest first. */
-export interface Gap extends GapPart {
-  layers: LayerGap[];
-  bearing: Bearing;
-  /** All of the packing, with what only this shows. */
-  findings: Finding[];
-}
-
-/** What all items lie on, on the foam below them and on that above, once they have sunk `sinking_mm` into it. */
-export interface Bearing {
-  sinking_mm: number[];
-  lower_mm2: number[];
-  upper_mm2: number[];
-  /** Of the foam below; null where the mass or the area is not there. */
-  static_kpa: (number | null)[];
-  creep_kpa: number | null;
 }
 
 /** A placement and what it cuts. */

@@ -12,7 +12,6 @@ import type {
   DirectionMap,
   DisplayMesh,
   Failure,
-  Gap,
   Loading,
   ObjectFile,
   ObjectInfo,
@@ -25,6 +24,7 @@ import type {
 import {simplified} from './display_mesh';
 import {readChoices, readFoams, type ContactMap, type DropChoices, type Drops, type KnownFoam, type Pressing} from './drops';
 import {brokenModule, isFailure} from './failure';
+import type {Gap} from './gap';
 import {arranged, listeners, throttled} from './listeners';
 import {sha256} from './sha256';
 import type {ZoneResults} from './zones';

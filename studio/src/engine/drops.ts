@@ -127,4 +127,6 @@ export interface Drops {
   notComputed: Pair[];
   /** Those of drops alone. */
   findings: Finding[];
+  /** What else follows from drops, of pads and reliefs. */
+  fitting: Finding[];
 }

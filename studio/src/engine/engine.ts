@@ -11,7 +11,6 @@ import type {
   DisplayMesh,
   Engine,
   Failure,
-  Gap,
   Loading,
   ObjectInfo,
   OnProgress,
@@ -23,6 +22,7 @@ import type {
 } from './api';
 import type {ContactMap, Drops, Pressing} from './drops';
 import {brokenModule, CANCELLED, failure, isFailure} from './failure';
+import type {Gap} from './gap';
 import {latest} from './latest';
 import {copied, loadAgain, sent, type Kept, type Objects} from './sent';
 import type {CoreHandle} from './worker_link';

@@ -9,7 +9,6 @@ declare module 'snug-wasm/snug.mjs' {
     DisplayMesh,
     Failure,
     FoundPlacement,
-    Gap,
     ObjectInfo,
     OutputFile,
     Packing,
@@ -17,6 +16,7 @@ declare module 'snug-wasm/snug.mjs' {
     WorkshopFigures,
   } from './api';
   import type {ContactMap, DropChoicesText, Drops, FoamsText} from './drops';
+  import type {Gap} from './gap';
   import type {ZoneResults} from './zones';
 
   type Progress = ((fraction: number) => boolean) | null;

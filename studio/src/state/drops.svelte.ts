@@ -1,7 +1,10 @@
+import {withFit} from '../design/edit';
 import type {Moment} from '../design/moment';
 import type {Engine, Failure, Finding, Packing} from '../engine/api';
 import type {DropChoices, Drops, KnownFoam} from '../engine/drops';
 import {isFailure} from '../engine/failure';
+import type {ReliefOffer} from '../engine/fit';
+import type {Gap} from '../engine/gap';
 import {ContactsOnScreen} from './contacts.svelte';
 import type {Work} from './on_the_page';
 import {OwnFoams} from './own_foams.svelte';
@@ -11,6 +14,7 @@ interface Pack {
   readonly engine: Engine;
   readonly moment: Moment;
   readonly packing: Packing | null;
+  readonly gap: Gap | null;
   becomes(next: Moment, control: string): void;
   refuse(control: string, text: Failure['error']): void;
   long<T>(work: Work, run: (onProgress: (fraction: number) => void) => Promise<T>): Promise<T>;
@@ -55,9 +59,25 @@ export class DropsOnScreen {
     return this.wanted && this.#pack.packing?.fit ? (this.#found?.drops ?? null) : null;
   }
 
+  /** Of the foams on the screen. */
+  get #told(): Drops | null {
+    return this.current ? this.last : null;
+  }
+
+  /** Less foam that would do more, as it is found where nobody changes anything. */
+  get relief(): ReliefOffer | null {
+    return this.#told && (this.#pack.gap?.relief ?? null);
+  }
+
   /** What is missing is said where it is entered. */
   get findings(): readonly Finding[] {
-    return (this.current && this.last ? this.last.findings : []).filter(({code}) => code !== 'no_shock' && !code.startsWith('zone_')); // zones tell of themselves
+    const own = (this.#told?.findings ?? []).filter(({code}) => code !== 'no_shock' && !code.startsWith('zone_')); // zones tell of themselves
+    return this.relief ? [...own, this.relief.finding] : own;
+  }
+
+  /** Of pads and reliefs; where no drops are looked at, they are the packing's. */
+  get fitting(): readonly Finding[] {
+    return this.#told?.fitting ?? [];
   }
 
   /** Looks a little after a change; the function that it gives stops that. */
@@ -73,6 +93,13 @@ export class DropsOnScreen {
     const drops = await engine.drops();
     if (!isFailure(drops) && packing === this.#pack.packing) this.#found = {of: packing, drops};
   }
+
+  takeRelief = (): void => {
+    if (!this.relief) return;
+    const {height_mm, island_mm} = this.relief;
+    const {moment} = this.#pack;
+    this.#pack.becomes({...moment, design: withFit(moment.design, {relief: {height_mm, island_mm}})}, '');
+  };
 
   /** The walls that what lies in the case needs. */
   chooseWalls = async (): Promise<void> => {

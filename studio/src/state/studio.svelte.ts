@@ -2,7 +2,8 @@ import type {BrickRange, Design, Preset, Triple} from '../design/design';
 import {firstDesign} from '../design/edit';
 import {beforeCentring, centring, focused, idsOf, momentOf, unfocused, type Moment} from '../design/moment';
 import {canRedo, canUndo, Gestures, moved, present, record, startHistory, type History} from '../design/history';
-import type {Engine, Failure, Finding, Gap, ObjectInfo, PackedItem, Packing, Project} from '../engine/api';
+import type {Engine, Failure, Finding, ObjectInfo, PackedItem, Packing, Project} from '../engine/api';
+import type {Gap} from '../engine/gap';
 import {isFailure} from '../engine/failure';
 import {files} from '../words/files';
 import type {Pair} from '../words/words';
@@ -76,7 +77,7 @@ export class Studio {
   readonly drops: DropsOnScreen;
   readonly zones = new ZonesOnScreen(this);
   /** All that is known to say about the foams, the worst first. */
-  findings = $derived.by(() => gravestFirst([...(this.gap ?? this.packing)?.findings ?? [], ...this.drops.findings, ...this.zones.findings, ...(this.workshopFindings ?? [])]));
+  findings = $derived.by(() => gravestFirst([...(this.gap ?? this.packing)?.findings ?? [], ...this.drops.findings, ...this.drops.fitting, ...this.zones.findings, ...(this.workshopFindings ?? [])]));
   canUndo = $derived(canUndo(this.#history));
   canRedo = $derived(canRedo(this.#history));
 

@@ -3,6 +3,7 @@ import type {Packing} from '../engine/api';
 import {kindOf, type PieceKind} from '../engine/pieces';
 import type {Look} from '../state/view.svelte';
 import {foamQuads, type Quads} from './foam_geometry';
+import {PadPlates} from './pad_plates';
 import type {PressureGrid} from './pressure_grid';
 import {PressurePaint} from './pressure_paint';
 import {foamShading, type Shading} from './shading';
@@ -19,11 +20,12 @@ export interface PieceColours {
 
 type FoamMesh = Mesh<BufferGeometry, ShaderMaterial>;
 
-/** The pieces of foam in the 3D view, the lowest first. */
+/** The pieces of foam in the 3D view, the lowest first, with the pads that lie on them. */
 export class FoamMeshes {
   readonly group = new Group();
   readonly #shades: Record<PieceKind, Shading> = {lower: foamShading(), middle: foamShading(), upper: foamShading()};
   readonly #pressure = new PressurePaint();
+  readonly #pads = new PadPlates();
   #meshes: FoamMesh[] = [];
   #quads: Quads[] = [];
   #packing: Packing | null = null;
@@ -31,13 +33,18 @@ export class FoamMeshes {
   #detailed = false;
   #looks: Record<PieceKind, Look> = {lower: 'shown', middle: 'shown', upper: 'shown'};
 
-  /** Those that are seen. */
+  constructor() {
+    this.group.add(this.#pads.group);
+  }
+
+  /** Those pieces that are seen. */
   get visible(): readonly Mesh[] {
     return this.#meshes.filter(({visible}) => visible);
   }
 
   paint(colours: Record<PieceKind, string>, edge: string) {
     for (const [kind, shade] of this.#kinds()) shade.colour(colours[kind], edge);
+    this.#pads.paint(colours, edge);
   }
 
   /** `colours`: of each piece, where they are wanted. */
@@ -52,6 +59,7 @@ export class FoamMeshes {
       mesh.material = this.#shades[this.#kind(piece)].material;
       this.#build(piece);
     });
+    this.#pads.show(packing?.pads ?? [], (piece) => this.#kind(piece));
     this.#dress();
   }
 
@@ -74,12 +82,14 @@ export class FoamMeshes {
   set looks(looks: Record<PieceKind, Look>) {
     this.#looks = looks;
     for (const [kind, shade] of this.#kinds()) shade.look(looks[kind]);
+    this.#pads.looks = looks;
     this.#dress();
   }
 
   /** `at`: how far along x a piece is drawn from where it lies. */
   place(at: (piece: number) => number) {
     this.#meshes.forEach((mesh, piece) => mesh.position.setX(at(piece)));
+    this.#pads.place(at);
   }
 
   #kinds(): [PieceKind, Shading][] {

@@ -18,7 +18,7 @@ import {
 import type {Triple} from '../design/design';
 import type {Packing} from '../engine/api';
 
-// What stands around the foams: the space, arrows, the column under the pointer.
+// What stands around the foams: the space, arrows, words, the column under the pointer.
 
 export function boxEdges(): LineSegments<EdgesGeometry, LineBasicMaterial> {
   return new LineSegments(new EdgesGeometry(new BoxGeometry(1, 1, 1)), new LineBasicMaterial());
@@ -55,7 +55,8 @@ export function arrow(): {group: Group; colour(value: string): void; say(word: s
   };
 }
 
-function writing(word: string, colour: string): {texture: CanvasTexture; aspect: number} {
+/** A word as a picture; `aspect`: its width by its height. */
+export function writing(word: string, colour: string): {texture: CanvasTexture; aspect: number} {
   const canvas = document.createElement('canvas');
   const context = canvas.getContext('2d');
   const height = 64;

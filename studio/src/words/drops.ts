@@ -157,6 +157,8 @@ export const drops = words({
       open: ['Open the foams', 'フォームを開く'],
     },
     computing: ['Estimating …', '計算中 …'],
+    takeRelief: ['Cut this relief', 'このようにくり抜く'],
+    reliefTip: ['Sets the relief in step 2, where it can be changed; Undo takes it back', '手順2のくり抜きを設定します。そこで変更でき、元に戻すこともできます'],
     left: ['What is not computed', '計算していないこと'],
     protect: ['How thick for a drop?', '落下に備える厚さは？'],
     protectTip: ['Goes to what it meets in a drop, where the walls can be chosen for it', '落下の衝撃を確かめ、壁の厚さを決める所へ移ります'],

@@ -71,6 +71,32 @@ export const fields = {
         'くぼみの間に残るフォームがこれより薄いときは切り取ります。0 なら切りません。',
       ],
     },
+    'fit.settle': {
+      name: ['Lower it until it lies on foam', 'フォームに載るまで下げる'],
+      tip: [
+        'Foam ends in whole blocks, so things may float above it by almost a block, and fall through that first.',
+        'フォームはブロック単位で終わるため、対象物が最大でほぼブロック一つ分浮き、落下でまずそこを通ります。',
+      ],
+    },
+    'fit.pads.sheet_mm': {
+      name: ['Their sheet', '板の厚さ'],
+      tip: ['Thickness of the sheet that pads are stacked from', '重ねて詰め板にする板の厚さ'],
+    },
+    'fit.pads.squeeze_mm': {
+      name: ['They press', '押し込み'],
+      tip: [
+        'How far pads above press on the object at most. 0: they leave it up to 2 mm',
+        '上の詰め板が対象物を押す最大の量。0 なら最大 2 mm のすきまを残します。',
+      ],
+    },
+    'fit.relief.height_mm': {
+      name: ['Free height', '島の高さ'],
+      tip: ['How high the islands stand free: 70 % of the foam below, or more', '島の周りを空ける高さ。下のフォームの 70 % 以上'],
+    },
+    'fit.relief.island_mm': {
+      name: ['Island’s side', '島の幅'],
+      tip: ['How wide and long each is at least: 1.33 times its free height', 'それぞれの島の幅と長さの最小。島の高さの 1.33 倍以上'],
+    },
     'fit.lift.width_mm': {
       name: ['Width', '幅'],
       tip: ['Along the edge of the piece', 'フォームの縁に沿った長さ'],

@@ -78,6 +78,16 @@ export const foam = words({
       upper: ['Clearance of the lid', 'ふたのすきま'],
     },
     halfTip: (axis: string) => [`Play around the object along ${axis}`, `${axis}方向のすきま`],
+    pads: ['Pads in what block steps leave', '段のすきまに詰め板を入れる'],
+    padsTip: [
+      'Rectangles of sheet foam below and above the object; step 4 and the packing sheet list them with numbers and sizes',
+      '対象物の上下に入れる板状のフォーム。番号と寸法の一覧は手順4と梱包指示書に出ます',
+    ],
+    relief: ['Islands under the object', '対象物を島で支える'],
+    reliefTip: [
+      'Much foam under little weight stops it too hard: all but three or four islands below it is taken away. For one object, in sheets or a milled block',
+      '軽いものを広いフォームで受けると衝撃が大きくなります。下のフォームを三、四か所の島だけ残してくり抜きます。対象物が一つで、シートか切削した塊の場合に使えます',
+    ],
     lift: ['Slots to lift the foam by', '持ち上げ口'],
     liftTip: [
       'Two recesses at the edges of every piece above the lowest, for the hands that lift it out of the case',
@@ -93,5 +103,15 @@ export const foam = words({
       'The middle of the notch along the object’s side, from the middle of the space',
       '側面に沿った指かけの中心（空間の中心から）',
     ],
+  },
+  pads: {
+    lowered: ['Lowered onto its foam', 'フォームに載せるために下げた量'],
+    stays: ['stays as it lies', 'そのまま'],
+    heading: ['Pads', '詰め板'],
+    how: [
+      'Numbered as in the 3D view. Width × depth × thickness.',
+      '番号は3D表示と同じです。寸法は 幅 × 奥行き × 厚さ。',
+    ],
+    of: (item: string, pad: string) => [`${item}: ${pad}`, `${item}：${pad}`],
   },
 });

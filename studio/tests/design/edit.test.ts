@@ -8,9 +8,9 @@ import {
   withBlocks,
   withCase,
   withClearanceOf,
+  withFit,
   withLength,
   withLongest,
-  withNotches,
   withPreset,
   withSpace,
   withUpright,
@@ -19,7 +19,12 @@ import {
 } from '../../src/design/edit';
 import {startCore} from '../support/snug';
 
-const NOTCHES = {width_mm: 80, depth_mm: 40, room_mm: 25, axis: null, first_mm: null, second_mm: null};
+const FIT = {
+  settle: true,
+  pads: {sheet_mm: 2, squeeze_mm: 1},
+  relief: {height_mm: 40, island_mm: 60},
+  notches: {width_mm: 80, depth_mm: 40, room_mm: 25, axis: null, first_mm: null, second_mm: null},
+};
 
 describe('edits', async () => {
   const design = await (await startCore()).defaultDesign();
@@ -52,12 +57,12 @@ describe('edits', async () => {
     const presets = await (await startCore()).presets();
     const preset = presets.find(({name}) => name === 'slit-10')!;
     let used = withWorkshop(withPreset(design, preset), {for: 'sponge', mass_kg: 3, price_per_litre: 4, currency: 'EUR'});
-    used = withUpright(withNotches(withWalls(withClearanceOf(used, 0, -2), 5), NOTCHES), 'z');
+    used = withUpright(withFit(withWalls(withClearanceOf(used, 0, -2), 5), FIT), 'z');
     used = withCase(used, {name: 'box', inside_mm: [100, 200, 300], lid_mm: 20, play_mm: 5}, design.case);
     const next = forNewObject(used, design, presets);
     expect(walls(next, 50)).toEqual([50, 50, 50, 50, 50, 50]);
     expect(next.cut.clearance_mm).toBe(preset.clearance_mm);
-    expect(next.fit.notches).toBeNull();
+    expect(next.fit).toMatchObject({settle: false, pads: null, relief: null, notches: null});
     expect(next.case.inside_mm).toBeNull();
     expect(next.case.name).toBe('');
     expect(next.search.upright).toBeNull();

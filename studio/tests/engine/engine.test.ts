@@ -1,8 +1,9 @@
 import {createHash} from 'node:crypto';
 import {afterEach, beforeEach, describe, expect, test, vi} from 'vitest';
 import type {Design} from '../../src/design/design';
-import type {LayerGap, Packing, SearchStep} from '../../src/engine/api';
+import type {Packing, SearchStep} from '../../src/engine/api';
 import type {EngineCore} from '../../src/engine/core';
+import type {LayerGap} from '../../src/engine/gap';
 import {box, torus} from '../support/shapes';
 import {good, refused, startCore} from '../support/snug';
 
