@@ -356,7 +356,7 @@ val to_val(const PlacementSearch& search, const DesignSpace& space) {
                1 - static_cast<double>(search.best().cut_blocks) / static_cast<double>(space.block_count()));
     result.set("fraction", std::min(1.0, static_cast<double>(search.evaluations()) /
                                              static_cast<double>(kSearchEvaluations)));
-    result.set("ended", search.evaluations() >= kSearchEvaluations);
+    result.set("ended", search.finished() || search.evaluations() >= kSearchEvaluations);
     return result;
 }
 

@@ -180,7 +180,7 @@ export interface Design {
     } | null;
   };
   search: {
-    /** What --optimize weighs: cut, gap, depth, bearing, flat. */
+    /** What --optimize weighs: cut, gap, depth, bearing, flat, shock. */
     weights: Record<string, number>;
     /** Keep this axis of the object upward. */
     upright: 'x' | 'y' | 'z' | '-x' | '-y' | '-z' | null;
@@ -190,7 +190,7 @@ export interface Design {
     billed_divisor: number;
     /** Another search; the same seed finds the same. */
     seed: number;
-    /** With --arrange: how items may be turned from how they are given. */
+    /** With --arrange or --objective shock: how items may be turned from how they are given. */
     turns: 'none' | 'upright' | 'quarter' | 'any';
     /** With --arrange: over how many layers the items are spread. */
     layers: number | 'auto';

@@ -1,0 +1,91 @@
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "snug/base/stopwatch.h"
+#include "snug/make.h"
+#include "snug/object/prepare.h"
+#include "snug/search/search_design.h"
+#include "snug/search/searched_zones.h"
+
+#include "wasm/session.h"
+#include "wasm/values.h"
+
+// Searches that the page steps, and shows while they run.
+
+namespace snug::wasm {
+namespace {
+
+/// The same placements for the same object, whenever it is searched.
+constexpr std::uint64_t kSearchSeed = 1;
+/// Between two looks at what the page says.
+constexpr double kStepMs = 60;
+constexpr std::size_t kMostDistinct = 6;
+
+}  // namespace
+
+val Session::start_search(const std::string& design_text, const val& objects) {
+    const auto project = lay_out_one(design_text, objects);
+    if (!project) return to_val(project.error());
+    Object& object = store_.objects().front();
+    prepare_for_many(object);
+    const auto packing = snug::pack(object, project->design);
+    if (!packing) return to_val(packing.error());
+    auto zones = searched_zones(object, project->design);
+    if (!zones) return to_val(zones.error());
+    std::optional<ShockMargins> shocks;
+    if (project->design.search.weighs(Objective::shock)) {
+        const auto pack_it = [&object](const Design& tried) { return snug::pack(object, tried); };
+        auto started = ShockMargins::start(object, project->design, packing->space, pack_it);
+        if (!started) return to_val(started.error());
+        shocks = std::move(*started);
+    }
+    auto search =
+        PlacementSearch::start(object.mesh, *object.prepared, project->design, packing->space, kSearchSeed,
+                               packing->available, std::move(*zones), std::move(shocks));
+    if (!search) return to_val(search.error());
+    search_ = std::move(*search);
+    searched_ = packing->space;
+    return to_val(*search_, searched_);
+}
+
+val Session::search_step() {
+    if (!search_) return to_val(Error{ErrorKind::cancelled, say("session.changed")});
+    Stopwatch watch;
+    run(*search_, kSearchEvaluations, [spent = 0.0, &watch](const PlacementSearch&) mutable {
+        spent += watch.lap();
+        return spent < kStepMs;
+    });
+    return to_val(*search_, searched_);
+}
+
+val Session::distinct() const {
+    val list = val::array();
+    if (search_)
+        for (const FoundPlacement& placement : search_->distinct(kMostDistinct))
+            list.call<void>("push", to_val(placement));
+    return list;
+}
+
+val Session::start_map(const std::string& design_text, const val& objects) {
+    const auto project = lay_out_one(design_text, objects);
+    if (!project) return to_val(project.error());
+    Object& object = store_.objects().front();
+    prepare_for_many(object);
+    const auto packing = snug::pack(object, project->design);
+    if (!packing) return to_val(packing.error());
+    auto zones = searched_zones(object, project->design);
+    if (!zones) return to_val(zones.error());
+    map_.emplace(object.mesh, *object.prepared, project->design, packing->space, kMapDirections,
+                 packing->available, std::move(*zones));
+    return to_val(*map_);
+}
+
+val Session::map_step() {
+    if (!map_) return to_val(Error{ErrorKind::cancelled, say("session.changed")});
+    Stopwatch watch;
+    for (double spent = 0; spent < kStepMs && map_->passes() < kMapPasses; spent += watch.lap()) map_->step();
+    return to_val(*map_);
+}
+
+}  // namespace snug::wasm
