@@ -13,11 +13,14 @@ constexpr Wording kWordsOfZones[] = {
      "場所のリスト（それぞれ球 [x, y, z, r] か部品番号と、離す距離か耐える圧力）"},
     {"zone_reached",
      "from {cm} cm {fallen} zone {zone} would be reached: the item travels up to {travel} mm, and {room} mm "
-     "are "
-     "free there. Keep {mm} mm off it, so that {least} mm stay free",
+     "are free "
+     "there. Keep {mm} mm off it or more, so that {least} mm stay free, and look again: less foam then "
+     "carries the item, "
+     "which may travel farther",
      "{cm} cm から{fallen}を下に落とすと、場所 {zone} に届きます。最大 {travel} mm 動きますが、空きは {room} "
-     "mm "
-     "です。{least} mm 残すには {mm} mm 離してください"},
+     "mm です。"
+     "{least} mm 残すには {mm} mm "
+     "以上離し、もう一度確かめてください。支えるフォームが減り、さらに動くことがあります"},
     {"zone_pressed",
      "foam would press on zone {zone} with up to {kpa} kPa, as a mean over 1 cm2; it bears {asked} kPa. Keep "
      "foam off it, or take a softer foam; ridges see more",
