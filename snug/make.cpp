@@ -269,6 +269,8 @@ Result<Packing> pack(std::span<const Object> objects, const Design& design, cons
     packing->timing.foam_pair = watch.lap();
 
     packing->fit = fit_report(*packing->foams, packing->layers, packing->space, packing->available);
+    // On islands the item lies on all of their foam.
+    if (packing->relief) packing->fit.wall_mm[kFloor] = packing->relief->foam_mm;
     find_problems(objects, *items, design, *packing);
     return packing;
 }

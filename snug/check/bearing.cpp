@@ -99,7 +99,8 @@ void find_bearing_problems(const BearingReport& bearing, const Foams& foams, int
         const auto warn = [&](Message message) {
             findings.push_back({Severity::warning, std::move(message)});
         };
-        if (area_mm2 <= 0) return warn(say("no_bearing", {{"foam", foam}}));
+        if (area_mm2 <= 0)
+            return warn(say("no_bearing", {{"foam", foam}, {"settle", "--settle"}, {"pads", "--pads 2"}}));
         if (!mass_kg || !creep_kpa) return;
         const double pressure = *static_pressure_kpa(*mass_kg, area_mm2);
         if (pressure <= *creep_kpa) return;

@@ -21,10 +21,12 @@ void find_pressing(const Packing& packing, std::size_t item, std::vector<Finding
         return;
     }
     const double newton = *packing.protection->items[item].pressed_n;
-    if (newton <= 0) return;
+    if (newton < 0.05) return;
     const Message text =
         say("pads_press", {{"newton", number(newton, 1)}, {"kg", number(newton / kStandardGravity, 2)}});
-    findings.push_back({Severity::note, text, {}, of});
+    const auto& kg = packing.items[item].mass_kg;
+    const bool heavy = kg && newton > *kg * kStandardGravity;
+    findings.push_back({heavy ? Severity::warning : Severity::note, text, {}, of});
 }
 
 }  // namespace

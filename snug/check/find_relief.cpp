@@ -128,8 +128,10 @@ Result<std::optional<ReliefOffer>> offered_relief(std::span<const Object> object
     if (!best || *best->floor.g_high >= *held.faces[kFloor].g_high) return std::nullopt;
     const std::string flag =
         "--relief " + number(best->options.height_mm, 1) + "x" + number(best->options.island_mm, 1);
-    const Message text =
-        say("relief_offer", {{"flag", flag}, {"islands", best->islands}, {"range", drop_range(best->floor)}});
+    const Message text = say("relief_offer", {{"flag", flag},
+                                              {"islands", best->islands},
+                                              {"range", drop_range(best->floor)},
+                                              {"asked", number(held.asked_g.value_or(0), 0)}});
     return ReliefOffer{best->options, {Severity::note, text, {}, {}}};
 }
 

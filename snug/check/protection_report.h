@@ -94,6 +94,8 @@ struct ZoneReport {
     /// is not known.
     std::array<double, 6> room_mm{};
     std::array<std::optional<double>, 6> left_mm{};
+    std::vector<Side>
+        unknown;  ///< sides on which the drop may bottom, so that nothing is known of what is left
     /// Of a zone that may be pressed: the greatest mean over 1 cm2 with the curve as it is given, by Side,
     /// and at rest; none where that is not known.
     std::array<std::optional<double>, 6> press_kpa{};

@@ -121,9 +121,11 @@ void find_zones(Protection& all, const Packing& packing, std::vector<Finding>& f
         if (zone.asked.keep_off_mm > 0) {
             free = true;
             const ItemProtection& item = all.items[zone.item];
-            for (std::size_t side = 0; side < zone.left_mm.size(); ++side)
+            for (std::size_t side = 0; side < zone.left_mm.size(); ++side) {
                 if (const auto travel = item.faces[side].travel_most_mm)
                     zone.left_mm[side] = zone.room_mm[side] - *travel;
+                if (item.faces[side].bottoms) zone.unknown.push_back(static_cast<Side>(side));
+            }
             find_reached(zone, all, packing, findings);
         }
         find_pressed(zone, packing, findings);

@@ -14,15 +14,34 @@ namespace {
 
 constexpr double kRoundingOfRelief = 1e-6;  // mm
 
+/// Columns of the item's pocket that lie far enough from its rim.
+Grid<char> inside_rim(const BlockMap& own, const DesignSpace& space) {
+    const auto beside = [&](int axis) {
+        return static_cast<int>(std::ceil(kBesideIsland / space.block_mm[axis] - kRoundingOfRelief));
+    };
+    const int rows = beside(1), columns = beside(2);
+    Grid<char> inside(own.ny(), own.nz(), 1);
+    for (int j = 0; j < own.ny(); ++j)
+        for (int k = 0; k < own.nz(); ++k) {
+            const bool at_edge = j == 0 || k == 0 || j + 1 == own.ny() || k + 1 == own.nz();
+            if (!own(j, k).none() && !at_edge) continue;
+            for (int y = std::max(0, j - rows); y <= std::min(own.ny() - 1, j + rows); ++y)
+                for (int z = std::max(0, k - columns); z <= std::min(own.nz() - 1, k + columns); ++z)
+                    inside(y, z) = 0;
+        }
+    return inside;
+}
+
 /// Counts columns that may carry, in any rectangle of them.
 class CarryingColumns {
   public:
     CarryingColumns(const BlockMap& layer, const RelievedItem& item, const DesignSpace& space)
         : sums_(layer.ny() + 1, layer.nz() + 1, 0), first_(space.blocks.x) {
+        const Grid<char> inside = inside_rim(item.own, space);
         const auto bears = [&](int j, int k) {
             const CutRun own = item.own(j, k);
-            return !own.none() && item.zones(j, k) == 0 && layer(j, k).first == own.first &&
-                   own.first > item.under(j, k);
+            return !own.none() && inside(j, k) != 0 && item.zones(j, k) == 0 &&
+                   layer(j, k).first == own.first && own.first > item.under(j, k);
         };
         for (int j = 0; j < layer.ny(); ++j)
             for (int k = 0; k < layer.nz(); ++k)
@@ -116,14 +135,17 @@ FloorRelief relief_islands(const BlockMap& layer, const RelievedItem& item, cons
         return relief;
     }
     relief.foam_mm = carrying.depth() * space.block_mm.x;
-    const double most = relief.foam_mm - space.block_mm.x;
-    if (height < kLeastReliefShare * relief.foam_mm - kRoundingOfRelief ||
-        height > most + kRoundingOfRelief) {
-        relief.why_not =
-            say("no_relief/depth", {{"height_mm", number(height, 1)},
-                                    {"foam_mm", number(relief.foam_mm, 1)},
-                                    {"least_mm", number(std::ceil(kLeastReliefShare * relief.foam_mm), 0)},
-                                    {"most_mm", number(most, 1)}});
+    const int most = carrying.depth() - 1;
+    const int fewest = static_cast<int>(std::ceil(kLeastReliefShare * carrying.depth() - kRoundingOfRelief));
+    if (fewest > most) {
+        relief.why_not = say("no_relief/thin", {{"foam_mm", number(relief.foam_mm, 1)}});
+        return relief;
+    }
+    if (relief.blocks < fewest || relief.blocks > most) {
+        relief.why_not = say("no_relief/depth", {{"height_mm", number(options.height_mm, 1)},
+                                                 {"foam_mm", number(relief.foam_mm, 1)},
+                                                 {"least_mm", number(fewest * space.block_mm.x, 1)},
+                                                 {"most_mm", number(most * space.block_mm.x, 1)}});
         return relief;
     }
     const auto blocks = [&](int axis) {

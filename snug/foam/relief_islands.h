@@ -44,6 +44,8 @@ constexpr double kBucklingShare = 1.33;
 /// Foam under an island spreads its load, so that the free part must be most of it for the sum of columns to
 /// hold.
 constexpr double kLeastReliefShare = 0.7;
+/// So much of the item's pocket lies between an island and the rim at least, so that it stands free, mm.
+constexpr double kBesideIsland = 5;
 /// Columns carry an item that end so close above the lowest of them, mm.
 constexpr double kCarryingDepth = 10;
 

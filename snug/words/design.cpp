@@ -60,7 +60,7 @@ constexpr Wording kWordsOfDesign[] = {
      "少なくとも一つの目的の重みを 0 より大きくしてください。"},
     {"clean.no_direction", "a cutting plane needs a direction x,y,z that is not 0, and a distance in mm",
      "切断面には、0 でない方向 x,y,z と距離（mm）が必要です。"},
-    {"preset.no_list", "presets must be a JSON list: {example}",
+    {"preset.no_list", "they must be a JSON list: {example}",
      "フォームの一覧は JSON のリスト {example} で書いてください。"},
     {"preset.unknown", "unknown preset {name}; known are: {known,}",
      "{name} というフォームはありません。次から選んでください：{known,}"},

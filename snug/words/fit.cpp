@@ -171,9 +171,10 @@ constexpr Wording kWordsOfFit[] = {
      "です。ごみであればスキャンから取り除いてください。フォームも切り取られます。"},
     {"no_bearing",
      "the {foam} does not hold the object: it would sink more than 5 mm before it lies on foam; choose a "
-     "smaller clearance or smaller blocks",
-     "{foam}が対象物を支えません。フォームに載るまでに 5 mm より深く沈みます。すきまかブロックを小さくして"
-     "ください。"},
+     "smaller clearance or smaller blocks, or fill what blocks leave: {settle}, {pads}",
+     "{foam}が対象物を支えません。フォームに載るまでに 5 mm "
+     "より深く沈みます。すきまかブロックを小さくするか、"
+     "ブロックの残すすきまを埋めてください（{settle}、{pads}）。"},
     {"creep",
      "the object presses on the {foam} with {kpa} kPa, more than the {creep_kpa} kPa that it bears for "
      "long: turn the object so that it lies on a larger area, or take a firmer foam",
@@ -200,6 +201,10 @@ constexpr Wording kWordsOfFit[] = {
      "以上にしてください。"},
     {"no_relief/nothing", "no relief: no foam below the object carries it",
      "くり抜きはしません。対象物を支えるフォームが下にありません。"},
+    {"no_relief/thin",
+     "no relief: the {foam_mm} mm of foam below the object are too few blocks for islands that stand nearly "
+     "through it",
+     "くり抜きはしません。下のフォーム {foam_mm} mm のブロック数が少なく、ほぼ貫く高さの島を作れません。"},
     {"no_relief/depth",
      "no relief: islands must stand nearly through the {foam_mm} mm of foam below the object, and "
      "{height_mm} mm is not "
@@ -235,9 +240,11 @@ constexpr Wording kWordsOfFit[] = {
      "フォームが長く耐える圧力が分からないため、長く置いたときに島が沈むかどうかは分かりません。"},
     {"relief_offer",
      "less foam under it would do more on its floor: {flag} lets it stand on {islands} islands, about "
-     "{range}",
+     "{range}, where you "
+     "asked for {asked}",
      "下のフォームを減らすと、底への落下の衝撃が下がります。{flag} とすれば {islands} か所の島に載り、およそ "
-     "{range} です。"},
+     "{range} です"
+     "（希望 {asked}）。"},
     {"pads",
      "{pads} {pads|pad fills|pads fill} what block steps leave around what is packed: the packing sheet "
      "shows where they "

@@ -15,6 +15,9 @@ Message kept_off(const ZoneReport& zone) {
     if (const auto side = zone.nearest())
         left.push_back(say("zone.left", {{"mm", number(std::max(0.0, *zone.left_mm[*side]), 0)},
                                          {"fallen", fallen_on(*side)}}));
+    std::vector<Message> unknown;
+    for (const Side side : zone.unknown) unknown.push_back(fallen_on(side));
+    if (!unknown.empty()) left.push_back(say("zone.left_unknown", {{"fallen", std::move(unknown)}}));
     return say("zone.kept_off",
                {{"mm", number(zone.asked.keep_off_mm, 1)}, {"blocks", zone.cut_blocks}, {"left", left}});
 }
