@@ -18,6 +18,7 @@
 #include "tests/support/models.h"
 #include "tests/support/random_design.h"
 #include "tests/support/random_zone.h"
+#include "tests/support/streamed_bytes.h"
 
 // Objects that are read in pieces, beside the same objects in memory.
 
@@ -25,21 +26,8 @@ namespace snug {
 namespace {
 
 using test::Random;
-
-/// Of bytes in memory; counts how many were read.
-ByteSource source_of(const FileBytes& bytes, std::atomic<std::uint64_t>* read = nullptr) {
-    return {bytes.size(), [&bytes, read](std::uint64_t at, std::span<std::byte> into) -> Result<void> {
-                if (at + into.size() > bytes.size())
-                    return fail(ErrorKind::input, as_it_is("beyond the end"));
-                std::memcpy(into.data(), bytes.data() + at, into.size());
-                if (read) *read += into.size();
-                return {};
-            }};
-}
-
-FileBytes stl_of(const Mesh& mesh) {
-    return write_stl(mesh.vertices, mesh.triangles, "test");
-}
+using test::source_of;
+using test::stl_of;
 
 struct Streamed {
     Object object;
