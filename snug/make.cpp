@@ -58,6 +58,14 @@ void of_each(Packing& packing, const Find& find) {
     }
 }
 
+/// Whether an item leaves the space: a finding of each.
+bool find_all_outside(const Design& design, Packing& packing) {
+    of_each(packing, [&](std::size_t i, std::vector<Finding>& findings) {
+        find_outside(packing.items[i], packing, design, findings);
+    });
+    return !packing.findings.empty();
+}
+
 /// What each item cuts where it lies, or where it comes to lie once it is settled.
 Result<ItemCuts> cut_each(std::span<const Object> objects, const Design& design, Packing& packing,
                           KeptDepths* kept, const Progress& progress) {
@@ -246,13 +254,12 @@ Result<Packing> pack(std::span<const Object> objects, const Design& design, cons
                      KeptDepths* kept) {
     auto packing = placed(objects, design, part_of(progress, 0, 0.4));
     if (!packing) return packing;
-    of_each(*packing, [&](std::size_t i, std::vector<Finding>& findings) {
-        find_outside(packing->items[i], *packing, design, findings);
-    });
-    if (!packing->findings.empty()) return packing;
+    if (find_all_outside(design, *packing)) return packing;
 
     const auto items = cut_each(objects, design, *packing, kept, part_of(progress, 0.4, 1));
     if (!items) return tl::unexpected(items.error());
+    // What zones keep free went down with settled items, in a case of any shape.
+    if (design.fit.settle && find_all_outside(design, *packing)) return packing;
 
     Stopwatch watch;
     const std::vector<HalfCuts> layers = united_in_layers(packing->items, items->cuts, layers_of(design));

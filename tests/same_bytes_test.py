@@ -36,6 +36,8 @@ SAMPLE_CASES = [
                 "--fragility", "museum"]),
     ("vase", ["--for", "sheets", "--blocks", "auto", "--wall", "70", "--foam", "ld33", "--mass", "1.2", "--drop-height", "400",
               "--keep-off", "60,0,20,15:22:loose", "--keep-off", "0,0,-140,20:press=2kPa", "--language", "ja"]),
+    ("vase", ["--for", "sheets", "--preset", "sheet-10", "--blocks", "auto", "--settle", "--pads", "2,1", "--foam", "ld33", "--mass",
+              "1.2", "--drop-height", "400", "--keep-off", "60,0,20,15:22"]),
     ("camera", ["--for", "sheets", "--blocks", "auto", "--open", "0.6", "--notches", "60x30", "--lift", "60x20",
                 "--liner-slit", "12", "--second-color"]),
     ("vase", ["--for", "sponge", "--case", "400x300x200", "--open", "40", "--clearance", "1,2,2,0,1,3", "--language", "ja"]),
