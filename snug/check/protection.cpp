@@ -16,6 +16,7 @@
 #include "snug/check/pad_contacts.h"
 #include "snug/check/stability.h"
 #include "snug/check/zones_in_drops.h"
+#include "snug/design/presets.h"
 #include "snug/object/zone_surface.h"
 
 namespace snug {
@@ -59,6 +60,13 @@ Protection begun(std::span<const Object> objects, const Packing& packing, const 
         all.items.push_back(
             begun(objects[packing.items[i].object], packing.items[i], design.items[i], design));
     return all;
+}
+
+/// Whether what is made holds, but does not cushion; what a user's own preset is of is not known here.
+bool is_rigid(const Design& design) {
+    if (design.workshop.work == Workshop::bricks) return true;
+    const auto preset = find_preset(built_in_presets(), design.space.preset);
+    return preset && preset->rigid;
 }
 
 bool any_zones(const Design& design) {
@@ -177,7 +185,11 @@ Result<Protection> protection(std::span<const Object> objects, Packing& packing,
     const bool whole =
         std::all_of(objects.begin(), objects.end(), [](const Object& each) { return each.whole(); });
     if (curve && !whole) {
-        packing.findings.push_back({Severity::note, say("shock_of_stand_in")});
+        packing.findings.push_back({Severity::warning, say("shock_of_stand_in")});
+        sort_by_severity(packing.findings);
+    }
+    if (curve && is_rigid(design)) {
+        packing.findings.push_back({Severity::warning, say("foam_of_rigid", {{"foam", all.foam->name}})});
         sort_by_severity(packing.findings);
     }
     return all;

@@ -167,10 +167,20 @@ constexpr Wording kWordsOfProtection[] = {
      "落下の衝撃は計算していません。フォームを介して押し合うものの動きが、許された計算の段階では収まらな"
      "いためです"},
     {"shock_of_stand_in",
-     "what it meets in a drop, and how it rests, is estimated of a copy that stands a little outside the "
-     "object, since that is a cloud or was read in pieces",
-     "点群、または分割して読み込んだ対象物のため、落下と静止の値は、わずかに外側を囲む写しで計算していま"
-     "す"},
+     "drops were computed with a copy of what is read in pieces or as points, which stands a little outside "
+     "it: it is held "
+     "by more foam than the thing itself, so that the figures differ and a side that bottoms may be missed. "
+     "Read it "
+     "whole, as a mesh, to be sure",
+     "分割して読むものや点群の落下は、少し外側にある写しで計算しました。実物より多くのフォームに支えられるた"
+     "め、値が変わり、"
+     "底つきする面を見落とすことがあります。確かめるには、メッシュとして全体を読み込んでください"},
+    {"foam_of_rigid",
+     "these drops are of the foam that is named, {foam}: what is printed or built here holds and does not "
+     "cushion, so none "
+     "of them is true of it",
+     "落下の計算は、指定したフォーム {foam} "
+     "のものです。印刷や組み立てで作るものは支えるだけで緩衝せず、この値は当てはまりません"},
     {"no_shock/open", "a tray is not dropped: no shock is estimated", "トレイは落下の対象にしていません"},
     {"rest.unknown/foam", "how it rests is not estimated: nothing is known of how this foam pushes back",
      "このフォームの押し返し方が分からないため、静止時の圧力は計算していません"},

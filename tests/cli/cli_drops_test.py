@@ -102,6 +102,12 @@ class Drops(unittest.TestCase):
             for face in item["faces"]:
                 self.assertLessEqual(face["g"][1], 300)
 
+    def test_what_is_printed_or_built_does_not_bear_the_figures_of_a_foam_in_silence(self):
+        for work, rigid in (("print", True), ("bricks", True), ("sheets", False)):
+            report = self.report(self.work / "vase.ply", "--for", work, "--blocks", "auto", "--foam", "ld33", "--mass", "1.2",
+                                 "--drop-height", "400", "--longest", "90")
+            self.assertEqual("foam_of_rigid" in {finding["code"] for finding in report["findings"]}, rigid, work)
+
     def test_a_stand_in_and_an_unverified_rule_are_said_and_a_foam_alone_asks_for_no_drop(self):
         vase = self.work / "vase.ply"
         told = self.report(vase, *DROP, "--mass", "1.2", "--drop-height", "d4169-2", "--wall", "80", "--stream")

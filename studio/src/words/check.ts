@@ -42,6 +42,7 @@ export const check = words({
       items_meet: ['Items may meet in a drop', '落下で隣のものとぶつかるおそれ'],
       thin_pads: ['Foam too thin to tell', 'フォームが薄くて計算できない'],
       no_shock: ['No shock estimated', '落下の衝撃は計算なし'],
+      foam_of_rigid: ['Drops of another material', '別の材料の落下'],
       shock_of_stand_in: ['Drops of a copy', '写しで計算した落下'],
       no_lift: ['No room for lift slots', '持ち上げ口の場所がない'],
       no_label: ['No room for a label', '名前を書く場所がない'],
