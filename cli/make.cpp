@@ -232,6 +232,17 @@ int say_that_it_does_not_fit(const Task& task, std::span<const Object> objects, 
     return report({ErrorKind::does_not_fit, message}, arguments.language);
 }
 
+/// What is typed for a search does nothing without one.
+std::optional<Error> search_lacking(const MakeArguments& arguments, const Task& task) {
+    const Design& design = task.project.design;
+    if (!was_typed(arguments.design, "--objective") || arguments.search.searches(design) ||
+        arguments.search.arranges(design, task.expected.empty()))
+        return {};
+    return Error{ErrorKind::usage,
+                 say("search.objective_alone",
+                     {{"option", "--objective"}, {"search", "--optimize"}, {"arrange", "--arrange"}})};
+}
+
 int make(const MakeArguments& arguments) {
     std::optional<tbb::global_control> limit;
     if (arguments.threads > 0)
@@ -240,6 +251,7 @@ int make(const MakeArguments& arguments) {
     const Language language = arguments.language;
     auto task = task_from(arguments);
     if (!task) return report(task.error(), language);
+    if (const auto error = search_lacking(arguments, *task)) return report(*error, language);
     if (arguments.search.known_case && task->project.design.items.size() == 1)
         return report(
             {ErrorKind::usage, say("search.known_case_of_one", {{"command", "snug cases --for FILE"}})},

@@ -189,6 +189,8 @@ std::string summary(std::span<const Object> objects, const Project& project, con
     if (made.packing.protection && made.packing.protection->drop_mm && made.packing.protection->foam) {
         lines.add("summary.drop", drop_text(*made.packing.protection));
         for (const Message& face : face_texts(*made.packing.protection)) lines.add(std::string_view(), face);
+        if (const auto borne = borne_text(*made.packing.protection))
+            lines.add_sentence(std::string_view(), *borne);
         lines.add_sentence(std::string_view(), say("summary.drop_claim"));
     }
     if (packing.protection)

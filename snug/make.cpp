@@ -308,6 +308,7 @@ Result<Made> make(std::span<Object> objects, Project& project, const Tools& tool
         made.arrangement = *found;
     }
 
+    bool moved_apart = false;
     if (tools.protecting_walls) {
         // What was arranged lies where it lies; the space fits itself to it again.
         if (fitted && made.arrangement) design.space.blocks.reset();
@@ -316,9 +317,10 @@ Result<Made> make(std::span<Object> objects, Project& project, const Tools& tool
             for (Object& object : objects) take_stand_in(object);
             return packing;
         };
-        const auto walls = protecting_walls(objects, design, pack_it, told(tools, Stage::walls));
-        if (!walls) return tl::unexpected(walls.error());
-        design.space.wall_mm = *walls;
+        auto found = protecting_walls(objects, design, pack_it, told(tools, Stage::walls));
+        if (!found) return tl::unexpected(found.error());
+        moved_apart = found->items != design.items || found->space.between_mm != design.space.between_mm;
+        design = std::move(*found);
     }
 
     auto packing = pack(objects, design, told(tools, Stage::cut));
@@ -329,6 +331,10 @@ Result<Made> make(std::span<Object> objects, Project& project, const Tools& tool
         std::all_of(objects.begin(), objects.end(), [](const Object& each) { return each.whole(); });
     if ((made.search || made.arrangement) && !whole) note_stand_in(made.packing);
     if (!made.packing.foams) return made;
+    if (design.fit.settle && std::all_of(made.packing.items.begin(), made.packing.items.end(),
+                                         [](const Item& item) { return item.settled_mm == 0; }))
+        add_findings({{Severity::note, say("settled_none")}}, made.packing.findings);
+    if (moved_apart) add_findings({{Severity::note, say("moved_apart")}}, made.packing.findings);
 
     if (wants_protection(design)) {
         auto held = protection(objects, made.packing, design, told(tools, Stage::drops));

@@ -249,12 +249,11 @@ val Session::protecting_walls(const std::string& design, const val& objects, con
     for (Object& object : store_.objects()) prepare_for_many(object);
     KeptDepths kept;
     const auto pack_it = [&](const Design& tried) { return snug::pack(store_.objects(), tried, {}, &kept); };
-    const auto walls =
+    const auto found =
         snug::protecting_walls(store_.objects(), project->design, pack_it, progress_from(progress));
-    if (!walls) return to_val(walls.error());
-    project->design.space.wall_mm = *walls;
+    if (!found) return to_val(found.error());
     val result = val::object();
-    result.set("design", design_json(project->design));
+    result.set("design", design_json(*found));
     return result;
 }
 

@@ -59,6 +59,8 @@ Protection begun(std::span<const Object> objects, const Packing& packing, const 
     for (std::size_t i = 0; i < packing.items.size(); ++i)
         all.items.push_back(
             begun(objects[packing.items[i].object], packing.items[i], design.items[i], design));
+    if (packing.items.size() > 1)
+        for (std::size_t i = 0; i < packing.items.size(); ++i) all.items[i].name = packing.items[i].name;
     return all;
 }
 

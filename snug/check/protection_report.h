@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -114,6 +115,7 @@ struct IslandReport {
 };
 
 struct ItemProtection {
+    std::string name;  ///< of one among several; empty: it is the only one
     std::optional<double> mass_kg;
     std::optional<double> asked_g;   ///< what it is taken to bear
     Vec3d centre;                    ///< of mass, design coordinates

@@ -97,6 +97,8 @@ Result<FoamMaterial> foam_from(nlohmann::json entry, const std::string& path) {
     OptionList list;
     visit_options(list, foam);
     if (auto problem = read_options(entry, list, path + ".")) return fail(ErrorKind::usage, *problem);
+    // Every curve begins there, whether it is written or not.
+    if (!foam.curve.empty() && foam.curve.front() == StressPoint{}) foam.curve.erase(foam.curve.begin());
     if (auto problem = problem_of(foam)) return refuse(problem->message);
     return foam;
 }
@@ -129,6 +131,9 @@ Result<std::vector<FoamMaterial>> parse_foams(std::string_view text) {
     for (std::size_t i = 0; i < json->size(); ++i) {
         auto foam = foam_from((*json)[i], "foam " + std::to_string(i + 1));
         if (!foam) return tl::unexpected(foam.error());
+        if (std::any_of(foams.begin(), foams.end(),
+                        [&](const FoamMaterial& other) { return other.name == foam->name; }))
+            return fail(ErrorKind::usage, say("foam.twice", {{"name", foam->name}}));
         foams.push_back(std::move(*foam));
     }
     return foams;

@@ -229,6 +229,7 @@ Result<FillPads> fill_pads(const std::vector<Item>& items,
     const auto least =
         static_cast<std::int16_t>(std::max(1.0, std::ceil(kLeastPad / options.sheet_mm - kPadRounding)));
     FillPads all;
+    all.squeeze_mm = options.squeeze_mm;
     for (FreeSheets& free : FreeSpace(items, depths, foams, space, options).sheets(*zones)) {
         LargestPads largest(free, space, least);
         std::size_t count = 0;

@@ -33,6 +33,7 @@ struct FillPad {
 struct FillPads {
     std::vector<FillPad> pads;  ///< item by item, those below it first, of these the largest first
     long long left_out = 0;     ///< that an item would have beside its kMostPads
+    double squeeze_mm = 0;      ///< how far those above an item reach into it
 };
 
 constexpr std::size_t kMostPads = 24;    ///< below and above an item each

@@ -15,10 +15,14 @@ std::optional<Error> lacking_for_shocks(const Design& design, const Message& wis
     const bool borne =
         options.asked_g() || std::all_of(design.items.begin(), design.items.end(),
                                          [](const ItemOptions& item) { return item.fragility_g; });
-    const bool complete = options.foam && !options.foam->curve.empty() && options.drops() && borne &&
-                          mass_kg(design).has_value();
-    if (complete) return {};
-    return Error{ErrorKind::usage, say("protect.lacking", {{"wish", std::vector<Message>{wish}}})};
+    std::vector<Message> what;
+    if (!mass_kg(design)) what.push_back(say("protect.lacks/mass"));
+    if (!options.drops()) what.push_back(say("protect.lacks/drop"));
+    if (!borne) what.push_back(say("protect.lacks/borne"));
+    if (!options.foam || options.foam->curve.empty()) what.push_back(say("protect.lacks/foam"));
+    if (what.empty()) return {};
+    return Error{ErrorKind::usage,
+                 say("protect.lacking", {{"wish", std::vector<Message>{wish}}, {"what", what}})};
 }
 
 std::optional<Error> lacking_for_search(const Design& design) {

@@ -112,6 +112,10 @@ constexpr Wording kWordsOfFit[] = {
      "対象物 {number} のものがありますが、対象物は {objects} 個しかありません（0 から数えます）。"},
     {"search.tray", "a search looks for foams that close, and this is a tray: place its items yourself",
      "探索は閉じるフォームを対象とします。トレイでは、置き方を自分で決めてください。"},
+    {"search.objective_alone",
+     "{option} says what a search or an arrangement looks for, and none is asked for: add {search} or "
+     "{arrange}",
+     "{option} は探索や配置の目標です。{search} か {arrange} を加えてください"},
     {"search.one_item",
      "a search takes one object, and here lie {items}: have them arranged (--arrange), or place them "
      "yourself "
@@ -245,6 +249,8 @@ constexpr Wording kWordsOfFit[] = {
      "下のフォームを減らすと、底への落下の衝撃が下がります。{flag} とすれば {islands} か所の島に載り、およそ "
      "{range} です"
      "（希望 {asked}）。"},
+    {"settled_none", "nothing was lowered: all lies on its foam already",
+     "すでにフォームに載っているため、何も下げませんでした"},
     {"pads",
      "{pads} {pads|pad fills|pads fill} what block steps leave around what is packed: the packing sheet "
      "shows where they "

@@ -74,6 +74,8 @@ constexpr Wording kWordsOfPackingSheet[] = {
      "同じフォームの板から切り出し、重ねて使います。図はどれも、くぼみを覗いた向きです。はめ込むか、反対側か"
      "ら"
      "ピンや糸で留めます。対象物の近くに接着剤を使わないでください。"},
+    {"packing.pads_stock", "They take {cm2} cm2 of sheet {mm} mm thick, without waste.",
+     "厚さ {mm} mm の板を {cm2} 平方センチ使います（切りくずを除く）。"},
     {"packing.pads_on", "{piece}, cavity facing you", "{piece}（くぼみを手前にした向き）"},
     {"packing.lay_pads", "Put the pads in their places, as drawn below.",
      "詰め板を、下の図の場所に置きます。"},
@@ -98,6 +100,14 @@ constexpr Wording kWordsOfPackingSheet[] = {
      "must meet all round without force. Never press the lid with the case's cover.",
      "ふたのくぼみを下に向け、BACK どうし、印のある角どうしを合わせて、手でかぶせます。力を入れなくて"
      "も、縁は全周で合うはずです。ケースのふたで押さえつけないでください。"},
+    {"packing.close/pressing",
+     "Put the lid on by hand, cavity down, BACK over BACK, the marked corners together. Its pads press on "
+     "what "
+     "is packed: the rims may stand up to {mm} mm apart until the case or the carton is closed over them. "
+     "Where more than that stays open, take the lid off and look why.",
+     "ふたのくぼみを下に向け、BACK どうし、印のある角どうしを合わせて、手でかぶせます。詰め板が対象物を押す"
+     "ため、ケースや箱を閉じるまで縁が {mm} mm "
+     "まで開くことがあります。それより開いているときは、ふたを外して原因を調べます。"},
     {"packing.leave_open",
      "This is a tray: no foam lies on it, and it protects nothing when it is turned over or dropped. Carry "
      "it "

@@ -53,6 +53,8 @@ constexpr Wording kWordsOfProtection[] = {
     {"foam.thickness", "the least tested thickness is above the greatest",
      "試験した厚さの最小が最大を超えています"},
     {"foam.curve_or_points", "give a curve or points, not both", "曲線か点のどちらか一つにしてください"},
+    {"foam.twice", "two foams are called {name}: give each a name of its own",
+     "{name} というフォームが二つあります。別の名前にしてください"},
     {"foam.unknown", "no foam is called {name}; known are {known;}",
      "{name} というフォームはありません。使えるのは {known;} です"},
     {"cushion.points", "points must be a list of [static kPa, G, thickness mm, drop mm]",
@@ -75,11 +77,11 @@ constexpr Wording kWordsOfProtection[] = {
      "壊れやすさは、G の数値か区分のどちらか一つにしてください"},
     {"protection.tray", "a tray has no lid and is not dropped: leave out the drop's height, or {option}",
      "トレイにはふたがなく、落下の対象になりません。落下高さか {option} を外してください"},
-    {"protect.lacking",
-     "{wish} need the mass of every item (--mass), the drop (--drop-height), what it bears (--fragility) and "
-     "a foam whose curve is known (--foam)",
-     "{wish}、すべてのものの質量（--mass）、落下高さ（--drop-height）、耐える衝撃（--fragility）、"
-     "曲線の分かっているフォーム（--foam）が必要です"},
+    {"protect.lacking", "{wish} need {what&}", "{wish}、{what&}が必要です"},
+    {"protect.lacks/mass", "the mass of every item (--mass)", "すべてのものの質量（--mass）"},
+    {"protect.lacks/drop", "the drop (--drop-height)", "落下高さ（--drop-height）"},
+    {"protect.lacks/borne", "what every item bears (--fragility)", "すべてのものが耐える衝撃（--fragility）"},
+    {"protect.lacks/foam", "a foam whose curve is known (--foam)", "曲線の分かっているフォーム（--foam）"},
     {"protect.wish/walls", "walls that protect", "保護する壁を決めるには"},
     {"protect.wish/shock", "searches that weigh shocks", "衝撃を重視して探すには"},
     {"protect.not_fitted",
@@ -99,6 +101,23 @@ constexpr Wording kWordsOfProtection[] = {
      "between them (--between), or lay them into layers of their own",
      "{cm} cm から{fallen}を下に落とすと、壁の厚さにかかわらず、隣のものとぶつかるおそれがあります。間の"
      "フォーム（--between）を増やすか、別の段に置いてください"},
+    {"protect.between",
+     "dropped from {cm} cm items may meet through the foam between them, even where {most} mm of it are: "
+     "take a "
+     "stiffer foam or less height, or lay them into layers of their own",
+     "{cm} cm から落とすと、間のフォームが {most} mm "
+     "あっても隣のものとぶつかるおそれがあります。硬いフォームにするか、落下高さを下げるか、別の段に置いてく"
+     "ださい"},
+    {"moved_apart",
+     "items lie farther apart than was asked, so that they do not meet through the foam between them in a "
+     "drop",
+     "落としたときに間のフォーム越しにぶつからないよう、指定より離して並べました"},
+    {"protect.too_heavy",
+     "with foam as thick as that would take the pack would weigh {kg} kg, more than the rule of the drop "
+     "goes "
+     "to: take another foam, or give the height in mm",
+     "必要な厚さのフォームでは全体が {kg} kg "
+     "になり、落下高さの規則の範囲を超えます。フォームを変えるか、高さを mm で指定してください"},
     {"protect.none", "no walls were found with which every item meets no more than it bears",
      "すべてのものの衝撃が耐えられる値に収まる壁が見つかりませんでした"},
     {"status.walls", "Choosing walls", "壁の厚さを決めています"},
@@ -139,9 +158,9 @@ constexpr Wording kWordsOfProtection[] = {
      "後ろのフォームをあと {mm} mm 厚くすれば足ります"},
     {"shock.more_foam_or_data", "{mm} mm more foam behind it, or a foam with data of drops, would do",
      "後ろのフォームをあと {mm} mm 厚くするか、落下試験のデータがあるフォームを選んでください"},
-    {"shock.other_foam", "Less height, or another foam, would do",
+    {"shock.other_foam", "Less height or another foam may do",
      "落下高さを下げるか、ほかのフォームを選んでください"},
-    {"shock.other_foam_or_data", "A foam with data of drops, less height or another way to lie would do",
+    {"shock.other_foam_or_data", "A foam with data of drops, less height or another way to lie may do",
      "落下試験のデータがあるフォームにするか、落下高さや置き方を変えてください"},
     {"no_shock/foam",
      "what it meets in a drop is not estimated: nothing is known of how this foam pushes back; name it by "
@@ -215,13 +234,17 @@ constexpr Wording kWordsOfProtection[] = {
     {"not_computed.resonance", "the object's own resonance", "対象物そのものの共振"},
     {"not_computed.ageing", "ageing", "経年変化"},
     {"summary.drop", "Drop", "落下"},
-    {"summary.drop_from",
-     "from {height} mm{rule}, in {foam} ({status}):", "{height} mm から{rule}、{foam}（{status}）："},
+    {"summary.drop_from", "from {height} mm{rule}, in {foam} ({status}, {curve}):",
+     "{height} mm から{rule}、{foam}（{status}、{curve}）："},
+    {"summary.borne_by_all", "taken to bear: {g} G", "耐えられるとした衝撃：{g} G"},
+    {"summary.borne_by", "{item} {g} G", "{item} {g} G"},
+    {"summary.borne", "taken to bear: {items,}", "耐えられるとした衝撃：{items,}"},
     {"summary.drop_rule", ", height from {rule}; not a test of it", "、{rule} の高さ（試験ではありません）"},
     {"summary.drop_rule/unverified",
      ", height as {rule} is said to have it, which is not verified; not a test of it",
      "、{rule} によるとされる高さ（規格では未確認、試験ではありません）"},
     {"summary.drop_face", "{fallen} {what}", "{fallen}：{what}"},
+    {"summary.drop_face/item", "{fallen} {what} ({item})", "{fallen}：{what}（{item}）"},
     {"summary.drop_g", "{range}, {deep}", "{range}、{deep}"},
     {"summary.drop_bottoms", "may bottom", "底づきのおそれ"},
     {"summary.drop_none", "not estimated", "計算なし"},

@@ -58,19 +58,20 @@ class Drops(unittest.TestCase):
 
     def test_a_search_that_weighs_shocks(self):
         ask = ["--block-size", "10x15x15", "--blocks", "24x16x20", "--foam", "ld33", "--mass", "1.2", "--fragility", "60",
-               "--move", "30,-50,40", "--objective", "shock"]
+               "--move", "30,-50,40"]
+        shock = ["--objective", "shock"]
         drop = ["--drop-height", "200"]
         before, after = (self.report(self.work / "camera.ply", *ask, *drop, *search)
-                         for search in ([], ["--optimize", "--turns", "none", "--search-seconds", "2"]))
+                         for search in ([], [*shock, "--optimize", "--turns", "none", "--search-seconds", "2"]))
 
         def worst(report):
             return max(face["g"][1] if face["g"] else 1e6 for face in report["protection"]["faces"])
 
         self.assertLess(worst(after), worst(before))
         self.assertEqual(after["placement"]["rotation_deg"], before["placement"]["rotation_deg"])
-        said = self.report(self.work / "camera.ply", *ask, "--optimize", status=1)
-        self.assertIn("searches that weigh shocks need", said)
-        self.assertIn("--drop-height", said)
+        said = self.report(self.work / "camera.ply", *ask, *shock, "--optimize", status=1)
+        self.assertIn("searches that weigh shocks need the drop (--drop-height)", said)
+        self.assertIn("--optimize", self.report(self.work / "camera.ply", *ask, *drop, *shock, status=1))
         items = [f"{self.work / 'camera.ply'}:count=2,mass=0.9", f"{self.work / 'figurine.ply'}:mass=0.4"]
         kit = ["--block-size", "10x15x15", "--blocks", "auto", "--foam", "ld33", *drop, "--objective", "shock"]
         arranged = self.report(*items, *kit, "--fragility", "60", "--arrange", "--search-seconds", "2")
@@ -92,15 +93,22 @@ class Drops(unittest.TestCase):
         self.assertEqual(len(walls), 6)
         self.assertTrue(all(wall % 5 == 0 and wall >= 25 for wall in walls))
 
-    def test_walls_of_several_items_are_chosen_where_more_foam_lies_between_them(self):
+    def test_walls_of_several_items_are_chosen_and_the_foam_between_them(self):
         items = [self.work / "vase.ply", f"{self.work / 'camera.ply'}:mass=0.9"]
-        ask = ["--mass", "1.5", *DROP, "--drop-height", "200", "--fragility", "300", "--wall", "protect"]
-        near = self.report(*items, *ask, status=3)
-        self.assertIn("--between", near)
-        report = self.report(*items, *ask, "--between", "80")
-        for item in report["protection"]["items"]:
-            for face in item["faces"]:
-                self.assertLessEqual(face["g"][1], 300)
+        ask = ["--mass", "1.5", *DROP, "--drop-height", "200", "--fragility", "300"]
+        near = self.report(*items, *ask)
+        self.assertIn("items_meet", {finding["code"] for finding in near["findings"]})
+        for arrange in ([], ["--arrange", "--search-seconds", "2"]):
+            report = self.report(*items, *ask, *arrange, "--wall", "protect")
+            codes = [finding["code"] for finding in report["findings"]]
+            self.assertIn("moved_apart", codes)
+            self.assertFalse({"items_meet", "near_items", "shock", "bottoms", "thin_pads"} & set(codes))
+            for item in report["protection"]["items"]:
+                for face in item["faces"]:
+                    self.assertLessEqual(face["g"][1], 300)
+        # Items that are locked stay where they are.
+        locked = [f"{self.work / 'vase.ply'}:move=0x0x-60,lock=yes", f"{self.work / 'camera.ply'}:mass=0.9,move=0x0x60"]
+        self.assertIn("--between", self.report(*locked, *ask, "--wall", "protect", status=3))
 
     def test_what_is_printed_or_built_does_not_bear_the_figures_of_a_foam_in_silence(self):
         for work, rigid in (("print", True), ("bricks", True), ("sheets", False)):

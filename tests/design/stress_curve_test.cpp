@@ -137,8 +137,18 @@ TEST(KnownFoams, AreReadFromAListOfOnesOwn) {
          {R"({})", R"([{}])", R"([{"name": "a", "curve": [[0.1, 20]]}])", R"([{"name": "a", "curve": 3}])",
           R"([{"name": "a", "curve": [[0.1, 20], [0.5, 10]]}])", R"([{"name": "a", "points": [[1, 2, 3]]}])",
           R"([{"name": "a", "points": [[1, 50, 50, 600]]}])", R"([{"name": "a", "what": 3}])",
+          R"([{"name": "a"}, {"name": "b"}, {"name": "a"}])",
+          R"([{"name": "a", "curve": [[0, 0], [0.5, 10]]}])",
+          R"([{"name": "a", "curve": [[0, 3], [0.5, 10], [0.6, 20]]}])",
           R"([{"name": "a", "status": "guessed"}])", R"([{"name": "a", "thickness_mm": [80, 20]}])"})
         EXPECT_FALSE(parse_foams(wrong)) << wrong;
+}
+
+TEST(KnownFoams, MayWriteWhereEveryCurveBegins) {
+    const auto with = parse_foams(R"([{"name": "a", "curve": [[0, 0], [0.1, 20], [0.5, 110]]}])");
+    const auto without = parse_foams(R"([{"name": "a", "curve": [[0.1, 20], [0.5, 110]]}])");
+    ASSERT_TRUE(with && without);
+    EXPECT_EQ(with->front().curve, without->front().curve);
 }
 
 TEST(DropRules, AreThoseOfTheTables) {

@@ -13,6 +13,7 @@
 #include "snug/check/flat_drop.h"
 #include "snug/check/gravity.h"
 #include "snug/design/known_foams.h"
+#include "snug/search/protecting_walls.h"
 #include "snug/search/search_design.h"
 #include "snug/search/shock_margins.h"
 #include "snug/search/turn.h"
@@ -277,6 +278,69 @@ TEST(Margins, WhatFoamLacksOfAFallIsTheEnergyThatItCannotTakeUp) {
         EXPECT_EQ(lacking_share(item, curve, height) > 0, !flat_drop(item, curve, height, 0));
     }
     EXPECT_EQ(lacking_share({nullptr, nullptr, 0, kg}, curve, 100), 1);
+}
+
+/// Boxes of random sizes in a grid along y and z, a foam of 20 mm between them.
+Design grid_of_boxes(Random& random, std::vector<Object>& objects) {
+    Design design;
+    weigh_shocks(design);
+    design.space.blocks.reset();
+    design.space.block_mm = {10, 10, 10};
+    design.protection.fragility_g = random.between(60, 120);
+    design.protection.height_mm = random.between(200, 400);
+    const int rows = random.integer(1, 2), columns = random.integer(2, 3);
+    design.items.clear();
+    for (int i = 0; i < rows * columns; ++i) {
+        const Vec3d size{random.between(40, 60), random.between(60, 100), random.between(60, 100)};
+        objects.push_back(prepare(test::box_mesh({0, 0, 0}, size), design).value());
+        prepare_for_many(objects.back());
+        ItemOptions item;
+        item.object = i;
+        item.mass_kg = random.between(0.8, 2.5);
+        item.offset_mm = Vec3d{0, i / columns * 120.0, i % columns * 120.0};
+        design.items.push_back(item);
+    }
+    return design;
+}
+
+TEST(ProtectingWalls, HoldEveryItemAndNoSideCouldBeMuchThinner) {
+    const std::uint64_t seed = 51900;
+    Random random(seed);
+    int held = 0, moved = 0, thinner_held = 0, thinner_tried = 0;
+    for (int i = 0; i < test::cases(6, 2); ++i) {
+        std::vector<Object> objects;
+        const Design design = grid_of_boxes(random, objects);
+        const PackIt pack_it = [&](const Design& tried) { return pack(objects, tried); };
+        const auto found = protecting_walls(objects, design, pack_it);
+        if (!found) {
+            EXPECT_EQ(found.error().kind, ErrorKind::does_not_fit) << text(found.error().message);
+            continue;
+        }
+        ++held;
+        moved += found->items != design.items;
+        const auto margin = [&](const Design& of) {
+            const auto dropped = packed_shocks(objects, of, pack_it);
+            EXPECT_TRUE(dropped);
+            for (const Finding& finding : dropped->packing.findings)
+                EXPECT_TRUE(finding.message.code != "near_items" && finding.message.code != "items_meet")
+                    << text(finding.message);
+            return worst_margin(dropped->protection);
+        };
+        EXPECT_LE(margin(*found), 1) << "seed " << seed << ", case " << i;
+        for (std::size_t side = 0; side < 6; ++side) {
+            Design thinner = *found;
+            double& wall = (*thinner.space.wall_mm)[side];
+            if (wall <= 25) continue;  // as thin as its data
+            wall -= 10;                // a whole block
+            ++thinner_tried;
+            const auto dropped = packed_shocks(objects, thinner, pack_it);
+            thinner_held += dropped && worst_margin(dropped->protection) <= 1;
+        }
+    }
+    EXPECT_GT(held, 0);
+    std::printf("%d held, %d moved apart; of %d walls thinner by a block %d would have held, seed %llu\n",
+                held, moved, thinner_tried, thinner_held, static_cast<unsigned long long>(seed));
+    EXPECT_LE(thinner_held, thinner_tried / 5) << "seed " << seed;
 }
 
 }  // namespace

@@ -32,7 +32,8 @@ void draw_drop_pictures(PageFlow& flow, std::span<const FallPicture> pictures, c
     const auto count = static_cast<double>(pictures.size());
     const Vec2d size{(flow.width() - (count - 1) * kBetweenFalls) / count, kFallHeight};
     const double scale = fall_scale(pictures, size);
-    Vec2d corner = flow.room(kFallHeight + 15);
+    const bool several = !protection.items.front().name.empty();
+    Vec2d corner = flow.room(kFallHeight + (several ? 19 : 15));
     for (const FallPicture& picture : pictures) {
         draw_shapes(flow.page(), fall_shapes(picture, scale, size), corner);
         const ItemProtection& item = protection.items[protection.worst_item(picture.face)];
@@ -44,6 +45,9 @@ void draw_drop_pictures(PageFlow& flow, std::span<const FallPicture> pictures, c
                          {kBodyText, is_enough(face, item) ? kInk : kAlarm, true, TextAnchor::middle});
         if (face.travel_mm && face.g_high)
             flow.page().text(foot + Vec2d{0, 12.2}, drop_depth(face),
+                             {kSmallText, kSoftInk, false, TextAnchor::middle});
+        if (!item.name.empty())
+            flow.page().text(foot + Vec2d{0, 16}, as_it_is(item.name),
                              {kSmallText, kSoftInk, false, TextAnchor::middle});
         corner.x += size.x + kBetweenFalls;
     }

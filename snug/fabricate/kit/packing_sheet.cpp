@@ -155,12 +155,22 @@ std::vector<Message> laying_steps(const PackedObject& packed) {
     return steps;
 }
 
+/// Pads that reach into what lies under them keep the rims apart until the case is closed over them.
+Message closing_step(const PackedObject& packed) {
+    if (packed.design.foams.open()) return say("packing.leave_open");
+    const bool presses =
+        packed.pads.squeeze_mm > 0 && std::any_of(packed.pads.pads.begin(), packed.pads.pads.end(),
+                                                  [](const FillPad& pad) { return pad.above; });
+    return presses ? say("packing.close/pressing", {{"mm", number(packed.pads.squeeze_mm, 1)}})
+                   : say("packing.close");
+}
+
 void tell_order(PageFlow& flow, const PackedObject& packed) {
     flow.heading(say("packing.how"));
     std::vector<Message> steps{say("packing.stand")};
     if (!packed.pads.pads.empty()) steps.push_back(say("packing.lay_pads"));
     for (Message& step : laying_steps(packed)) steps.push_back(std::move(step));
-    steps.push_back(say(packed.design.foams.open() ? "packing.leave_open" : "packing.close"));
+    steps.push_back(closing_step(packed));
     steps.push_back(lifting_text(packed));
     flow.steps(steps, kMarkIndent);
 }
@@ -287,6 +297,7 @@ void tell_drops(PageFlow& flow, const PackedObject& packed) {
     if (!drops_are_told(packed)) return;
     flow.heading(say("packing.drops"));
     flow.paragraph(drop_text(*packed.protection));
+    if (const auto borne = borne_text(*packed.protection)) flow.paragraph(*borne);
     std::vector<FallingMesh> meshes;
     for (const PackedItem& item : packed.items) meshes.push_back({item.mesh, item.placement});
     draw_drop_pictures(flow, fall_pictures(packed.design.foams, packed.design.space, meshes),

@@ -132,6 +132,15 @@ Message columns_of(const FillPad& pad) {
     return say("pad.columns", {{"from", from}, {"to", to}});
 }
 
+/// All are stacked from sheets of one thickness.
+Message stock_text(const FillPads& pads) {
+    double mm2 = 0;
+    for (const FillPad& pad : pads.pads) mm2 += pad.box.size().y * pad.box.size().z * pad.sheets;
+    const FillPad& first = pads.pads.front();
+    return say("packing.pads_stock",
+               {{"cm2", number(mm2 * 1e-2, 0)}, {"mm", number(first.thickness_mm / first.sheets, 2)}});
+}
+
 }  // namespace
 
 Message pad_text(const FillPad& pad, const DesignSpace& space) {
@@ -149,6 +158,7 @@ void tell_pads(PageFlow& flow, const PadPlans& all) {
     if (all.pads.pads.empty()) return;
     flow.heading(say("packing.pads"));
     flow.paragraph(say("packing.pads_how"));
+    flow.paragraph(stock_text(all.pads));
     draw_plans(flow, plans_of(all.pads), all);
     for (std::size_t i = 0; i < all.pads.pads.size(); ++i) {
         const FillPad& pad = all.pads.pads[i];

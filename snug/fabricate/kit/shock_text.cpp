@@ -1,5 +1,9 @@
 #include "snug/fabricate/kit/shock_text.h"
 
+#include <algorithm>
+#include <cstddef>
+#include <string>
+
 #include "snug/base/text.h"
 #include "snug/check/drop_sentence.h"
 #include "snug/words/sides.h"
@@ -12,6 +16,12 @@ Message shock_of(const FaceShock& face) {
     return say("summary.drop_g", {{"range", drop_range(face)}, {"deep", drop_depth(face)}});
 }
 
+/// Whether every item bears the same.
+bool one_for_all(const std::vector<ItemProtection>& items) {
+    return std::all_of(items.begin(), items.end(),
+                       [&](const ItemProtection& item) { return item.asked_g == items.front().asked_g; });
+}
+
 }  // namespace
 
 Message drop_text(const Protection& all) {
@@ -22,18 +32,33 @@ Message drop_text(const Protection& all) {
     return say("summary.drop_from", {{"height", number(*all.drop_mm, 0)},
                                      {"rule", rule},
                                      {"foam", all.foam->name},
-                                     {"status", status_text(all.foam->status)}});
+                                     {"status", status_text(all.foam->status)},
+                                     {"curve", curve_text(*all.foam)}});
 }
 
 std::vector<Message> face_texts(const Protection& all) {
     std::vector<Message> texts;
     for (int side = 0; side < 6; ++side) {
         const ItemProtection& worst = all.items[all.worst_item(static_cast<Side>(side))];
-        texts.push_back(
-            say("summary.drop_face", {{"fallen", fallen_on(static_cast<Side>(side))},
-                                      {"what", shock_of(worst.faces[static_cast<std::size_t>(side)])}}));
+        const Message fallen = fallen_on(static_cast<Side>(side));
+        const Message what = shock_of(worst.faces[static_cast<std::size_t>(side)]);
+        texts.push_back(worst.name.empty() ? say("summary.drop_face", {{"fallen", fallen}, {"what", what}})
+                                           : say("summary.drop_face/item",
+                                                 {{"fallen", fallen}, {"what", what}, {"item", worst.name}}));
     }
     return texts;
+}
+
+std::optional<Message> borne_text(const Protection& all) {
+    std::vector<Message> borne;
+    for (const ItemProtection& item : all.items) {
+        if (!item.asked_g) continue;
+        const std::string g = number(*item.asked_g, 0);
+        if (one_for_all(all.items)) return say("summary.borne_by_all", {{"g", g}});
+        borne.push_back(say("summary.borne_by", {{"item", item.name}, {"g", g}}));
+    }
+    if (borne.empty()) return {};
+    return say("summary.borne", {{"items", borne}});
 }
 
 std::vector<Message> not_computed() {
