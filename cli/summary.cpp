@@ -33,7 +33,8 @@ Message blocks_of(const DesignSpace& space) {
                                   {"size", dimensions(space.size())}});
 }
 
-Message arranged_text(const Arrangement& arrangement) {
+Message arranged_text(const Arrangement& arrangement, bool walls_chosen) {
+    if (walls_chosen) return say("summary.arranged_in/walls", {{"litres", litres(arrangement.volume_mm3)}});
     std::vector<Message> least;
     if (arrangement.lower_bound_mm3)
         least.push_back(say("summary.at_least", {{"litres", litres(*arrangement.lower_bound_mm3)}}));
@@ -149,7 +150,7 @@ std::string summary(std::span<const Object> objects, const Project& project, con
         lines.add("summary.object", say("summary.named", {{"name", one_line(listed_name(object, project))},
                                                           {"what", object_text(objects[object])}}));
     lines.add("summary.space", blocks_of(packing.space));
-    if (made.arrangement) lines.add("summary.arranged", arranged_text(*made.arrangement));
+    if (made.arrangement) lines.add("summary.arranged", arranged_text(*made.arrangement, made.walls_chosen));
     if (packing.fitted_case) {
         lines.add("summary.case", case_text(*packing.fitted_case));
         std::string label = lines.worded("summary.fillers");
@@ -187,7 +188,7 @@ std::string summary(std::span<const Object> objects, const Project& project, con
         lines.add_sentence("summary.bears", bearing_text(*made.fit.bearing, *packing.foams, project.design,
                                                          made.packing.protection.has_value()));
     if (made.packing.protection && made.packing.protection->drop_mm && made.packing.protection->foam) {
-        lines.add("summary.drop", drop_text(*made.packing.protection));
+        lines.add_sentence("summary.drop", drop_text(*made.packing.protection));
         for (const Message& face : face_texts(*made.packing.protection)) lines.add(std::string_view(), face);
         if (const auto borne = borne_text(*made.packing.protection))
             lines.add_sentence(std::string_view(), *borne);

@@ -321,6 +321,7 @@ Result<Made> make(std::span<Object> objects, Project& project, const Tools& tool
         if (!found) return tl::unexpected(found.error());
         moved_apart = found->items != design.items || found->space.between_mm != design.space.between_mm;
         design = std::move(*found);
+        made.walls_chosen = true;
     }
 
     auto packing = pack(objects, design, told(tools, Stage::cut));

@@ -27,6 +27,8 @@ constexpr Wording kWordsOfSummary[] = {
      "{block} mm のブロック {blocks} 個 = {size} mm"},
     {"summary.arranged", "Arranged", "配置"},
     {"summary.arranged_in", "{litres} litres in all{least}", "全体で {litres} リットル{least}"},
+    {"summary.arranged_in/walls", "{litres} litres in all, before the foam was chosen",
+     "フォームの厚さを決める前は全体で {litres} リットル"},
     {"summary.arranged_in/cancelled", "{litres} litres in all{least}, the best until it was stopped",
      "全体で {litres} リットル{least}。中止するまでの最良"},
     {"summary.at_least", "; no arrangement with such walls needs less than {litres}",

@@ -15,6 +15,7 @@ namespace snug {
 struct Made {
     std::optional<SearchReport> search;      ///< none where nothing was searched
     std::optional<Arrangement> arrangement;  ///< none where nothing was arranged
+    bool walls_chosen = false;               ///< after that, for what the items bear
     Packing packing;                         ///< without foams where the object leaves its space
     MeasuredFit fit;
     std::optional<Protection> protection;   ///< none where the design does not ask for it
