@@ -85,6 +85,13 @@ class Session {
   private:
     [[nodiscard]] Result<Project> lay_out(const std::string& design, const val& objects);
     [[nodiscard]] Result<Project> lay_out_one(const std::string& design, const val& objects);
+    /// What a search of one object begins with, which is prepared for many by then.
+    struct SearchedOne {
+        Design design;
+        Packing packing;
+        std::vector<ItemZone> zones;
+    };
+    [[nodiscard]] Result<SearchedOne> begin_with_one(const std::string& design, const val& objects);
     Result<Protection> protection_of(Packing& packing);
     Result<std::optional<ReliefOffer>> relief_offer();
     void forget_results();

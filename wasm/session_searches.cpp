@@ -24,28 +24,36 @@ constexpr std::size_t kMostDistinct = 6;
 
 }  // namespace
 
-val Session::start_search(const std::string& design_text, const val& objects) {
-    const auto project = lay_out_one(design_text, objects);
-    if (!project) return to_val(project.error());
+Result<Session::SearchedOne> Session::begin_with_one(const std::string& design_text, const val& objects) {
+    auto project = lay_out_one(design_text, objects);
+    if (!project) return tl::unexpected(project.error());
     Object& object = store_.objects().front();
     prepare_for_many(object);
-    const auto packing = snug::pack(object, project->design);
-    if (!packing) return to_val(packing.error());
+    auto packing = snug::pack(object, project->design);
+    if (!packing) return tl::unexpected(packing.error());
     auto zones = searched_zones(object, project->design);
-    if (!zones) return to_val(zones.error());
+    if (!zones) return tl::unexpected(zones.error());
+    return SearchedOne{std::move(project->design), std::move(*packing), std::move(*zones)};
+}
+
+val Session::start_search(const std::string& design_text, const val& objects) {
+    auto begun = begin_with_one(design_text, objects);
+    if (!begun) return to_val(begun.error());
+    const Object& object = store_.objects().front();
+    const DesignSpace& space = begun->packing.space;
     std::optional<ShockMargins> shocks;
-    if (project->design.search.weighs(Objective::shock)) {
+    if (begun->design.search.weighs(Objective::shock)) {
         const auto pack_it = [&object](const Design& tried) { return snug::pack(object, tried); };
-        auto started = ShockMargins::start(object, project->design, packing->space, pack_it);
+        auto started = ShockMargins::start(object, begun->design, space, pack_it);
         if (!started) return to_val(started.error());
         shocks = std::move(*started);
     }
     auto search =
-        PlacementSearch::start(object.mesh, *object.prepared, project->design, packing->space, kSearchSeed,
-                               packing->available, std::move(*zones), std::move(shocks));
+        PlacementSearch::start(object.mesh, *object.prepared, begun->design, space, kSearchSeed,
+                               begun->packing.available, std::move(begun->zones), std::move(shocks));
     if (!search) return to_val(search.error());
     search_ = std::move(*search);
-    searched_ = packing->space;
+    searched_ = space;
     return to_val(*search_, searched_);
 }
 
@@ -68,16 +76,11 @@ val Session::distinct() const {
 }
 
 val Session::start_map(const std::string& design_text, const val& objects) {
-    const auto project = lay_out_one(design_text, objects);
-    if (!project) return to_val(project.error());
-    Object& object = store_.objects().front();
-    prepare_for_many(object);
-    const auto packing = snug::pack(object, project->design);
-    if (!packing) return to_val(packing.error());
-    auto zones = searched_zones(object, project->design);
-    if (!zones) return to_val(zones.error());
-    map_.emplace(object.mesh, *object.prepared, project->design, packing->space, kMapDirections,
-                 packing->available, std::move(*zones));
+    auto begun = begin_with_one(design_text, objects);
+    if (!begun) return to_val(begun.error());
+    const Object& object = store_.objects().front();
+    map_.emplace(object.mesh, *object.prepared, begun->design, begun->packing.space, kMapDirections,
+                 begun->packing.available, std::move(begun->zones));
     return to_val(*map_);
 }
 
