@@ -28,13 +28,11 @@ async function start() {
 
 async function bringBack(studio: Studio) {
   const works = openWorks(studio);
-  if (await openServed(studio)) {
-    const kept = await works;
-    if (kept) await studio.keepIn(kept);
-    return;
-  }
+  const served = await openServed(studio);
   const kept = await works;
-  if (kept) await studio.restore(kept);
+  if (!kept) studio.notice ??= files.works.notKept;
+  else if (served) await studio.keepIn(kept);
+  else await studio.restore(kept);
 }
 
 /** Private windows may have no database; then nothing is kept, and all else works. */
