@@ -1,6 +1,7 @@
 import {fileURLToPath} from 'node:url';
 import {svelte} from '@sveltejs/vite-plugin-svelte';
 import {defineConfig} from 'vitest/config';
+import {indexWords} from './index_words.ts';
 import {serviceWorker} from './service_worker.ts';
 
 const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
@@ -8,7 +9,7 @@ const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 export default defineConfig({
   // Relative addresses: the studio works from any folder of any static host.
   base: './',
-  plugins: [svelte(), serviceWorker(here('./src/service_worker.js'), ['icon.svg', 'manifest.webmanifest'])],
+  plugins: [svelte(), indexWords(), serviceWorker(here('./src/service_worker.js'), ['icon.svg', 'manifest.webmanifest'])],
   resolve: {
     // The library as WebAssembly, where `cmake --build --preset wasm` leaves it.
     alias: {'snug-wasm': here('../build/wasm')},
