@@ -2,9 +2,10 @@ import type {Plugin} from 'vite';
 import {noScript, waiting} from './src/words/before_start.ts';
 import type {Pair} from './src/words/words.ts';
 
-/** Puts what index.html says before the program runs into it, in both languages. */
-export function indexWords(): Plugin {
-  const texts = {waiting: inBoth(waiting), noScript: inBoth(noScript)};
+/** Puts what index.html says before the program runs into it, in both languages. `waits`: it may be opened where the program
+ *  cannot run. */
+export function indexWords(waits: boolean): Plugin {
+  const texts = {waiting: waits ? inBoth(waiting) : '', noScript: inBoth(noScript)};
   return {
     name: 'snug-index-words',
     transformIndexHtml: (html) =>
