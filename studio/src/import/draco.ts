@@ -1,7 +1,7 @@
 import createDecoder, {type DecoderModule} from 'draco3d/draco_decoder_nodejs.js';
 import wasmUrl from 'draco3d/draco_decoder.wasm?url';
-import type {SceneTools} from 'snug-wasm/snug.mjs';
 import {bytesIn} from '../engine/bytes_in';
+import type {SceneTools} from '../engine/module';
 
 let module: Promise<DecoderModule> | null = null;
 
