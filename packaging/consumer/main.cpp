@@ -15,7 +15,11 @@ int main(int argc, char** argv) {
     };
     auto mesh = snug::sample("vase");
     if (!mesh) return say(mesh.error());
+    auto design = snug::parse_design(
+        R"({"space": {"block_mm": [20, 10, 10], "blocks": "auto", "wall_mm": 40}, "cut": {"clearance_mm": 1}})");
+    if (!design) return say(design.error());
     snug::Project project;
+    project.design = *design;
     auto object = snug::prepare(std::move(*mesh), project.design);
     if (!object) return say(object.error());
     auto made = snug::make(*object, project);
