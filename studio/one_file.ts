@@ -2,9 +2,18 @@ import {createHash} from 'node:crypto';
 import {readFileSync} from 'node:fs';
 import type {Plugin, Rollup} from 'vite';
 
-/** Puts the built page into a single file, `name`, which works when it is opened from a disk: browsers load no script, style or
- *  worker from beside such a page. Its policy names what it runs by their hashes, and lets it ask for nothing. */
-export function oneFile(name: string, icon: string): Plugin {
+interface Parts {
+  /** Of the file that is made. */
+  name: string;
+  /** An SVG file. */
+  icon: string;
+  /** A text that comes with it. */
+  licenses: string;
+}
+
+/** Puts the built page into a single file, which works when it is opened from a disk: browsers load no script, style or worker
+ *  from beside such a page. Its policy names what it runs by their hashes, and lets it ask for nothing. */
+export function oneFile({name, icon, licenses}: Parts): Plugin {
   return {
     name: 'snug-one-file',
     apply: 'build',
@@ -17,7 +26,8 @@ export function oneFile(name: string, icon: string): Plugin {
       const script = embedded(the(files.filter((file) => file.type === 'chunk')).code);
       const style = String(the(files.filter(isStyle)).source);
       for (const file of files) delete bundle[file.fileName];
-      this.emitFile({type: 'asset', fileName: name, source: whole(String(page.source), script, style, dataAddress(icon))});
+      const source = whole(String(page.source), script, style, dataAddress(icon)) + comment(licenses);
+      this.emitFile({type: 'asset', fileName: name, source});
     },
   };
 }
@@ -61,6 +71,10 @@ function whole(page: string, script: string, style: string, icon: string): strin
   }, page);
   // As functions: what stands in a script is no pattern.
   return changed.replace('<style>', () => `<style>${style}`).replace('<script type="module">', () => `<script type="module">${script}`);
+}
+
+function comment(text: string): string {
+  return `<!--\n${text.replaceAll('--', '- -')}\n-->\n`;
 }
 
 function hashOf(text: string): string {

@@ -2,6 +2,7 @@ import {fileURLToPath} from 'node:url';
 import {svelte} from '@sveltejs/vite-plugin-svelte';
 import {defineConfig} from 'vitest/config';
 import {indexWords} from './index_words.ts';
+import {licenseFile, licenses} from './licenses.ts';
 import {oneFile} from './one_file.ts';
 import {serviceWorker} from './service_worker.ts';
 
@@ -9,13 +10,17 @@ const here = (path: string) => fileURLToPath(new URL(path, import.meta.url));
 
 /** For a static host. */
 const FOLDER = {
-  plugins: [indexWords(true), serviceWorker(here('./src/service_worker.js'), ['icon.svg', 'manifest.webmanifest'])],
+  plugins: [
+    indexWords(true),
+    serviceWorker(here('./src/service_worker.js'), ['icon.svg', 'manifest.webmanifest']),
+    licenseFile(licenses(here('.'))),
+  ],
   alias: [],
   build: {outDir: 'dist'},
 };
 /** For a disk: `vite build --mode one-file`. */
 const ONE_FILE = {
-  plugins: [indexWords(false), oneFile('snug-studio.html', here('./public/icon.svg'))],
+  plugins: [indexWords(false), oneFile({name: 'snug-studio.html', icon: here('./public/icon.svg'), licenses: licenses(here('.'))})],
   alias: [{find: './start_worker', replacement: here('./src/start_worker_inside.ts')}],
   build: {
     outDir: '../build/one-file',
