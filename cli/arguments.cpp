@@ -134,7 +134,8 @@ std::string footer(const std::string& examples, Language language) {
 /// The words of the help that are not those of an argument.
 void translate(CLI::App& app, Language language) {
     const auto said = [&](const Message& message) { return text(message, language); };
-    app.set_help_flag("-h,--help", said(say("help.help")));
+    const Argument help_flag = help_argument(language);
+    app.set_help_flag(help_flag.name, help_flag.help);
     app.option_defaults()->group(said(say("help.options")));
     if (CLI::Option* const help = app.get_help_ptr()) help->group(said(say("help.options")));
     const std::map<std::string, Message> labels{
@@ -146,6 +147,18 @@ void translate(CLI::App& app, Language language) {
 }
 
 }  // namespace
+
+Argument help_argument(Language language) {
+    return {"-h,--help", "", text(say("help.help"), language), static_cast<bool*>(nullptr)};
+}
+
+Argument language_argument(Language language) {
+    return {"--language", "en|ja", text(say("help.language"), language), static_cast<std::string*>(nullptr)};
+}
+
+Argument version_argument(Language language) {
+    return {"--version", "", text(say("help.version"), language), static_cast<bool*>(nullptr)};
+}
 
 Result<Language> typed_language(int argc, const char* const* argv) {
     constexpr std::string_view kFlag = "--language";
@@ -173,11 +186,12 @@ int run_program(int argc, const char* const* argv, Language language,
     translate(app, language);
     std::string ignored;  // typed_language() has read it
     const auto add_language = [&](CLI::App& to) {
-        to.add_option("--language", ignored, said(say("help.language")))->type_name("en|ja");
+        const Argument argument = language_argument(language);
+        to.add_option(argument.name, ignored, argument.help)->type_name(argument.takes);
     };
     add_language(app);
-    app.set_version_flag("--version", "snug " SNUG_VERSION, said(say("help.version")))
-        ->group(said(say("help.options")));
+    const Argument version = version_argument(language);
+    app.set_version_flag(version.name, "snug " SNUG_VERSION, version.help)->group(said(say("help.options")));
     app.require_subcommand(1);
     app.footer(footer("snug make vase.stl -o vase-foam", language) + "\n" + said(say("help.every_command")));
     const CommandSpec* chosen = nullptr;

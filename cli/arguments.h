@@ -49,6 +49,11 @@ struct CommandSpec {
     Command run;  ///< gives the exit status
 };
 
+// What every command takes besides; of the program as a whole the version, too.
+[[nodiscard]] Argument help_argument(Language language);
+[[nodiscard]] Argument language_argument(Language language);
+[[nodiscard]] Argument version_argument(Language language);
+
 /// What was typed as --language, wherever it stands, so that all that is wrong can be said in it; English
 /// where it was not typed. Fails (kind `usage`) for a word that names none.
 [[nodiscard]] Result<Language> typed_language(int argc, const char* const* argv);

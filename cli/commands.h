@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "snug/words/words.h"
 
@@ -29,5 +30,9 @@ struct CommandSpec;  // arguments.h
 [[nodiscard]] CommandSpec cases_command(Language language);
 [[nodiscard]] CommandSpec foams_command(Language language);
 [[nodiscard]] CommandSpec studio_command(Language language);
+[[nodiscard]] CommandSpec generate_command(Language language);
+
+/// In the order of the help.
+[[nodiscard]] std::vector<CommandSpec> all_commands(Language language);
 
 }  // namespace snug::cli

@@ -7,8 +7,5 @@ int main(int argc, char** argv) {
     const auto language = typed_language(argc, argv);
     if (!language) return report(language.error(), snug::Language::english);
     catch_interrupts(*language);
-    return run_program(argc, argv, *language,
-                       {make_command(*language), inspect_command(*language), sample_command(*language),
-                        presets_command(*language), cases_command(*language), foams_command(*language),
-                        studio_command(*language)});
+    return run_program(argc, argv, *language, all_commands(*language));
 }

@@ -115,6 +115,9 @@ constexpr Wording kWordsOfHelp[] = {
     {"help.studio.most_bytes", "Larger files are shown as a thinned copy (200,000,000)",
      "これより大きなファイルは間引いた写しで表示します（200,000,000）"},
     {"help.studio.quiet", "Print the address and nothing else", "アドレスだけを表示します"},
+    {"help.generate", "Print the manual page, or what a shell completes commands by",
+     "マニュアルページ、またはシェルの補完定義を書き出します"},
+    {"help.generate.kind", "What is printed: {words/}", "書き出すもの：{words/}"},
 };
 
 }  // namespace

@@ -4,6 +4,7 @@ import {coreIn} from './engine/worker_link';
 import {openServed} from './import/open_served';
 import App from './panels/App.svelte';
 import './panels/app.css';
+import {startWorker} from './start_worker';
 import {Studio} from './state/studio.svelte';
 import {Works} from './state/works.svelte';
 import {typing} from './ui/typing.svelte';
@@ -17,7 +18,7 @@ async function start() {
   starting.textContent = language.text.busy.start;
   page.replaceChildren(starting);
   let studio: Studio | null = null;
-  const startCore = () => coreIn(new Worker(new URL('./worker.ts', import.meta.url), {type: 'module'}));
+  const startCore = () => coreIn(startWorker());
   const engine = await createEngine({startCore, onRestart: (reason) => studio?.restarted(reason)});
   studio = await Studio.start(engine, () => typing.designChanged());
   page.replaceChildren();
@@ -28,13 +29,11 @@ async function start() {
 
 async function bringBack(studio: Studio) {
   const works = openWorks(studio);
-  if (await openServed(studio)) {
-    const kept = await works;
-    if (kept) await studio.keepIn(kept);
-    return;
-  }
+  const served = await openServed(studio);
   const kept = await works;
-  if (kept) await studio.restore(kept);
+  if (!kept) studio.notice ??= files.works.notKept;
+  else if (served) await studio.keepIn(kept);
+  else await studio.restore(kept);
 }
 
 /** Private windows may have no database; then nothing is kept, and all else works. */
@@ -49,5 +48,5 @@ start().catch((reason: unknown) => {
   page.replaceChildren(sentence);
 });
 
-// From any static host: what was loaded once works without a network.
-if (import.meta.env.PROD && 'serviceWorker' in navigator) void navigator.serviceWorker.register('./service_worker.js');
+// From any static host: what was loaded once works without a network. The one file has all with it.
+if (import.meta.env.PROD && import.meta.env.MODE !== 'one-file' && 'serviceWorker' in navigator) void navigator.serviceWorker.register('./service_worker.js');

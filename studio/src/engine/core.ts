@@ -1,4 +1,3 @@
-import type {GivenObject, Pack, SceneTools, Session, SnugModule} from 'snug-wasm/snug.mjs';
 import type {BrickRange, Design, Preset} from '../design/design';
 import type {ObjectUse} from '../design/moment';
 import type {Dependent, Schema} from '../design/options';
@@ -26,6 +25,7 @@ import {readChoices, readFoams, type ContactMap, type DropChoices, type Drops, t
 import {brokenModule, isFailure} from './failure';
 import type {Gap} from './gap';
 import {arranged, listeners, throttled} from './listeners';
+import type {GivenObject, Pack, SceneTools, Session, SnugModule} from './module';
 import {sha256} from './sha256';
 import type {ZoneResults} from './zones';
 

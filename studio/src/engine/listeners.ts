@@ -1,7 +1,7 @@
-import type {ArrangementText} from 'snug-wasm/snug.mjs';
 import type {Design} from '../design/design';
 import type {Arranged, ArrangedText, Arrangement, ArrangeStep, Failure, OnProgress} from './api';
 import {isFailure} from './failure';
+import type {ArrangementText} from './module';
 
 // Who hears of long work of the library while it goes on, and what it ends with.
 

@@ -1,5 +1,5 @@
-import type {Pack} from 'snug-wasm/snug.mjs';
 import type {OutputFile} from '../engine/api';
+import type {Pack} from '../engine/module';
 import {writePdf, type Page} from './pdf';
 import {zipped} from './zip';
 

@@ -1,6 +1,7 @@
 import createDecoder, {type DecoderModule} from 'draco3d/draco_decoder_nodejs.js';
 import wasmUrl from 'draco3d/draco_decoder.wasm?url';
-import type {SceneTools} from 'snug-wasm/snug.mjs';
+import {bytesIn} from '../engine/bytes_in';
+import type {SceneTools} from '../engine/module';
 
 let module: Promise<DecoderModule> | null = null;
 
@@ -20,7 +21,7 @@ export async function dracoDecoder(): Promise<Required<SceneTools>['draco']> {
 async function load(): Promise<DecoderModule> {
   try {
     // In tests, which have no server, it finds its file by itself.
-    return await createDecoder(import.meta.env.MODE === 'test' ? {} : {locateFile: () => wasmUrl});
+    return await createDecoder(import.meta.env.MODE === 'test' ? {} : {locateFile: () => wasmUrl, ...bytesIn(wasmUrl)});
   } catch (reason) {
     module = null;
     throw reason;

@@ -33,5 +33,5 @@ declare module 'draco3d/draco_decoder_nodejs.js' {
     _free(place: number): void;
     destroy(object: unknown): void;
   }
-  export default function createDecoder(options: {locateFile?: () => string}): Promise<DecoderModule>;
+  export default function createDecoder(options: {locateFile?: () => string; wasmBinary?: Uint8Array}): Promise<DecoderModule>;
 }

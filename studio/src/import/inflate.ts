@@ -1,5 +1,5 @@
 import {Inflate} from 'fflate';
-import type {SceneTools} from 'snug-wasm/snug.mjs';
+import type {SceneTools} from '../engine/module';
 
 /** What comes out of a piece is held before it is counted: at most about a thousand times as much. */
 const PIECE = 1 << 14;

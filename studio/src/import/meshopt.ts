@@ -1,5 +1,5 @@
 import {MeshoptDecoder} from 'meshoptimizer/decoder';
-import type {SceneTools} from 'snug-wasm/snug.mjs';
+import type {SceneTools} from '../engine/module';
 
 /** SceneTools.meshopt. */
 export async function meshoptDecoder(): Promise<Required<SceneTools>['meshopt']> {

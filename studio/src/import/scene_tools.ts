@@ -1,6 +1,6 @@
-import type {SceneTools} from 'snug-wasm/snug.mjs';
 import type {BesideFile} from '../engine/api';
 import type {FileTools} from '../engine/core';
+import type {SceneTools} from '../engine/module';
 
 // What the library asks for while it reads a scene (glTF, 3MF) or a zip: decoders, and files that were opened with it.
 // It asks in the middle of its own work, where nothing can be waited for. So what is not at hand is noted and refused,

@@ -1,4 +1,5 @@
 import {present, type History} from '../design/history';
+import {withStorage} from '../words/remembered';
 import {asMoment, type StoredMoment} from './autosave';
 
 // The browser's database takes its time, and a page that goes away has none. So the last change of a work is noted at
@@ -17,6 +18,7 @@ export function noteChange(work: string, change: LastChange): void {
 }
 
 export function notedChange(work: string): LastChange | null {
+  // It may be what nobody can read; then only the database keeps the work.
   return withStorage((storage) => JSON.parse(storage.getItem(PREFIX + work) ?? 'null') as LastChange | null) ?? null;
 }
 
@@ -37,13 +39,4 @@ export function stepped<T extends StoredMoment>(history: History<T>, noted: Last
 
 function same(a: StoredMoment, b: StoredMoment): boolean {
   return JSON.stringify(asMoment(a)) === JSON.stringify(asMoment(b));
-}
-
-/** Storage may be forbidden, full, or have what nobody can read; then only the database keeps the work. */
-function withStorage<T>(use: (storage: Storage) => T): T | undefined {
-  try {
-    return use(localStorage);
-  } catch {
-    return undefined;
-  }
 }

@@ -2,6 +2,7 @@ import type {Engine, Failure} from '../engine/api';
 import type {KnownFoam} from '../engine/drops';
 import {isFailure} from '../engine/failure';
 import {drops} from '../words/drops';
+import {remember, remembered} from '../words/remembered';
 
 const KEY = 'snug-foams';
 
@@ -46,16 +47,11 @@ export class OwnFoams {
     if (isFailure(read)) return read;
     this.#entries = entries;
     this.all = lastOfEachName(read);
-    try {
-      localStorage.setItem(KEY, text);
-    } catch {
-      return {error: drops.drops.own.notKept, kind: 'output'};
-    }
-    return null;
+    return remember(KEY, text) ? null : {error: drops.drops.own.notKept, kind: 'output'};
   }
 
   async #restore(): Promise<void> {
-    const text = localStorage.getItem(KEY);
+    const text = remembered(KEY);
     if (text === null) return;
     const read = await this.#engine.parseFoams(text);
     // What another version wrote stays as it is, for that one.

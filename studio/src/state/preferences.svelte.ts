@@ -1,3 +1,5 @@
+import {remember, remembered} from '../words/remembered';
+
 export type Theme = 'system' | 'light' | 'dark';
 
 const KEY = 'snug-theme';
@@ -14,12 +16,12 @@ class Preferences {
 
   choose(theme: Theme) {
     this.theme = theme;
-    localStorage.setItem(KEY, theme);
+    remember(KEY, theme);
   }
 }
 
 function stored(): Theme {
-  const value = localStorage.getItem(KEY);
+  const value = remembered(KEY);
   return value === 'light' || value === 'dark' ? value : 'system';
 }
 

@@ -53,6 +53,10 @@ export const files = words({
       `This browser cannot keep the work (${why}): save the project.`,
       `このブラウザーは作業を保存できません（${why}）。プロジェクトを保存してください。`,
     ],
+    notKept: [
+      'This browser does not keep the work on this page: save the project before you close it.',
+      'このブラウザーは、このページの作業を保存しません。閉じる前にプロジェクトを保存してください。',
+    ],
     blocked: [
       'Another tab has an earlier version of this page open. Until it is closed, the work here is not kept: close it, or save the project.',
       '以前の版のこのページが別のタブで開いています。それを閉じるまで、ここでの作業は保存されません。そのタブを閉じるか、プロジェクトを保存してください。',

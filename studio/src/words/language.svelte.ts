@@ -1,3 +1,4 @@
+import {remember, remembered} from './remembered';
 import {en, ja, type Texts} from './texts';
 import type {Pair} from './words';
 
@@ -5,7 +6,7 @@ const KEY = 'snug-language';
 export const LANGUAGES: readonly Texts[] = [en, ja];
 
 class Language {
-  code = $state(localStorage.getItem(KEY) ?? (navigator.language.startsWith('ja') ? 'ja' : 'en'));
+  code = $state(remembered(KEY) ?? (navigator.language.startsWith('ja') ? 'ja' : 'en'));
   text: Texts = $derived(LANGUAGES.find(({code}) => code === this.code) ?? en);
 
   /** A sentence that is there in both, such as the library's. */
@@ -20,7 +21,7 @@ class Language {
 
   choose(code: string) {
     this.code = code;
-    localStorage.setItem(KEY, code);
+    remember(KEY, code);
   }
 }
 
