@@ -232,9 +232,11 @@ int say_that_it_does_not_fit(const Task& task, std::span<const Object> objects, 
     return report({ErrorKind::does_not_fit, message}, arguments.language);
 }
 
-/// What is typed for a search does nothing without one.
+/// What is typed for a search does nothing without one, and not both may choose the space.
 std::optional<Error> search_lacking(const MakeArguments& arguments, const Task& task) {
     const Design& design = task.project.design;
+    if (arguments.protecting_walls && arguments.search.fit_case)
+        return Error{ErrorKind::usage, say("protect.fit_case", {{"option", "--fit-case"}})};
     if (!was_typed(arguments.design, "--objective") || arguments.search.searches(design) ||
         arguments.search.arranges(design, task.expected.empty()))
         return {};

@@ -33,6 +33,12 @@ Message blocks_of(const DesignSpace& space) {
                                   {"size", dimensions(space.size())}});
 }
 
+/// psi, theta, phi
+std::string angles_text(const PlacementOptions& placement) {
+    const Vec3d& angles = placement.rotation_deg;
+    return number(angles.x, 1) + ", " + number(angles.y, 1) + ", " + number(angles.z, 1);
+}
+
 Message arranged_text(const Arrangement& arrangement, bool walls_chosen) {
     if (walls_chosen) return say("summary.arranged_in/walls", {{"litres", litres(arrangement.volume_mm3)}});
     std::vector<Message> least;
@@ -150,6 +156,8 @@ std::string summary(std::span<const Object> objects, const Project& project, con
         lines.add("summary.object", say("summary.named", {{"name", one_line(listed_name(object, project))},
                                                           {"what", object_text(objects[object])}}));
     lines.add("summary.space", blocks_of(packing.space));
+    if (made.search)
+        lines.add("summary.lies", say("summary.turned", {{"angles", angles_text(project.design.placement)}}));
     if (made.arrangement) lines.add("summary.arranged", arranged_text(*made.arrangement, made.walls_chosen));
     if (packing.fitted_case) {
         lines.add("summary.case", case_text(*packing.fitted_case));

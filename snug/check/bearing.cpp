@@ -93,14 +93,20 @@ std::optional<double> static_pressure_kpa(double mass_kg, double area_mm2) {
 }
 
 void find_bearing_problems(const BearingReport& bearing, const Foams& foams, int layer,
-                           std::optional<double> mass_kg, std::optional<double> creep_kpa,
+                           std::optional<double> mass_kg, const FitOptions& fit,
                            std::vector<Finding>& findings) {
     const auto look = [&](const Message& foam, double area_mm2) {
         const auto warn = [&](Message message) {
             findings.push_back({Severity::warning, std::move(message)});
         };
-        if (area_mm2 <= 0)
-            return warn(say("no_bearing", {{"foam", foam}, {"settle", "--settle"}, {"pads", "--pads 2"}}));
+        if (area_mm2 <= 0 && fit.pads) {
+            findings.push_back({Severity::note, say("no_bearing/pads", {{"foam", foam}})});
+            return;
+        }
+        std::vector<Message> fills{as_it_is("--pads 2")};
+        if (!fit.settle) fills.insert(fills.begin(), as_it_is("--settle"));
+        if (area_mm2 <= 0) return warn(say("no_bearing", {{"foam", foam}, {"fills", fills}}));
+        const std::optional<double>& creep_kpa = fit.creep_kpa;
         if (!mass_kg || !creep_kpa) return;
         const double pressure = *static_pressure_kpa(*mass_kg, area_mm2);
         if (pressure <= *creep_kpa) return;

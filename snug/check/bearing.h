@@ -8,6 +8,7 @@
 #include "snug/base/finding.h"
 #include "snug/base/progress.h"
 #include "snug/base/result.h"
+#include "snug/design/fit_options.h"
 #include "snug/foam/foams.h"
 #include "snug/mesh/mesh.h"
 #include "snug/space/design_space.h"
@@ -39,7 +40,7 @@ struct BearingReport {
 /// object has sunk 5 mm: `no_bearing`, `creep` (warnings). The lower half carries the object when the case
 /// stands upright, the lid when it is turned over, where there is one. `layer`: where it lies, from 1.
 void find_bearing_problems(const BearingReport& bearing, const Foams& foams, int layer,
-                           std::optional<double> mass_kg, std::optional<double> creep_kpa,
+                           std::optional<double> mass_kg, const FitOptions& fit,
                            std::vector<Finding>& findings);
 
 }  // namespace snug

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 #include "snug/base/parallel.h"
@@ -154,8 +155,9 @@ class AxisDrops {
             if (face.travel_mm) face.contacts = alone_between(i, side, *face.travel_mm);
             face.force = force_on_the_way(task.cushioned(), curves_.given, kForceSteps);
             if (side == kFloor && found.low_on_stiff_base) item.relief = relief_of(task, curves_);
-            if (item.asked_g && !holds(face, *item.asked_g))
-                face.more_foam_mm = more_foam(task, curves_, *item.asked_g);
+            // Where nothing was asked it must not bottom, at least.
+            const double asked_g = item.asked_g.value_or(std::numeric_limits<double>::infinity());
+            if (!holds(face, asked_g)) face.more_foam_mm = more_foam(task, curves_, asked_g);
         }
     }
 

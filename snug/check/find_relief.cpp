@@ -125,13 +125,16 @@ Result<std::optional<ReliefOffer>> offered_relief(std::span<const Object> object
     for (const ReliefOptions& options : trials(depth, packing.space, design.fit.least_rib_mm))
         if (auto found = tried.on(packing, options); found && is_better(*found, best))
             best = std::move(found);
-    if (!best || *best->floor.g_high >= *held.faces[kFloor].g_high) return std::nullopt;
+    constexpr double kWorthIt = 0.9;  // of what is met without it
+    if (!best || *best->floor.g_high > kWorthIt * *held.faces[kFloor].g_high) return std::nullopt;
     const std::string flag =
         "--relief " + number(best->options.height_mm, 1) + "x" + number(best->options.island_mm, 1);
-    const Message text = say("relief_offer", {{"flag", flag},
-                                              {"islands", best->islands},
-                                              {"range", drop_range(best->floor)},
-                                              {"asked", number(held.asked_g.value_or(0), 0)}});
+    const bool enough = is_enough(best->floor, held);
+    const Message text =
+        say(enough ? "relief_offer" : "relief_offer/over", {{"flag", flag},
+                                                            {"islands", best->islands},
+                                                            {"range", drop_range(best->floor)},
+                                                            {"asked", number(held.asked_g.value_or(0), 0)}});
     return ReliefOffer{best->options, {Severity::note, text, {}, {}}};
 }
 

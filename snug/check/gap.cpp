@@ -158,6 +158,14 @@ Result<GapReport> gap_report(const Mesh& mesh, const Placement& placement, const
     if (auto done = find_widest(surface, cut_field(above, space), part_of(progress, 0.85, 1), report.upper);
         !done)
         return tl::unexpected<Error>(done.error());
+    // A ball of a half lies in the whole gap as well.
+    for (const HalfGap* half : {&report.lower, &report.upper}) {
+        if (half->widest_mm <= report.widest_mm) continue;
+        const double most = report.widest_mm + report.widest_error_mm;
+        report.widest_mm = half->widest_mm;
+        report.widest_at = half->widest_at;
+        report.widest_error_mm = std::max(most - report.widest_mm, 0.0);
+    }
     return report;
 }
 

@@ -29,7 +29,7 @@ Result<std::vector<BearingReport>> bearings_of(std::span<const Object> objects, 
         if (!own) return tl::unexpected(own.error());
         all.push_back(*own);
         std::vector<Finding> findings;
-        find_bearing_problems(*own, *packing.foams, item.layer, item.mass_kg, design.fit.creep_kpa, findings);
+        find_bearing_problems(*own, *packing.foams, item.layer, item.mass_kg, design.fit, findings);
         for (Finding& finding : findings) {
             if (packing.items.size() > 1) finding.of = item.name;
             packing.findings.push_back(std::move(finding));

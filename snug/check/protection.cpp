@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "snug/base/parallel.h"
+#include "snug/base/text.h"
 #include "snug/check/face_shocks.h"
 #include "snug/check/find_shocks.h"
 #include "snug/check/item_lines.h"
@@ -49,7 +50,7 @@ Protection begun(std::span<const Object> objects, const Packing& packing, const 
     Protection all;
     all.foam = options.foam;
     std::optional<double> density = design.workshop.density_kg_m3;
-    if (!density && all.foam) density = all.foam->density_kg_m3;
+    if (!density && all.foam && !is_rigid(design)) density = all.foam->density_kg_m3;
     all.gross_without_foam = !density;
     all.gross_kg = gross_kg(packing, density);
     all.rule = options.rule;
@@ -62,13 +63,6 @@ Protection begun(std::span<const Object> objects, const Packing& packing, const 
     if (packing.items.size() > 1)
         for (std::size_t i = 0; i < packing.items.size(); ++i) all.items[i].name = packing.items[i].name;
     return all;
-}
-
-/// Whether what is made holds, but does not cushion; what a user's own preset is of is not known here.
-bool is_rigid(const Design& design) {
-    if (design.workshop.work == Workshop::bricks) return true;
-    const auto preset = find_preset(built_in_presets(), design.space.preset);
-    return preset && preset->rigid;
 }
 
 bool any_zones(const Design& design) {
@@ -116,6 +110,22 @@ double badness(const ItemProtection& item, Side face) {
     const FaceShock& shock = item.faces[static_cast<std::size_t>(face)];
     if (shock.bottoms) return std::numeric_limits<double>::infinity();
     return shock.g_high.value_or(0) / item.asked_g.value_or(1);
+}
+
+/// By a rule a heavy pack falls from less high, also where the foam makes it heavy.
+void find_lighter_fall(const Protection& all, std::vector<Finding>& findings) {
+    if (!all.rule || !all.gross_kg || !all.drop_mm) return;
+    double items_kg = 0;
+    for (const ItemProtection& item : all.items) items_kg += item.mass_kg.value_or(0);
+    const auto alone_mm = drop_height_mm(*all.rule, items_kg);
+    if (!alone_mm || *alone_mm <= *all.drop_mm) return;
+    const double foam_kg = *all.gross_kg - items_kg;
+    findings.push_back({foam_kg > items_kg ? Severity::warning : Severity::note,
+                        say("falls_less", {{"foam_kg", number(foam_kg, 1)},
+                                           {"rule", title_of(*all.rule)},
+                                           {"low", number(*all.drop_mm, 0)},
+                                           {"high", number(*alone_mm, 0)}})});
+    sort_by_severity(findings);
 }
 
 }  // namespace
@@ -183,6 +193,7 @@ Result<Protection> protection(std::span<const Object> objects, Packing& packing,
         }
     }
     find_shocks(all, packing, packing.findings);
+    find_lighter_fall(all, packing.findings);
     find_zones(all, packing, packing.findings);
     const bool whole =
         std::all_of(objects.begin(), objects.end(), [](const Object& each) { return each.whole(); });

@@ -9,6 +9,7 @@
 #include "snug/design/cushion_points.h"
 #include "snug/design/json_reader.h"
 #include "snug/design/option_json.h"
+#include "snug/design/presets.h"
 #include "snug/words/catalogue.h"
 
 namespace snug {
@@ -97,6 +98,7 @@ Result<FoamMaterial> foam_from(nlohmann::json entry, const std::string& path) {
     OptionList list;
     visit_options(list, foam);
     if (auto problem = read_options(entry, list, path + ".")) return fail(ErrorKind::usage, *problem);
+    if (entry.contains("curve") && foam.curve.empty()) return refuse(say("curve.two_points"));
     // Every curve begins there, whether it is written or not.
     if (!foam.curve.empty() && foam.curve.front() == StressPoint{}) foam.curve.erase(foam.curve.begin());
     if (auto problem = problem_of(foam)) return refuse(problem->message);
@@ -151,7 +153,8 @@ Result<FoamMaterial> find_foam(const std::vector<FoamMaterial>& known, std::stri
 void apply(const FoamMaterial& foam, Design& design) {
     design.protection.foam = foam;
     design.fit.creep_kpa = foam.creep_kpa;
-    if (foam.density_kg_m3) design.workshop.density_kg_m3 = foam.density_kg_m3;
+    // What is printed or built keeps its own, whatever foam its drops are told of.
+    if (foam.density_kg_m3 && !is_rigid(design)) design.workshop.density_kg_m3 = foam.density_kg_m3;
 }
 
 }  // namespace snug

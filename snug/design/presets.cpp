@@ -183,4 +183,10 @@ void apply(const Preset& preset, Design& design) {
     design.fit.creep_kpa = foam ? foam->creep_kpa : preset.creep_kpa;
 }
 
+bool is_rigid(const Design& design) {
+    if (design.workshop.work == Workshop::bricks) return true;
+    const auto preset = find_preset(built_in_presets(), design.space.preset);
+    return preset && preset->rigid;
+}
+
 }  // namespace snug

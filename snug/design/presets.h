@@ -42,4 +42,7 @@ struct Preset {
 /// Sets the block size, clearance, division and creep limit to the preset's.
 void apply(const Preset& preset, Design& design);
 
+/// Whether what a design makes holds, but does not cushion; what a user's own preset is of is not known here.
+[[nodiscard]] bool is_rigid(const Design& design);
+
 }  // namespace snug

@@ -102,14 +102,17 @@ bool items_meet(std::size_t side, const Protection& found) {
 
 /// What stands in the way where no thickness would do. `met`: whether items met on that side, with any of
 /// those that were tried.
-Error too_thick(std::size_t part, double drop_mm, bool met) {
-    const std::string cm = number(drop_mm / 10, 0), most = number(kGreatest, 0);
-    if (part == kBetween)
-        return {ErrorKind::does_not_fit, say("protect.between", {{"cm", cm}, {"most", most}})};
-    const Message fallen = fallen_on(static_cast<Side>(part));
-    if (met) return {ErrorKind::does_not_fit, say("protect.items_meet", {{"cm", cm}, {"fallen", fallen}})};
-    return {ErrorKind::does_not_fit,
-            say("protect.too_thick", {{"cm", cm}, {"fallen", fallen}, {"most", most}})};
+Message too_thick(std::size_t part, const Protection& found, bool met) {
+    const std::string cm = number(*found.drop_mm / 10, 0), most = number(kGreatest, 0);
+    if (part == kBetween) return say("protect.between", {{"cm", cm}, {"most", most}});
+    const auto side = static_cast<Side>(part);
+    const Message fallen = fallen_on(side);
+    if (met) return say("protect.items_meet", {{"cm", cm}, {"fallen", fallen}});
+    const ItemProtection& worst = found.items[found.worst_item(side)];
+    const bool stiff = worst.faces[part].g_high.has_value();
+    const Message what = stiff ? say("protect.too_stiff", {{"cm", cm}, {"fallen", fallen}, {"most", most}})
+                               : say("protect.too_thick", {{"cm", cm}, {"fallen", fallen}, {"most", most}});
+    return worst.name.empty() ? what : say("summary.named", {{"name", worst.name}, {"what", what}});
 }
 
 /// The least that does of one thickness, closed in on from both sides.
@@ -171,7 +174,7 @@ class Thickening {
                 least_[i].fails = lacking[i].known ? foam_[i] + lacking[i].mm - kWallStep : foam_[i];
                 foam_[i] += lacking[i].mm;
                 if (foam_[i] > kGreatest)
-                    return tl::unexpected(too_thick(i, *found->drop_mm, i < kBetween && met_[i]));
+                    return fail(ErrorKind::does_not_fit, too_thick(i, *found, i < kBetween && met_[i]));
             }
         }
     }
@@ -262,6 +265,9 @@ class Thickening {
 Result<Design> protecting_walls(std::span<const Object> objects, const Design& design, const PackIt& pack_it,
                                 const Progress& progress) {
     if (const auto error = lacking_wishes(design)) return tl::unexpected(*error);
+    // A copy that stands outside is held by more foam: its walls might let the thing itself bottom.
+    if (std::any_of(objects.begin(), objects.end(), [](const Object& each) { return !each.whole(); }))
+        return fail(ErrorKind::usage, say("protect.stand_in", {{"option", "--no-stream"}}));
     return Thickening(objects, design, pack_it, progress).find();
 }
 

@@ -9,6 +9,7 @@
 #include "snug/search/fit_case.h"
 #include "snug/search/placement_search.h"
 #include "snug/search/searched_zones.h"
+#include "snug/search/shock_pose.h"
 #include "snug/search/turn.h"
 #include "snug/space/available.h"
 #include "snug/space/case_space.h"
@@ -58,6 +59,20 @@ std::optional<Error> settle_counts(const Searched& searched, Design& design) {
         return Error{ErrorKind::usage, say("space.too_many_blocks", {{"blocks", dimensions(counts, 0)}})};
     design.space.blocks = vec_cast<int>(counts);
     design.placement.offset_mm = at.offset_mm + fitted_shift(design.space.block_mm, *design.space.wall_mm);
+    return {};
+}
+
+/// Counts that are left open follow how it lies; so that is chosen first, each pose in the space it needs.
+std::optional<Error> lay_for_shock(const Searched& searched, Design& design, const SearchTask& task,
+                                   const SearchNews& news, SearchReport& report) {
+    if (!task.placement || task.fit_case || !design.search.weighs(Objective::shock)) return {};
+    if (design.space.blocks || design.case_options.inside_mm) return {};
+    const auto told = [&](double share) { return !news || news(share, {}); };
+    const auto pose = pose_of_least_shock(searched.object, design, task.pack_it, told);
+    if (!pose) return pose.error();
+    report.evaluations += pose->looked_at;
+    report.cancelled = pose->cancelled;
+    design.placement.rotation_deg = pose->rotation_deg;
     return {};
 }
 
@@ -121,6 +136,7 @@ Result<SearchReport> search_design(const Object& object, Design& design, const S
     if (!zones) return tl::unexpected(zones.error());
     const Searched whole{object, std::move(*zones)};
     Design searched = design;
+    if (auto error = lay_for_shock(whole, searched, task, news, report)) return tl::unexpected(*error);
     if (auto error = settle_counts(whole, searched); error && !task.fit_case) return tl::unexpected(*error);
     if (searched.space.blocks || searched.case_options.inside_mm) {
         const auto room = room_of(searched);

@@ -175,10 +175,17 @@ constexpr Wording kWordsOfFit[] = {
      "です。ごみであればスキャンから取り除いてください。フォームも切り取られます。"},
     {"no_bearing",
      "the {foam} does not hold the object: it would sink more than 5 mm before it lies on foam; choose a "
-     "smaller clearance or smaller blocks, or fill what blocks leave: {settle}, {pads}",
+     "smaller clearance or smaller blocks, or fill what blocks leave: {fills/}",
      "{foam}が対象物を支えません。フォームに載るまでに 5 mm "
      "より深く沈みます。すきまかブロックを小さくするか、"
-     "ブロックの残すすきまを埋めてください（{settle}、{pads}）。"},
+     "ブロックの残すすきまを埋めてください（{fills/}）。"},
+    {"no_bearing/pads",
+     "the {foam} by itself does not hold the object, which would sink more than 5 mm before it lies on foam: "
+     "its "
+     "pads are to, and what they carry is not counted here",
+     "{foam}だけでは対象物を支えません（フォームに載るまでに 5 mm "
+     "より深く沈みます）。支えるのは詰め板で、その面"
+     "積はここでは数えていません。"},
     {"creep",
      "the object presses on the {foam} with {kpa} kPa, more than the {creep_kpa} kPa that it bears for "
      "long: turn the object so that it lies on a larger area, or take a firmer foam",
@@ -199,20 +206,20 @@ constexpr Wording kWordsOfFit[] = {
      "レンの板か"
      "切削した塊なら可能です。"},
     {"no_relief/slender",
-     "no relief: islands of {island_mm} mm would buckle where they stand {height_mm} mm free: {least_mm} mm "
-     "or more",
+     "no relief: islands of {island_mm} mm would buckle where they stand {height_mm} mm free: take "
+     "{least_mm} mm or more",
      "くり抜きはしません。{height_mm} mm の高さに対して {island_mm} mm の島では座屈します。{least_mm} mm "
      "以上にしてください。"},
     {"no_relief/nothing", "no relief: no foam below the object carries it",
      "くり抜きはしません。対象物を支えるフォームが下にありません。"},
     {"no_relief/thin",
-     "no relief: the {foam_mm} mm of foam below the object are too few blocks for islands that stand nearly "
-     "through it",
+     "no relief: the {foam_mm} mm of foam below the object are too few blocks high for islands that stand "
+     "nearly through them",
      "くり抜きはしません。下のフォーム {foam_mm} mm のブロック数が少なく、ほぼ貫く高さの島を作れません。"},
     {"no_relief/depth",
      "no relief: islands must stand nearly through the {foam_mm} mm of foam below the object, and "
      "{height_mm} mm is not "
-     "that: from {least_mm} to {most_mm} mm",
+     "that: take {least_mm} to {most_mm} mm",
      "くり抜きはしません。島は、下のフォーム {foam_mm} mm をほぼ貫く高さにします（{height_mm} mm ではなく "
      "{least_mm} から "
      "{most_mm} mm）。"},
@@ -243,14 +250,19 @@ constexpr Wording kWordsOfFit[] = {
      "store",
      "フォームが長く耐える圧力が分からないため、長く置いたときに島が沈むかどうかは分かりません。"},
     {"relief_offer",
-     "less foam under it would do more on its floor: {flag} lets it stand on {islands} islands, about "
-     "{range}, where you "
-     "asked for {asked}",
-     "下のフォームを減らすと、底への落下の衝撃が下がります。{flag} とすれば {islands} か所の島に載り、およそ "
-     "{range} です"
-     "（希望 {asked}）。"},
-    {"settled_none", "nothing was lowered: all lies on its foam already",
-     "すでにフォームに載っているため、何も下げませんでした"},
+     "less foam under it would do on its floor: {flag} lets it stand on {islands} islands, about {range}, "
+     "where "
+     "you asked for {asked}",
+     "下のフォームを減らすと、底への落下の衝撃が足りる値になります。{flag} とすれば {islands} "
+     "か所の島に載り、およそ {range} です（希望 {asked}）。"},
+    {"relief_offer/over",
+     "less foam under it would help on its floor, and still not be shown to be enough: {flag} lets it stand "
+     "on "
+     "{islands} islands, about {range}, where you asked for {asked}",
+     "下のフォームを減らすと、底への落下の衝撃は下がりますが、まだ足りません。{flag} とすれば {islands} "
+     "か所の島に載り、およそ {range} です（希望 {asked}）。"},
+    {"settled_none", "nothing was lowered: foam below, a lock or its group holds each thing where it is",
+     "下のフォーム、固定、またはグループのため、何も下げませんでした"},
     {"pads",
      "{pads} {pads|pad fills|pads fill} what block steps leave around what is packed: the packing sheet "
      "shows where they "

@@ -79,11 +79,10 @@ constexpr Wording kWordsOfPackingSheet[] = {
     {"packing.pads_on", "{piece}, cavity facing you", "{piece}（くぼみを手前にした向き）"},
     {"packing.lay_pads", "Put the pads in their places, as drawn below.",
      "詰め板を、下の図の場所に置きます。"},
-    {"pad.columns", "{from} to {to}", "{from} から {to}"},
     {"pad.text",
-     "{piece}, {columns}, {left} mm from the left and {back} mm from BACK: {size} mm ({sheets} "
+     "{piece}, {left} mm from the left and {back} mm from BACK: {size} mm ({sheets} "
      "{sheets|sheet|sheets} of {sheet_mm} mm)",
-     "{piece}、{columns}、左から {left} mm、奥から {back} mm：{size} mm（{sheet_mm} mm の板 {sheets} 枚）"},
+     "{piece}、左から {left} mm、奥から {back} mm：{size} mm（{sheet_mm} mm の板 {sheets} 枚）"},
     {"packing.how", "How to lay it in", "納め方"},
     {"packing.stand",
      "Stand the case with the lower foam in it, cavity up, the edge marked BACK away from you. The "
@@ -202,6 +201,10 @@ constexpr Wording kWordsOfPackingSheet[] = {
      "落下と衝撃：フォームの厚さと硬さは、対象物の重さと壊れやすさに合わせて決めたものではありません"
      "。"},
     {"packing.drops", "What it meets in a drop", "落下のときの衝撃"},
+    {"packing.drops_enough", "On all six sides no more than that is met, by the high end of each range.",
+     "六つの面のどれでも、範囲の上端はこの値を超えません。"},
+    {"packing.drops_over", "Not shown to be enough: {sides;}.", "足りるとはいえない面：{sides;}。"},
+    {"packing.drops_source", "The foam's curve is from: {source}.", "フォームの曲線の出典：{source}"},
     {"packing.drops_claim",
      "An estimate for the first drop, flat on one side, at 23 C; confirm it by a drop test.",
      "最初の落下、一つの面で平らに落ちた場合、23 ℃ での推定値です。落下試験で確かめてください。"},

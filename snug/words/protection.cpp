@@ -91,11 +91,36 @@ constexpr Wording kWordsOfProtection[] = {
      "保護する壁を決められるのは、空間を中身に合わせるときだけです。ケースの指定を外し、{option} "
      "としてください"},
     {"protect.too_thick",
-     "from {cm} cm {fallen} no wall up to {most} mm would be shown to do: take a foam with data of drops, "
-     "another "
-     "foam, less height, or another way to lie",
-     "{cm} cm から{fallen}を下に落とす場合、{most} mm "
-     "までの壁では足りません。フォーム、落下高さ、置き方のどれかを変えてください"},
+     "from {cm} cm {fallen} it may bottom through any wall up to {most} mm: take a stiffer foam, one with "
+     "data of "
+     "drops, less height, or a way to lie on a larger side",
+     "{cm} cm から{fallen}を下に落とすと、{most} mm "
+     "までのどの壁でも底づきのおそれがあります。硬いフォーム、落下試"
+     "験のデータがあるフォーム、低い落下高さ、広い面で載る置き方のどれかにしてください"},
+    {"protect.too_stiff",
+     "from {cm} cm {fallen} this foam is too stiff for it, with any wall up to {most} mm: take a softer "
+     "foam, one "
+     "with data of drops, less height, or a way to lie on a smaller side",
+     "{cm} cm から{fallen}を下に落とす場合、このフォームは硬すぎ、{most} mm "
+     "までのどの壁でも足りません。軟らかいフォー"
+     "ム、落下試験のデータがあるフォーム、低い落下高さ、狭い面で載る置き方のどれかにしてください"},
+    {"protect.stand_in",
+     "walls that protect are not chosen for what is read in pieces or as points: its drops are computed with "
+     "a "
+     "copy that stands outside it, and might hide a side that bottoms. Give the walls in mm, or read a mesh "
+     "whole "
+     "({option})",
+     "分割して読むものや点群には、保護する壁を決められません。落下は外側にある写しで計算するため、底づきする"
+     "面を"
+     "見落とすおそれがあります。壁を mm で指定するか、メッシュの全体を読み込んでください（{option}）"},
+    {"protect.fit_case", "walls that protect fit the space to them: leave out {option}",
+     "保護する壁に合わせて空間を決めます。{option} を外してください"},
+    {"falls_less",
+     "{foam_kg} kg of foam make it fall from {low} mm instead of {high} by the height of {rule}: by their "
+     "own mass "
+     "the items would fall from {high} mm",
+     "フォーム {foam_kg} kg の重さのため、{rule} の高さは {high} mm ではなく {low} mm "
+     "です（中身だけの質量なら {high} mm）"},
     {"protect.items_meet",
      "from {cm} cm {fallen} items may meet through the foam between them, whatever the walls: put more foam "
      "between them (--between), or lay them into layers of their own",

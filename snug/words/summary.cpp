@@ -25,6 +25,8 @@ constexpr Wording kWordsOfSummary[] = {
     {"summary.space", "Space", "空間"},
     {"summary.blocks", "{blocks} blocks of {block} mm = {size} mm",
      "{block} mm のブロック {blocks} 個 = {size} mm"},
+    {"summary.lies", "Lies", "置き方"},
+    {"summary.turned", "turned by {angles} degrees about x, y, z", "x, y, z のまわりに {angles} 度"},
     {"summary.arranged", "Arranged", "配置"},
     {"summary.arranged_in", "{litres} litres in all{least}", "全体で {litres} リットル{least}"},
     {"summary.arranged_in/walls", "{litres} litres in all, before the foam was chosen",

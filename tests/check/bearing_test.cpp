@@ -48,9 +48,11 @@ TEST(Bearing, OfASphereOnFineFoamIsItsWholeShadowOnceItSankThroughOneBlock) {
     for (std::size_t i = 0; i < 3; ++i)
         EXPECT_NEAR(report->lower_mm2[i], report->upper_mm2[i], 0.01 * shadow);
     std::vector<Finding> findings;
-    find_bearing_problems(*report, *packing->foams, 1, 0.5, 17.2, findings);
+    FitOptions fit;
+    fit.creep_kpa = 17.2;
+    find_bearing_problems(*report, *packing->foams, 1, 0.5, fit, findings);
     EXPECT_TRUE(findings.empty());
-    find_bearing_problems(*report, *packing->foams, 1, 50, 17.2, findings);
+    find_bearing_problems(*report, *packing->foams, 1, 50, fit, findings);
     ASSERT_EQ(findings.size(), 2u) << "50 kg on 50 cm2";
     EXPECT_EQ(findings[0].code(), "creep");
 }

@@ -280,6 +280,32 @@ TEST(Margins, WhatFoamLacksOfAFallIsTheEnergyThatItCannotTakeUp) {
     EXPECT_EQ(lacking_share({nullptr, nullptr, 0, kg}, curve, 100), 1);
 }
 
+TEST(SearchShock, LaysAThingInOpenCountsWhereNoneOfTheUsualWaysToLieMeetsLess) {
+    const std::uint64_t seed = 51850;
+    Random random(seed);
+    for (int i = 0; i < test::cases(3, 1); ++i) {
+        Dropped all = dropped(stepped(random));
+        all.design.space.blocks.reset();
+        all.design.space.wall_mm = equal_walls(60);
+        for (const Turns turns : {Turns::none, Turns::upright, Turns::any}) {
+            all.design.search.turns = turns;
+            const Design found = all.searched(600);
+            const double least = all.worst(found);
+            double usual = all.worst(all.design);
+            for (const Vec3d turned : {Vec3d{45, 0, 0}, Vec3d{90, 0, 0}, Vec3d{0, 90, 0}, Vec3d{0, 0, 90}}) {
+                if (turns == Turns::none || (turns == Turns::upright && turned.x == 0)) continue;
+                Design tried = all.design;
+                tried.placement.rotation_deg = turned;
+                usual = std::min(usual, all.worst(tried));
+            }
+            EXPECT_LE(least, usual * 1.0001) << "seed " << seed << ", case " << i;
+            if (turns == Turns::none) {
+                EXPECT_EQ(found.placement.rotation_deg, Vec3d());
+            }
+        }
+    }
+}
+
 /// Boxes of random sizes in a grid along y and z, a foam of 20 mm between them.
 Design grid_of_boxes(Random& random, std::vector<Object>& objects) {
     Design design;

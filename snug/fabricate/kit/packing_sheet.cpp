@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "snug/base/text.h"
+#include "snug/check/drop_sentence.h"
 #include "snug/drawing/page_builder.h"
 #include "snug/fabricate/kit/block_names.h"
 #include "snug/fabricate/kit/drop_pictures.h"
@@ -293,16 +294,30 @@ bool drops_are_told(const PackedObject& packed) {
     return packed.protection && packed.protection->drop_mm && packed.protection->foam;
 }
 
+/// Whether each side is shown to be enough; none where nothing was asked.
+std::optional<Message> drops_verdict(const Protection& all) {
+    std::vector<Message> over;
+    for (const Side side : all.worst_first()) {
+        const ItemProtection& item = all.items[all.worst_item(side)];
+        if (!item.asked_g) return {};
+        if (!is_enough(item.faces[static_cast<std::size_t>(side)], item)) over.push_back(fallen_on(side));
+    }
+    return over.empty() ? say("packing.drops_enough") : say("packing.drops_over", {{"sides", over}});
+}
+
 void tell_drops(PageFlow& flow, const PackedObject& packed) {
     if (!drops_are_told(packed)) return;
     flow.heading(say("packing.drops"));
     flow.paragraph(drop_text(*packed.protection));
     if (const auto borne = borne_text(*packed.protection)) flow.paragraph(*borne);
+    if (const auto verdict = drops_verdict(*packed.protection)) flow.paragraph(*verdict);
     std::vector<FallingMesh> meshes;
     for (const PackedItem& item : packed.items) meshes.push_back({item.mesh, item.placement});
     draw_drop_pictures(flow, fall_pictures(packed.design.foams, packed.design.space, meshes),
                        *packed.protection);
     flow.paragraph(say("packing.drops_claim"));
+    if (!packed.protection->foam->source.empty())
+        flow.paragraph(say("packing.drops_source", {{"source", packed.protection->foam->source}}));
 }
 
 void tell_zones(PageFlow& flow, const PackedObject& packed) {

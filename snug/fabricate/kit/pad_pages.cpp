@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "snug/base/text.h"
-#include "snug/fabricate/kit/block_names.h"
 #include "snug/polygon/cell_loops.h"
 #include "snug/words/pieces.h"
 
@@ -124,14 +123,6 @@ void draw_plans(PageFlow& flow, const std::vector<PadPlan>& plans, const PadPlan
     }
 }
 
-/// "C3 to E7"
-Message columns_of(const FillPad& pad) {
-    const std::string from = row_name(pad.first_j) + column_name(pad.first_k);
-    const std::string to = row_name(pad.end_j - 1) + column_name(pad.end_k - 1);
-    if (from == to) return as_it_is(from);
-    return say("pad.columns", {{"from", from}, {"to", to}});
-}
-
 /// All are stacked from sheets of one thickness.
 Message stock_text(const FillPads& pads) {
     double mm2 = 0;
@@ -146,7 +137,6 @@ Message stock_text(const FillPads& pads) {
 Message pad_text(const FillPad& pad, const DesignSpace& space) {
     const Vec3d from = pad.box.min - space.box().min;
     return say("pad.text", {{"piece", marked_side(pad.piece, seen_from(pad))},
-                            {"columns", columns_of(pad)},
                             {"left", number(from.z, 1)},
                             {"back", number(from.y, 1)},
                             {"size", dimensions({pad.box.size().z, pad.box.size().y, pad.thickness_mm})},

@@ -43,6 +43,7 @@ export const check = words({
       thin_pads: ['Foam too thin to tell', 'フォームが薄くて計算できない'],
       no_shock: ['No shock estimated', '落下の衝撃は計算なし'],
       foam_of_rigid: ['Drops of another material', '別の材料の落下'],
+      falls_less: ['Foam makes it heavy', 'フォームの重さ'],
       moved_apart: ['Moved apart', '間隔を広げた'],
       settled_none: ['Nothing to lower', '下げる必要なし'],
       shock_of_stand_in: ['Drops of a copy', '写しで計算した落下'],
