@@ -1,7 +1,7 @@
 import {readFileSync} from 'node:fs';
 import type {Page} from '@playwright/test';
 import {violations} from './support/axe';
-import {commandSays, expect, status, test} from './support/studio';
+import {commandSays, expect, foamsShown, test} from './support/studio';
 import {torusStl} from './support/torus';
 
 // Places on an item that foam keeps away from, painted by hand.
@@ -14,7 +14,7 @@ const shot = (page: Page, name: string) => page.screenshot({path: test.info().ou
 
 async function vase(page: Page) {
   await page.getByRole('button', {name: /Vase/}).click();
-  await expect(status(page)).toContainText('F ');
+  await foamsShown(page);
 }
 
 /** Drags over the view, by shares of it. */
@@ -152,7 +152,7 @@ function beside(one: Buffer, other: Buffer, by: number): Buffer {
 test('a separate part is taken by a click', async ({studio: page}) => {
   const two = {...RING, name: 'two.stl', buffer: beside(torusStl(24, 12, 40, 22), torusStl(24, 12, 30, 20), 150)};
   await page.getByLabel('Open object', {exact: true}).setInputFiles(two);
-  await expect(status(page)).toContainText('F ');
+  await foamsShown(page);
   await begin(page);
   await page.getByRole('button', {name: 'Whole part'}).click();
   await page.getByRole('button', {name: 'Top', exact: true}).click();
