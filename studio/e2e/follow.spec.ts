@@ -97,7 +97,7 @@ test('a place taken from the map cuts what the map says, with the walls that wer
     const box = (await map.boundingBox()) ?? {width: 0, height: 0};
     const before = await foam();
     await map.click({position: {x: right * box.width, y: down * box.height}});
-    const promised = await page.getByText(/^Cuts [\d.]+ litres$/).innerText();
+    const promised = await page.getByText(/^Cuts [\d.]+ L$/).innerText();
     await expect.poll(foam).not.toBe(before);
     const litres = Number(/Cuts ([\d.]+)/.exec(promised)?.[1]);
     await expect.poll(async () => Math.abs((await cutLitres(page)) - litres)).toBeLessThan(0.006);

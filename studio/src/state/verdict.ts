@@ -1,6 +1,6 @@
-import {mm} from '../design/figures';
 import type {Finding, Packing} from '../engine/api';
 import {wallOn} from '../engine/pieces';
+import {mm} from '../words/figures';
 import type {Texts} from '../words/texts';
 import {gravestFirst, worst} from './findings';
 

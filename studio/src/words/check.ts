@@ -135,7 +135,7 @@ export const check = words({
     bearingUpper: ['Lid, turned over', 'ふた（裏返し）'],
     bearingBelow: ['Foam below', '下になるフォーム'],
     bearingAbove: ['Foam above, turned over', '上になるフォーム（裏返し）'],
-    bearingSunk: (mm: number) => [`sunk ${mm} mm`, `沈み ${mm} mm`],
+    bearingSunk: (mm: string) => [`sunk ${mm}`, `沈み ${mm}`],
     pressure: ['Pressure at rest', '静止時の圧力'],
     creep: (kpa: string) => [`The foam bears ${kpa} for long.`, `このフォームが長く耐えるのは ${kpa} までです。`],
     gapMeasure: ['Measure the gaps', 'すきまを測る'],

@@ -83,7 +83,7 @@ export const drops = words({
       'moderately-rugged': ['Moderately rugged: appliances', 'やや丈夫（家電）'],
       rugged: ['Rugged: machinery', '丈夫（機械）'],
     },
-    inG: (name: string, g: number) => [`${name} (${g} G)`, `${name}：${g} G`],
+    inG: (name: string, g: string) => [`${name} (${g})`, `${name}：${g}`],
     classSource: (source: string) => [`Class after: ${source}.`, `区分の出典：${source}。`],
     masses: ['Masses are entered for each item in step 1.', '質量は手順1で、それぞれに入力します。'],
     enterMasses: ['Go there', '手順1へ'],
@@ -92,8 +92,8 @@ export const drops = words({
       of: (item: string) => [`Centre of mass of ${item}`, `${item} の重心`],
       tip: (axis: string) => [`Centre of mass along ${axis}, in the coordinates of the object’s file`, `重心の ${axis} 座標（対象物のファイルの座標）`],
       assumed: (place: string) => [
-        `assumed at ${place} mm in the file, as of one density (of an open surface the middle of its box).`,
-        `密度を一様とみなし、ファイルの座標で ${place} mm（開いた面では外形の中心）としています。`,
+        `assumed at ${place} in the file, as of one density (of an open surface the middle of its box).`,
+        `密度を一様とみなし、ファイルの座標で ${place}（開いた面では外形の中心）としています。`,
       ],
       enter: ['Enter it', '値を入力'],
       given: ['In the coordinates of the object’s file. Marked in the picture.', '対象物のファイルの座標です。図に印を表示しています。'],
@@ -121,7 +121,7 @@ export const drops = words({
       `沈み ${travel}、つぶれ ${strain}、最大圧力 ${kpa}、受ける面積 ${area}`,
     ],
     of: (item: string, sentence: string) => [`${item}: ${sentence}`, `${item}：${sentence}`],
-    asked: (g: number) => [`asked: ${g} G`, `指定 ${g} G`],
+    asked: (g: string) => [`asked: ${g}`, `指定 ${g}`],
     rest: ['At rest', '静止時'],
     restOf: (sink: string, kpa: string, area: string) => [
       `It sinks ${sink} into the lower foam and presses with at most ${kpa} on ${area}.`,

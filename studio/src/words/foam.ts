@@ -65,7 +65,7 @@ export const foam = words({
       `The nearest is ${name}, ${inside}.`,
       `最も近いのは ${name}（${inside}）です。`,
     ],
-    filled: (percent: number) => [`${percent} % filled`, `充填 ${percent} %`],
+    filled: (percent: string) => [`${percent} filled`, `充填 ${percent}`],
   },
   fit: {
     apart: ['Lower foam and lid each with their own', '下のフォームとふたで別々に決める'],

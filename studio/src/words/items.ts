@@ -28,10 +28,10 @@ export const items = words({
     ],
     choices: ['Arrangements to choose from', '並べ方の候補'],
     choice: (n: number, litres: string, size: string, layers: number) => [
-      `Arrangement ${n}: ${litres} litres, ${size} mm, ${layers === 1 ? '1 layer' : `${layers} layers`}`,
-      `並べ方 ${n}：${litres} リットル、${size} mm、${layers} 段`,
+      `Arrangement ${n}: ${litres}, ${size}, ${layers === 1 ? '1 layer' : `${layers} layers`}`,
+      `並べ方 ${n}：${litres}、${size}、${layers} 段`,
     ],
-    leastLitres: (litres: string) => [`No arrangement needs less than ${litres} l.`, `どう並べても ${litres} L は必要です。`],
+    leastLitres: (litres: string) => [`No arrangement needs less than ${litres}.`, `どう並べても ${litres} は必要です。`],
     layers: (layers: number) => [layers === 1 ? '1 layer' : `${layers} layers`, `${layers} 段`],
     fill: (name: string) => [`As many of ${name} as fit`, `${name} を入るだけ`],
     fillTip: [

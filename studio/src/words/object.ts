@@ -54,7 +54,7 @@ export const object = words({
     lengthApply: ['Set', '決定'],
     lengthFirst: ['Click the first point on the object.', '対象物の上の1点目をクリックしてください。'],
     lengthSecond: ['Click the second point.', '2点目をクリックしてください。'],
-    lengthBoth: (mm: string) => [`Between the two points: ${mm} mm now.`, `2点の間は今 ${mm} mm です。`],
+    lengthBoth: (mm: string) => [`Between the two points: ${mm} now.`, `2点の間は今 ${mm} です。`],
   },
   units: {
     heading: ['Which unit does this file use?', 'このファイルの単位は？'],

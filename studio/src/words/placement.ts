@@ -61,10 +61,9 @@ export const placement = words({
       '数値が最良でも、置き方として自然とは限りません。対象物に合うものを選んでください。',
     ],
     alternative: (n: number, litres: string) => [
-      `Placement ${n}: cuts ${litres} litres`,
-      `配置 ${n}：切り取り ${litres} リットル`,
+      `Placement ${n}: cuts ${litres}`,
+      `配置 ${n}：切り取り ${litres}`,
     ],
-    litres: (litres: string) => [`${litres} l`, `${litres} L`],
     map: ['Map of directions', '挿入方向の地図'],
     mapTip: [
       'Colours every direction in which the object could be put in by the foam that would be cut away.',
@@ -78,7 +77,7 @@ export const placement = words({
       'Dark cuts the least. The ring is where you are; pick any place to turn the object there.',
       '濃い色ほど切り取りが少ない方向です。輪が現在の方向。好きな場所を選ぶとその向きに回ります。',
     ],
-    cutHere: (litres: string) => [`Cuts ${litres} litres`, `切り取り ${litres} リットル`],
+    cutHere: (litres: string) => [`Cuts ${litres}`, `切り取り ${litres}`],
     fitsNot: ['In this direction it does not fit with its walls.', 'この方向では、壁を保って入れることができません。'],
   },
 });

@@ -54,7 +54,7 @@ export const views = words({
       'このブラウザーにはWebGL 2がないため3D表示はできません。ほかの機能は使えます。',
     ],
     gapNear: ['touching', '接している'],
-    gapFar: (mm: string) => [`${mm} mm and more`, `${mm} mm 以上`],
+    gapFar: (mm: string) => [`${mm} and more`, `${mm} 以上`],
   },
   view2d: {
     label: ['Drawings', '図面'],
@@ -78,7 +78,7 @@ export const views = words({
       '下から数えた1層のブロック。PageUp／PageDownで5層ずつ動きます。',
     ],
     sliceValue: ['Layer from below', '下からの層'],
-    sliceAt: (mm: string) => [`seen from above, at ${mm} mm`, `上から見た図、高さ ${mm} mm`],
+    sliceAt: (mm: string) => [`seen from above, at ${mm}`, `上から見た図、高さ ${mm}`],
     notes: {
       lower: [
         'LOWER · cavity facing you · numbers: blocks to remove',
