@@ -76,10 +76,10 @@ export const drops = words({
     fragilityG: ['Bears', '耐える衝撃'],
     classes: {
       museum: ['Museum object, nothing known', '収蔵品（詳細不明）'],
-      'extremely-fragile': ['Extremely fragile: precisely aligned instruments', 'きわめて壊れやすい（精密に調整された機器）'],
-      'very-delicate': ['Very delicate: instruments on shock mounts', 'とても壊れやすい（防振マウントの機器）'],
+      'extremely-fragile': ['Extremely fragile: instruments', 'きわめて壊れやすい（精密に調整された機器）'],
+      'very-delicate': ['Very delicate: on shock mounts', 'とても壊れやすい（防振マウントの機器）'],
       delicate: ['Delicate: office electronics', '壊れやすい（事務用電子機器）'],
-      'moderately-delicate': ['Moderately delicate: monitors, stereos', 'やや壊れやすい（モニター、音響機器）'],
+      'moderately-delicate': ['Moderately delicate: monitors', 'やや壊れやすい（モニター、音響機器）'],
       'moderately-rugged': ['Moderately rugged: appliances', 'やや丈夫（家電）'],
       rugged: ['Rugged: machinery', '丈夫（機械）'],
     },
