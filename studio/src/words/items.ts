@@ -18,7 +18,7 @@ export const items = words({
     duplicateNamed: (name: string) => [`Duplicate ${name}`, `${name} を複製`],
     remove: (name: string) => [`Take ${name} out`, `${name} を取り出す`],
     fields: (name: string) => [`Of ${name}`, `${name} について`],
-    asForAll: ['Clearance as for all', 'すきまを全体と同じに'],
+    asForAll: ['Clearance as for all', 'クリアランスを全体と同じに'],
     placing: (name: string) => [`Turns and shifts ${name}.`, `${name} を回して動かします。`],
     locked: (name: string) => [`${name} is locked.`, `${name} は固定されています。`],
     arrange: ['Arrange', '並べる'],
@@ -41,7 +41,7 @@ export const items = words({
     fillNeeds: ['Choose a case or the number of blocks first: then there is something to fill.', '先にケースかブロック数を選んでください。'],
     closedOnly: [
       'Searches look for foams that close: place what lies in a tray by hand, here or in the view.',
-      '探索は閉じるフォームが対象です。トレイのものは、ここか立体の表示で手で置いてください。',
+      '探索は閉じる緩衝材が対象です。トレイのものは、ここか立体の表示で手で置いてください。',
     ],
     plan: ['Drag an item in the plan to move it.', '平面図でものをドラッグすると動かせます。'],
   },

@@ -5,7 +5,7 @@ import {byName, words} from './words';
 export const page = words({
   code: ['en', 'ja'],
   name: ['English', '日本語'],
-  title: ['Snug Studio: protective foam by looking at it', 'Snug Studio：見ながら設計する緩衝フォーム'],
+  title: ['Snug Studio: protective foam by looking at it', 'Snug Studio：見ながら設計する緩衝材'],
   header: {
     open: ['Open object', '対象物を開く'],
     openShort: ['Open', '開く'],
@@ -39,7 +39,7 @@ export const page = words({
   steps: {
     label: ['Steps', '手順'],
     object: ['Object', '対象物'],
-    foam: ['Foam', 'フォーム'],
+    foam: ['Foam', '緩衝材'],
     placement: ['Placement', '配置'],
     check: ['Check', '確認'],
     make: ['Make', '製作'],
@@ -48,7 +48,7 @@ export const page = words({
     heading: ['What are you packing?', '何を梱包しますか？'],
     lead: [
       'Drop a scan or a 3D model here. Snug designs the foam around it, and nothing leaves this computer.',
-      'スキャンや3Dモデルをここにドロップすると、まわりのフォームを設計します。データはこのコンピューターの外に出ません。',
+      'スキャンや3Dモデルをここにドロップすると、まわりの緩衝材を設計します。データはこのコンピューターの外に出ません。',
     ],
     choose: ['Choose a file', 'ファイルを選ぶ'],
     or: ['or try one of these', 'または、見本で試す'],
@@ -74,12 +74,12 @@ export const page = words({
     wall: ['Thinnest wall', '最も薄い壁'],
     gap: ['Widest gap', '最大のすきま'],
     gapUnmeasured: ['not measured', '未測定'],
-    litres: ['Foam', 'フォーム'],
-    share: ['Share of foam F', 'フォームの割合 F'],
+    litres: ['Foam', '緩衝材'],
+    share: ['Share of foam F', '緩衝材の割合 F'],
     time: ['Last change', '最後の変更'],
-    noFoam: ['It does not fit: no foam yet', '入りきらないため、まだフォームがありません'],
-    noUnit: ['No foam yet: its unit is not chosen', '単位が選ばれていないため、まだフォームがありません'],
-    timeTip: ['From your last change to its new foams', '最後の変更から新しいフォームまで'],
+    noFoam: ['It does not fit: no foam yet', '入りきらないため、まだ緩衝材がありません'],
+    noUnit: ['No foam yet: its unit is not chosen', '単位が選ばれていないため、まだ緩衝材がありません'],
+    timeTip: ['From your last change to its new foams', '最後の変更から新しい緩衝材まで'],
   },
   busy: {
     start: ['Starting …', '起動中 …'],

@@ -29,7 +29,7 @@ export const placement = words({
     objective: ['Look for', '重視するもの'],
     objectiveTip: ['What Optimize makes small or large', '最適化で小さく、または大きくするもの'],
     objectives: byName({
-      cut: ['least foam cut away', '削るフォームを最少に'],
+      cut: ['least foam cut away', '削る緩衝材を最少に'],
       gap: ['least gap at the surface', '表面のすきまを最小に'],
       depth: ['least insertion depth', '差し込む深さを最小に'],
       bearing: ['most bearing area', '支える面を最大に'],
@@ -50,7 +50,7 @@ export const placement = words({
     optimize: ['Optimize', '最適化'],
     optimizeTip: [
       'Look at every way to turn the object, and shift it by up to half a block, for the placement that cuts the least foam away. Cancel keeps the best so far.',
-      'あらゆる向きと半ブロック以内の移動を調べ、削るフォームが最も少ない配置を探します。中止すると、それまでの最良が残ります。',
+      'あらゆる向きと半ブロック以内の移動を調べ、削る緩衝材が最も少ない配置を探します。中止すると、それまでの最良が残ります。',
     ],
     searching: (f: string) => [`Searching … F ${f}`, `探索中 … F ${f}`],
   },
@@ -67,7 +67,7 @@ export const placement = words({
     map: ['Map of directions', '挿入方向の地図'],
     mapTip: [
       'Colours every direction in which the object could be put in by the foam that would be cut away.',
-      '対象物を入れられるすべての方向を、切り取られるフォームの量で色分けします。',
+      '対象物を入れられるすべての方向を、切り取られる緩衝材の量で色分けします。',
     ],
     mapLabel: [
       'Map of directions: arrow keys move, Enter turns the object',

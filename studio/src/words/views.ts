@@ -6,12 +6,12 @@ export const views = words({
   view3d: {
     label: [
       '3D view of the object in its foams. Drag to orbit; arrow keys orbit, plus and minus zoom.',
-      'フォームに収まった対象物の3D表示。ドラッグか矢印キーで回転、プラスとマイナスで拡大・縮小。',
+      '緩衝材に収まった対象物の3D表示。ドラッグか矢印キーで回転、プラスとマイナスで拡大・縮小。',
     ],
-    opening: ['Open foams', 'フォームを開く'],
+    opening: ['Open foams', '緩衝材を開く'],
     openingTip: [
       'Moves the pieces of foam up and down, away from each other, as things go in and out',
-      'フォームを上下に離します（出し入れの動き）',
+      '緩衝材を上下に離します（出し入れの動き）',
     ],
     openingValue: ['Opening in percent', '開き（パーセント）'],
     play: ['Open or close, animated', '開閉のアニメーション'],
@@ -28,8 +28,8 @@ export const views = words({
     all: ['Show all', '全体を表示'],
     parts: {
       object: ['Object', '対象物'],
-      lower: ['Lower foam', '下のフォーム'],
-      middle: ['Middle foam', '中間のフォーム'],
+      lower: ['Lower foam', '下の緩衝材'],
+      middle: ['Middle foam', '中間の緩衝材'],
       upper: ['Lid', 'ふた'],
       space: ['Space', '空間'],
     },
@@ -82,7 +82,7 @@ export const views = words({
     notes: {
       lower: [
         'LOWER · cavity facing you · numbers: blocks to remove',
-        '下のフォーム（LOWER）・くぼみが手前・数字は取り除くブロック数',
+        '下の緩衝材（LOWER）・くぼみが手前・数字は取り除くブロック数',
       ],
       middle: {
         above: (number: number) => [
@@ -99,11 +99,11 @@ export const views = words({
         'ふた（LID）・くぼみが手前・数字は取り除くブロック数',
       ],
     },
-    back: ['BACK', 'BACK'],
+    back: ['BACK', '奥（BACK）'],
     print: ['Print', '印刷'],
     printTip: [
       'Prints the maps of all pieces of foam, one page for each side with cavities, which faces you',
-      '図を印刷します：フォームのくぼみのある面を1ページずつ、くぼみを手前にして',
+      '図を印刷します：緩衝材のくぼみのある面を1ページずつ、くぼみを手前にして',
     ],
     column: (j: number, k: number) => [`Row ${j}, column ${k}`, `${j} 行 ${k} 列`],
     remove: (parts: readonly string[]) => [`remove ${parts.join(', ')}`, `${parts.join('、')} 取り除く`],
@@ -114,23 +114,23 @@ export const views = words({
     },
     hover: ['Point at a column to see it in both windows.', '列を指すと両方の窓に表示されます。'],
     legend: {
-      lower: ['lower foam', '下のフォーム'],
-      middle: ['middle foam', '中間のフォーム'],
+      lower: ['lower foam', '下の緩衝材'],
+      middle: ['middle foam', '中間の緩衝材'],
       upper: ['lid', 'ふた'],
       cut: ['cut away', '切り取り'],
       object: ['object', '対象物'],
     },
     canvas: {
       section: (n: number) => [`Section through layer ${n}`, `${n} 層目の断面`],
-      lower: ['Map of the lower foam: blocks to remove in each column', '下のフォームの図：各列で取り除くブロック数'],
+      lower: ['Map of the lower foam: blocks to remove in each column', '下の緩衝材の図：各列で取り除くブロック数'],
       middle: {
         above: (number: number) => [
           `Map of middle foam ${number} from above: blocks to remove in each column`,
-          `中間のフォーム ${number} の上からの図：各列で取り除くブロック数`,
+          `中間の緩衝材 ${number} の上からの図：各列で取り除くブロック数`,
         ],
         below: (number: number) => [
           `Map of middle foam ${number} from below: blocks to remove in each column`,
-          `中間のフォーム ${number} の下からの図：各列で取り除くブロック数`,
+          `中間の緩衝材 ${number} の下からの図：各列で取り除くブロック数`,
         ],
       },
       upper: ['Map of the lid: blocks to remove in each column', 'ふたの図：各列で取り除くブロック数'],
