@@ -132,7 +132,7 @@ test('a file in metres asks for its unit', async ({studio: page}) => {
 
 test('a lost graphics context says so and comes back', async ({studio: page}) => {
   await open(page, sample('torus'));
-  const scene = page.locator('canvas').first();
+  const scene = page.getByRole('application');
   const context = await scene.evaluateHandle((canvas: HTMLCanvasElement) => canvas.getContext('webgl2')?.getExtension('WEBGL_lose_context'));
   await context.evaluate((extension) => extension?.loseContext());
   await expect(page.getByText('The graphics of this browser stopped')).toBeVisible();

@@ -19,7 +19,7 @@ async function vase(page: Page) {
 
 /** Drags over the view, by shares of it. */
 async function drag(page: Page, from: [number, number], to: [number, number], button: 'left' | 'right' = 'left') {
-  const {x, y, width, height} = (await page.locator('canvas').first().boundingBox())!;
+  const {x, y, width, height} = (await page.getByRole('application').boundingBox())!;
   const at = ([across, down]: [number, number]) => [x + width * across, y + height * down] as const;
   await page.mouse.move(...at(from));
   await page.mouse.down({button});
@@ -158,7 +158,7 @@ test('a separate part is taken by a click', async ({studio: page}) => {
   await page.getByRole('button', {name: 'Top', exact: true}).click();
   await page.waitForTimeout(500);
   await shot(page, 'parts');
-  const {x, y, width, height} = (await page.locator('canvas').first().boundingBox())!;
+  const {x, y, width, height} = (await page.getByRole('application').boundingBox())!;
   for (let i = 1; i < 20 && !(await line(page).textContent())!.includes('part='); i++) {
     await page.mouse.click(x + (width * i) / 20, y + height * 0.5);
     await page.waitForTimeout(400);
@@ -173,7 +173,7 @@ test.describe('with fingers', () => {
   test('one paints, two turn', async ({studio: page}) => {
     await vase(page);
     await begin(page);
-    const {x, y, width, height} = (await page.locator('canvas').first().boundingBox())!;
+    const {x, y, width, height} = (await page.getByRole('application').boundingBox())!;
     const client = await page.context().newCDPSession(page);
     const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', ...fingers: [number, number][]) =>
       client.send('Input.dispatchTouchEvent', {type, touchPoints: fingers.map(([across, down], id) => ({x: x + width * across, y: y + height * down, id}))});

@@ -4,7 +4,9 @@ import {unzipSync} from 'fflate';
 
 /** A page whose console stays silent: any error on it fails the test. */
 export const test = base.extend<{studio: Page}>({
-  studio: async ({page}, use) => {
+  studio: async ({page, context}, use) => {
+    // As for somebody who wants the angles open.
+    await context.addInitScript(() => localStorage.setItem('snug-fine-turn', 'open'));
     const errors: string[] = [];
     page.on('console', (message) => message.type() === 'error' && errors.push(message.text()));
     page.on('pageerror', (error) => errors.push(String(error)));

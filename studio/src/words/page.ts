@@ -35,6 +35,7 @@ export const page = words({
       '対象物とすべての変更を消しますか？保存したプロジェクトは残ります。',
     ],
     clearYes: ['Forget everything', 'すべて消す'],
+    clearNo: ['Keep it', '残す'],
   },
   steps: {
     label: ['Steps', '手順'],

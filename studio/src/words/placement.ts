@@ -17,8 +17,9 @@ export const placement = words({
       `${axis}の軸まわりに90度、${way}`,
     ],
     ways: {left: ['counterclockwise', '左回り'], right: ['clockwise', '右回り']},
+    fine: ['Fine turn', '細かく回す'],
     down: ['This side down', 'この面を下に'],
-    downTip: (side: string) => [`The object’s own ${side} side down`, `対象物の ${side} 側を下にします`],
+    downTip: (side: string) => [`Lays it like this: ${side} of its file down`, `このように置きます（ファイルの ${side} 側が下）`],
     offset: ['Shift', '移動'],
     offsetTip: (axis: string) => [
       `Shift the object from the middle of the space, ${axis}`,

@@ -44,7 +44,6 @@ export const views = words({
       shift: ['Arrows to shift the object in the view', '矢印をつかんで対象物を動かします'],
     },
     up: ['UP', '上'],
-    own: ['object’s own z', '対象物の z'],
     lost: [
       'The graphics of this browser stopped. They come back by themselves; nothing is lost.',
       'ブラウザーのグラフィックスが止まりました。自動で戻ります。データは失われません。',
