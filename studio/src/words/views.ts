@@ -5,8 +5,8 @@ import {words} from './words';
 export const views = words({
   view3d: {
     label: [
-      '3D view of the object in its foams. Drag to orbit; arrow keys orbit, plus and minus zoom.',
-      '緩衝材に収まった対象物の3D表示。ドラッグか矢印キーで回転、プラスとマイナスで拡大・縮小。',
+      '3D view of the object in its foams. Drag to orbit; arrow keys orbit, plus and minus zoom, F or a double click shows all.',
+      '緩衝材に収まった対象物の3D表示。ドラッグか矢印キーで回転、プラスとマイナスで拡大・縮小、Fかダブルクリックで全体を表示。',
     ],
     opening: ['Open foams', '緩衝材を開く'],
     openingTip: [
@@ -26,6 +26,7 @@ export const views = words({
       bottom: ['Below', '下'],
     },
     all: ['Show all', '全体を表示'],
+    allTip: ['Show all: F in the view, or a double click on it', '全体を表示：表示の中で F、またはダブルクリック'],
     parts: {
       object: ['Object', '対象物'],
       lower: ['Lower foam', '下の緩衝材'],
