@@ -10,6 +10,8 @@ export const check = words({
     ],
     fine: ['Nothing to worry about.', '問題はありません。'],
     severities: {danger: ['Danger', '危険'], warning: ['Warning', '警告'], note: ['Note', '参考']},
+    titled: (severity: string, name: string) => [`${severity}: ${name}`, `${severity}：${name}`],
+    between: [', ', '、'],
     counts: {
       danger: (n: number) => [n === 1 ? '1 danger' : `${n} dangers`, `危険 ${n}件`],
       warning: (n: number) => [n === 1 ? '1 warning' : `${n} warnings`, `警告 ${n}件`],
