@@ -72,7 +72,7 @@ void visit_options(Visit& visit, CaseOptions& options) {
                   .range = kCase,
                   .step = 0.5,
                   .label = {"the play", "遊び"},
-                  .help = {"Air between foam and case on each side", "フォームとケースの間の遊び（各面）"}});
+                  .help = {"Air between foam and case on each side", "緩衝材とケースの間の遊び（各面）"}});
     visit.option(options.lid_mm, {.json = "lid_mm",
                                   .flag = "--case",
                                   .unit = "mm",
@@ -119,10 +119,10 @@ void visit_options(Visit& visit, CaseOptions& options) {
                                    .help = {"cm3 for one kg of volumetric weight; none: a flat rate",
                                             "容積重量 1 kg あたりの cm3。none なら一律料金"}});
     visit.option(options.division, {.json = "division",
-                                    .label = {"the division", "フォームの分割の可否"},
+                                    .label = {"the division", "緩衝材の分割の可否"},
                                     .help = {"How the foam may be divided to fill a case",
-                                             "ケースを満たすためにフォームをどこで切り分けてよいか"},
-                                    .usual = {"the preset's", "選んだフォームの値"}});
+                                             "ケースを満たすために緩衝材をどこで切り分けてよいか"},
+                                    .usual = {"the preset's", "選んだ緩衝材の値"}});
 }
 
 /// What is out of range: sizes that are not above the play, a lid as high as the case, corners

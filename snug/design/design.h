@@ -112,9 +112,9 @@ void visit_options(Visit& visit, SpaceOptions& space) {
                  {.json = "preset",
                   .flag = "--preset",
                   .takes = "NAME",
-                  .label = {"the preset", "フォームの種類"},
+                  .label = {"the preset", "緩衝材の種類"},
                   .help = {"A foam that `snug presets` lists: block size and clearance",
-                           "`snug presets` にあるフォーム：ブロックの大きさとすきまが決まります"}});
+                           "`snug presets` にある緩衝材：ブロックの大きさとクリアランスが決まります"}});
     visit.option(space.blocks, {.json = "blocks",
                                 .flag = "--blocks",
                                 .takes = "30x18x18|auto",
@@ -144,7 +144,7 @@ void visit_options(Visit& visit, SpaceOptions& space) {
          .help =
              {"Least foam between object and case: all sides, or X,Y,Z, or "
               "floor,roof,back,front,left,right; protect: as thick as --fragility asks",
-              "対象物とケースの間に残すフォームの最小の厚さ：全面、または X,Y,Z、または底,上,奥,手前,左,右。"
+              "対象物とケースの間に残す緩衝材の最小の厚さ：全面、または X,Y,Z、または底,上,奥,手前,左,右。"
               "protect は --fragility に足りる厚さ"},
          .usual = {"0; 50 with --blocks auto", "0、--blocks auto なら 50"}});
     visit.option(space.between_mm, {.json = "between_mm",
@@ -153,9 +153,9 @@ void visit_options(Visit& visit, SpaceOptions& space) {
                                     .unit = "mm",
                                     .range = {0, kGreatestLength},
                                     .step = 1,
-                                    .label = {"the foam between items", "もの同士の間のフォーム"},
+                                    .label = {"the foam between items", "もの同士の間の緩衝材"},
                                     .help = {"Least foam between two items that are of no common group",
-                                             "同じグループでない二つのものの間に残すフォームの最小の厚さ"},
+                                             "同じグループでない二つのものの間に残す緩衝材の最小の厚さ"},
                                     .usual = {"a block, at least 12.7", "ブロック一つ、12.7 以上"}});
     visit.option(
         space.open,
@@ -232,12 +232,12 @@ void visit_options(Visit& visit, CutOptions& cut) {
          .range = {-kGreatestLength, kGreatestLength},
          .step = 0.1,
          .often = 20,
-         .label = {"the clearance", "すきま"},
+         .label = {"the clearance", "クリアランス"},
          .help = {"Grow the object by this on every side: one number, or X,Y,Z, or six: X,Y,Z for the "
                   "lower foam, then for the upper; negative squeezes it, down to -0.4 of the smallest "
                   "side of a block",
                   "対象物をすべての方向にこれだけ大きくみなします：数値一つ、X,Y,Z "
-                  "の三つ、または下のフォームの X,Y,Z と上のフォームの X,Y,Z "
+                  "の三つ、または下の緩衝材の X,Y,Z と上の緩衝材の X,Y,Z "
                   "の六つ。負の値は締めつけます（ブロックの最も短い辺の -0.4 倍まで）"},
          .scope = Scope::item});
     visit.option(cut.liner_mm,
@@ -249,7 +249,7 @@ void visit_options(Visit& visit, CutOptions& cut) {
                   .step = 0.1,
                   .label = {"the liner", "内張りの厚さ"},
                   .help = {"Thickness of a cloth between object and foam, on top of the clearance",
-                           "対象物とフォームの間の布の厚さ（すきまに加わります）"}});
+                           "対象物と緩衝材の間の布の厚さ（クリアランスに加わります）"}});
     visit.option(cut.cut_on_touch, {.json = "cut_on_touch",
                                     .flag = "--cut-on-touch",
                                     .label = {"the cut on touch", "触れるだけのブロックの切り取り"},
@@ -294,7 +294,7 @@ void visit_options(Visit& visit, OutputOptions& output) {
                   .flag = "--formats",
                   .takes = "stl,ply",
                   .label = {"a format", "ファイルの形式"},
-                  .help = {"Formats of the foams: stl, ply", "フォームのファイル形式：stl、ply"},
+                  .help = {"Formats of the foams: stl, ply", "緩衝材のファイル形式：stl、ply"},
                   .usual = {"both", "両方"},
                   .words = kFormats});
 }
@@ -322,9 +322,9 @@ void visit_options(Visit& visit, Design& design) {
     visit.group(design.placement, {.json = "placement", .title = {"How the object lies", "対象物の置き方"}});
     visit.group(design.items, {.json = "items", .title = {"What lies in the case", "中に置くもの"}});
     visit.group(design.cut, {.json = "cut", .title = {"What is cut away", "切り取り方"}});
-    visit.group(design.fit, {.json = "fit", .title = {"A foam to work and live with", "使いやすいフォーム"}});
+    visit.group(design.fit, {.json = "fit", .title = {"A foam to work and live with", "使いやすい緩衝材"}});
     visit.group(design.parting, {.json = "parting", .title = {"Where the halves part", "分割"}});
-    visit.group(design.output, {.json = "output", .title = {"The files of the foams", "フォームのファイル"}});
+    visit.group(design.output, {.json = "output", .title = {"The files of the foams", "緩衝材のファイル"}});
     visit.group(design.case_options, {.json = "case", .title = {"The case", "ケース"}});
     visit.group(design.protection, {.json = "protection", .title = {"What it must bear", "耐えるべきこと"}});
     visit.group(design.search, {.json = "search", .title = {"The search", "探索"}});

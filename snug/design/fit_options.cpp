@@ -113,7 +113,7 @@ SharedFlag<FitOptions> relief_flag() {
         .takes = "40x60|none",
         .help = {"Let an item stand on islands of its foam alone: how high they stand free x how wide they "
                  "are",
-                 "対象物を、フォームの島だけに載せます：島の周りが空いた高さ x 島の幅"},
+                 "対象物を、緩衝材の島だけに載せます：島の周りが空いた高さ x 島の幅"},
         .take = take_relief,
         .say = say_relief};
 }
@@ -122,7 +122,7 @@ SharedFlag<FitOptions> lift_flag() {
     return {.flag = "--lift",
             .takes = "90x25|none",
             .help = {"Two recesses at the edges of each piece above the lowest to lift it by: width x depth",
-                     "一番下を除く各フォームの縁に設ける、持ち上げるための二つのくぼみ：幅 x 奥行き"},
+                     "一番下を除く各緩衝材の縁に設ける、持ち上げるための二つのくぼみ：幅 x 奥行き"},
             .take = take_lift,
             .say = say_lift};
 }

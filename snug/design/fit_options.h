@@ -147,7 +147,7 @@ void visit_options(Visit& visit, LiftOptions& lift) {
                                  .step = 1,
                                  .label = {"the lift slots' width", "持ち上げ口の幅"},
                                  .help = {"How wide a recess is along the edge of a piece of foam",
-                                          "フォームの縁に沿ったくぼみの幅"}});
+                                          "緩衝材の縁に沿ったくぼみの幅"}});
     visit.option(lift.depth_mm,
                  {.json = "depth_mm",
                   .flag = "--lift",
@@ -206,7 +206,7 @@ void visit_options(Visit& visit, FitOptions& fit) {
                   .flag = "--settle",
                   .label = {"settling", "下へ寄せる設定"},
                   .help = {"Lower items until they lie on the foam below, not above a block's step",
-                           "ブロックの段の上に浮かせず、下のフォームに載るまで対象物を下げます"}});
+                           "ブロックの段の上に浮かせず、下の緩衝材に載るまで対象物を下げます"}});
     visit.flag(fit, pads_flag());
     visit.group(fit.pads, {.json = "pads", .title = {"Pads", "詰め板"}, .flag = "--pads"});
     visit.flag(fit, relief_flag());
@@ -217,9 +217,9 @@ void visit_options(Visit& visit, FitOptions& fit) {
                                     .unit = "mm",
                                     .range = {.least = 0, .most = 10000},
                                     .step = 1,
-                                    .label = {"the least rib", "最小の壁厚"},
+                                    .label = {"the least rib", "リブの最小厚さ"},
                                     .help = {"Cut away foam between cavities that is thinner than this",
-                                             "くぼみの間に残るフォームがこれより薄ければ切り取ります"},
+                                             "くぼみの間に残る緩衝材がこれより薄ければ切り取ります"},
                                     .usual = {"0: none", "0：なし"}});
     visit.flag(fit, notch_size_flag());
     visit.group(fit.notches, {.json = "notches", .title = {"Notches", "指かけ"}, .flag = "--notches"});
@@ -231,9 +231,9 @@ void visit_options(Visit& visit, FitOptions& fit) {
                   .takes = "KPA",
                   .unit = "kPa",
                   .range = {.least = 0, .most = 1e6, .above = true},
-                  .label = {"the pressure that the foam bears for long", "フォームが長く耐える圧力"},
-                  .help = {"Pressure that the foam bears for long", "フォームが長く耐える圧力"},
-                  .usual = {"the preset's", "選んだフォームの値"}});
+                  .label = {"the pressure that the foam bears for long", "緩衝材が長く耐える圧力"},
+                  .help = {"Pressure that the foam bears for long", "緩衝材が長く耐える圧力"},
+                  .usual = {"the preset's", "選んだ緩衝材の値"}});
 }
 
 }  // namespace snug

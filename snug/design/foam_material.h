@@ -46,12 +46,12 @@ void visit_options(Visit& visit, FoamMaterial& foam) {
     visit.option(foam.name, {.json = "name",
                              .flag = "--foam",
                              .takes = "NAME",
-                             .label = {"the foam's data", "フォームのデータ"},
+                             .label = {"the foam's data", "緩衝材のデータ"},
                              .help = {"A foam that `snug foams` lists: how it pushes back in a drop",
-                                      "`snug foams` にあるフォーム：落下のときの押し返し方が決まります"}});
+                                      "`snug foams` にある緩衝材：落下のときの押し返し方が決まります"}});
     visit.option(foam.title, {.json = "title",
-                              .label = {"the foam's title", "フォームの説明"},
-                              .help = {"What it is, in one line", "フォームの一行の説明"}});
+                              .label = {"the foam's title", "緩衝材の説明"},
+                              .help = {"What it is, in one line", "緩衝材の一行の説明"}});
     visit.option(foam.curve, {.json = "curve",
                               .unit = "kPa",
                               .label = {"the stress-strain curve", "応力ひずみ曲線"},
@@ -60,7 +60,7 @@ void visit_options(Visit& visit, FoamMaterial& foam) {
     visit.option(foam.density_kg_m3, {.json = "density_kg_m3",
                                       .unit = "kg/m3",
                                       .range = kAbove0,
-                                      .label = {"the foam's density", "フォームの密度"},
+                                      .label = {"the foam's density", "緩衝材の密度"},
                                       .help = {"Its density", "密度"}});
     visit.option(foam.thickness_mm, {.json = "thickness_mm",
                                      .unit = "mm",
@@ -72,13 +72,13 @@ void visit_options(Visit& visit, FoamMaterial& foam) {
                  {.json = "creep_kpa",
                   .unit = "kPa",
                   .range = {.least = 0, .most = 1e6, .above = true},
-                  .label = {"the pressure that the foam bears for long", "フォームが長く耐える圧力"},
+                  .label = {"the pressure that the foam bears for long", "緩衝材が長く耐える圧力"},
                   .help = {"Pressure that it bears for long", "長く耐える圧力"}});
     visit.option(foam.impacts, {.json = "impacts",
                                 .range = {1, 1000},
                                 .label = {"the number of drops", "落下の回数"},
                                 .help = {"How many drops on the same foam the curve is of",
-                                         "同じフォームへの何回の落下による曲線か"},
+                                         "同じ緩衝材への何回の落下による曲線か"},
                                 .usual = {"pressed slowly", "ゆっくり押した"}});
     visit.option(foam.status, {.json = "status",
                                .label = {"where the data are from", "データの種類"},

@@ -86,8 +86,8 @@ void visit_options(Visit& visit, ItemOptions& item) {
                                      .unit = "mm",
                                      .range = {-kGreatestLength, kGreatestLength},
                                      .step = 0.1,
-                                     .label = {"the clearance", "すきま"},
-                                     .help = {"Its own clearance", "これだけのすきま"},
+                                     .label = {"the clearance", "クリアランス"},
+                                     .help = {"Its own clearance", "これだけのクリアランス"},
                                      .usual = {"the design's", "全体の設定"},
                                      .scope = Scope::item,
                                      .word = "clearance"});
@@ -118,7 +118,7 @@ void visit_options(Visit& visit, ItemOptions& item) {
                                     .word = "fragility"});
     visit.option(item.zones, {.json = "zones",
                               .label = {"the places to keep off", "触れない場所"},
-                              .help = {"Places on it that foam keeps away from", "フォームを離しておく場所"},
+                              .help = {"Places on it that foam keeps away from", "緩衝材を離しておく場所"},
                               .usual = {"the design's", "全体の設定"},
                               .scope = Scope::item,
                               .word = "keep-off"});

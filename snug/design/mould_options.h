@@ -39,7 +39,7 @@ void visit_options(Visit& visit, MouldOptions& mould) {
                                    .step = 0.5,
                                    .label = {"the mould's draft", "型の抜き勾配"},
                                    .help = {"Mould: lean of upright faces, so that the foam lets go",
-                                            "型：フォームが抜けるように立ち面に付ける傾き"}});
+                                            "型：緩衝材が抜けるように立ち面に付ける傾き"}});
 }
 
 }  // namespace snug

@@ -53,15 +53,16 @@ void visit_options(Visit& visit, PrintOptions& print) {
                   .label = {"the dowel's length", "ダボの長さ"},
                   .help = {"Print, mould: length of the dowels, at least their diameter",
                            "3D プリント・型：ダボの長さ（直径以上）"}});
-    visit.option(print.joint_clearance_mm, {.json = "joint_clearance_mm",
-                                            .flag = "--dowel-clearance",
-                                            .takes = "MM",
-                                            .unit = "mm",
-                                            .range = {0, 5},
-                                            .step = 0.05,
-                                            .label = {"the clearance around a dowel", "ダボのまわりのすきま"},
-                                            .help = {"Print, mould: room left around a dowel on every side",
-                                                     "3D プリント・型：ダボのまわりに残すすきま"}});
+    visit.option(print.joint_clearance_mm,
+                 {.json = "joint_clearance_mm",
+                  .flag = "--dowel-clearance",
+                  .takes = "MM",
+                  .unit = "mm",
+                  .range = {0, 5},
+                  .step = 0.05,
+                  .label = {"the clearance around a dowel", "ダボのまわりのクリアランス"},
+                  .help = {"Print, mould: room left around a dowel on every side",
+                           "3D プリント・型：ダボのまわりに残すクリアランス"}});
 }
 
 /// What is out of range; none where all is well.

@@ -93,12 +93,12 @@ void visit_options(Visit& visit, ProtectionOptions& protection) {
          .help = {"Places that foam keeps away from, by so many mm: part=3:15, or X,Y,Z,R:15 for what "
                   "lies within R mm of a point of the file; :press=2kPa tells what they bear, :loose "
                   "that nothing may touch them",
-                  "フォームを離しておく場所と距離（mm）：part=3:15、またはファイルの点から R mm 以内なら "
+                  "緩衝材を離しておく場所と距離（mm）：part=3:15、またはファイルの点から R mm 以内なら "
                   "X,Y,Z,R:15。:press=2kPa は耐える圧力、:loose は何も触れてはならないことを表します"},
          .usual = {"none", "なし"},
          .scope = Scope::item});
     visit.group(protection.foam,
-                {.json = "foam", .title = {"The foam's data", "フォームのデータ"}, .flag = "--foam"});
+                {.json = "foam", .title = {"The foam's data", "緩衝材のデータ"}, .flag = "--foam"});
 }
 
 /// What is out of range; none where all is well.

@@ -100,9 +100,9 @@ void visit_options(Visit& visit, SheetOptions& sheets) {
                   .unit = "mm",
                   .range = kLength,
                   .step = 0.5,
-                  .label = {"the foam between a dowel hole and an edge", "ダボの穴と縁の間のフォーム"},
+                  .label = {"the foam between a dowel hole and an edge", "ダボの穴と縁の間の緩衝材"},
                   .help = {"Sheets: least foam between a dowel hole and an edge",
-                           "シート：ダボの穴と縁の間に残すフォームの最小の幅"}});
+                           "シート：ダボの穴と縁の間に残す緩衝材の最小の幅"}});
     visit.option(
         sheets.liner_slit_mm,
         {.json = "liner_slit_mm",
@@ -124,7 +124,7 @@ void visit_options(Visit& visit, SheetOptions& sheets) {
                                  .often = 100,
                                  .label = {"the number of copies", "組数"},
                                  .help = {"Sheets: so many times the same foam, cut from common stock",
-                                          "シート：同じフォームを何組作るか。材料はまとめて切り出します"}});
+                                          "シート：同じ緩衝材を何組作るか。材料はまとめて切り出します"}});
     visit.option(
         sheets.second_color,
         {.json = "second_color",

@@ -98,9 +98,9 @@ void visit_options(Visit& visit, WorkshopOptions& workshop) {
                                           .unit = "kg/m3",
                                           .range = kAbove0,
                                           .step = 1,
-                                          .label = {"the density of the foam", "フォームの密度"},
+                                          .label = {"the density of the foam", "緩衝材の密度"},
                                           .help = {"Density of the material", "材料の密度"},
-                                          .usual = {"the preset's", "選んだフォームの値"}});
+                                          .usual = {"the preset's", "選んだ緩衝材の値"}});
     visit.group(workshop.sheets, {.json = "sheets", .title = {"Sheets", "シート"}});
     visit.group(workshop.print, {.json = "print", .title = {"Printing", "3D プリント"}});
     visit.flag(workshop, dowel_flag());

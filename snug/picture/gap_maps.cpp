@@ -117,7 +117,7 @@ class HalfMap {
         if (half_.widest_mm > 0) ring.push_back(say("gap.ring", {{"mm", number(half_.widest_mm, 1)}}));
         draw_title(canvas, text(title(std::move(ring)), language_));
         canvas.text({at_.x + size.x / 2, lower_ ? at_.y - 8 : at_.y + size.y + 18}, 12,
-                    anchored(kBackText, TextAnchor::middle), "BACK");
+                    anchored(kBackText, TextAnchor::middle), text(say("mark.back"), language_));
     }
 
   private:

@@ -18,7 +18,7 @@ constexpr Wording kWordsOfArchives[] = {
     {"bundle.no_object_of",
      "it holds foams and the project that they were made from, but not their object {name}: unpack it, "
      "and open the project with its object",
-     "フォームと元のプロジェクトは入っていますが、その対象物 {name} がありません。展開して、プロジェクトを"
+     "緩衝材と元のプロジェクトは入っていますが、その対象物 {name} がありません。展開して、プロジェクトを"
      "対象物と一緒に開いてください。"},
     {"threemf.extension",
      "it requires the extension \"{prefix}\"{address}, which Snug does not know, so its shape could be "

@@ -9,12 +9,12 @@ constexpr Wording kWordsOfBricks[] = {
     {"bricks.layers",
      "foams of several layers are not built of bricks yet: a middle foam would stand on its studs. Pack the "
      "layers as designs of their own, or take --for {ways/}",
-     "複数の段のフォームは、まだブロックでは組めません（中間のフォームがポッチの上に立つため）。段ごとに別の"
+     "複数の段の緩衝材は、まだブロックでは組めません（中間の緩衝材がポッチの上に立つため）。段ごとに別の"
      "設計にするか、--for で {ways/} を選んでください。"},
     {"brick_pieces",
      "the bricks of the {half} hold together in {pieces} pieces: foam that is one layer thick, or islands "
      "of it, cannot be joined by studs. Glue it, take plates (--brick-unit plate) or more walls",
-     "{half}のブロックが {pieces} 個に分かれます。一段だけのフォームや島はポッチではつながりません。接着す"
+     "{half}のブロックが {pieces} 個に分かれます。一段だけの緩衝材や島はポッチではつながりません。接着す"
      "るか、プレート（--brick-unit plate）を使うか、壁を厚くしてください。"},
     {"lid_gap",
      "the rims meet stud on stud, so the lid stands {mm} mm off and the whole is as much higher; "
@@ -75,7 +75,7 @@ constexpr Wording kWordsOfBricks[] = {
     {"bricks.too_narrow",
      "the chosen bricks cannot fill the foam: {where} are narrower than the smallest of them. Add 1x1 to "
      "--brick-sizes",
-     "選んだブロックではフォームを埋められません。{where}は、最も小さいブロックより幅が狭くなっています。"
+     "選んだブロックでは緩衝材を埋められません。{where}は、最も小さいブロックより幅が狭くなっています。"
      "--brick-sizes に 1x1 を加えてください。"},
     {"bricks.stock_too_small",
      "the bricks in stock do not suffice: {where} stay empty when they are used up. Add to the stock (1x1 "
@@ -87,7 +87,7 @@ constexpr Wording kWordsOfBricks[] = {
      "Longer bricks may span it where --brick-sizes leaves some out; otherwise take a case with upright "
      "walls and square corners, or let the bricks fill the largest box that lies in this one (--case with "
      "the sizes at its floor)",
-     "下にフォームのない所をブロックで渡せません。{where}が宙に浮きます。--brick-sizes で除いた長いブロッ"
+     "下に緩衝材のない所をブロックで渡せません。{where}が宙に浮きます。--brick-sizes で除いた長いブロッ"
      "クを使うか、壁が垂直で角が四角いケースにするか、ケースに入る最大の箱（--case に底の寸法）に合わせて"
      "ください。"},
     {"bricks.no_bricks",

@@ -6,10 +6,12 @@ namespace snug {
 namespace {
 
 constexpr Wording kWordsOfDesign[] = {
-    {"clearance.most", "the clearance must be at most {most} mm", "すきまは {most} mm 以下にしてください。"},
+    {"clearance.most", "the clearance must be at most {most} mm",
+     "クリアランスは {most} mm 以下にしてください。"},
     {"clearance.least",
      "the clearance must be {least} mm or more for these blocks (-0.4 of the smallest side), not {found}",
-     "このブロックでは、すきまを {least} mm（最も短い辺の -0.4 倍）以上にしてください（指定：{found}）。"},
+     "このブロックでは、クリアランスを {least} mm（最も短い辺の -0.4 "
+     "倍）以上にしてください（指定：{found}）。"},
     {"parting.layers",
      "the design has {layers} layers of items and {found} parting levels: give one level for each layer, or "
      "auto",
@@ -61,9 +63,9 @@ constexpr Wording kWordsOfDesign[] = {
     {"clean.no_direction", "a cutting plane needs a direction x,y,z that is not 0, and a distance in mm",
      "切断面には、0 でない方向 x,y,z と距離（mm）が必要です。"},
     {"preset.no_list", "they must be a JSON list: {example}",
-     "フォームの一覧は JSON のリスト {example} で書いてください。"},
+     "緩衝材の一覧は JSON のリスト {example} で書いてください。"},
     {"preset.unknown", "unknown preset {name}; known are: {known,}",
-     "{name} というフォームはありません。次から選んでください：{known,}"},
+     "{name} という緩衝材はありません。次から選んでください：{known,}"},
     {"preset.division", "none, across or all", " none、across、all のどれか"},
     {"case.unknown",
      "no case is called {name}; give its inside as LENGTHxWIDTHxHEIGHT in mm, such as 425x284x155, or a name "

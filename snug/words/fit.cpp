@@ -23,7 +23,7 @@ constexpr Wording kWordsOfFit[] = {
     {"outside/items_in_case",
      "it leaves the foam of the case, which is {foam} mm: all items together take {needed} mm{clearance} as "
      "they lie. A case would do from {least} mm inside, or place the items yourself ({example})",
-     "ケースの中のフォーム {foam} mm に収まりません。このままの並びでは全部で{clearance}{needed} mm になりま"
+     "ケースの中の緩衝材 {foam} mm に収まりません。このままの並びでは全部で{clearance}{needed} mm になりま"
      "す。内寸 {least} mm 以上のケースにするか、自分で置いてください（{example}）。"},
     {"items_overlap",
      "{one} and {other} share a pocket, and the boxes around them overlap by {size} mm: look in the preview "
@@ -32,7 +32,7 @@ constexpr Wording kWordsOfFit[] = {
      "確かめてください。"},
     {"no_label",
      "no flat foam beside {name} is large enough for its name: its number stands in the packing sheet",
-     "{name} の脇に、名前を書けるだけの平らなフォームがありません。番号は梱包指示書にあります。"},
+     "{name} の脇に、名前を書けるだけの平らな緩衝材がありません。番号は梱包指示書にあります。"},
     {"label_letters",
      "the letters that a cutter engraves lack some of {name}: its number {number} stands in their place",
      "{name} には刻めない文字があります。代わりに番号 {number} を刻みます。"},
@@ -53,7 +53,7 @@ constexpr Wording kWordsOfFit[] = {
      "sunk {mm} mm only, and {wanted_mm} mm were asked for: the foam is too low, or its level was chosen "
      "(--parting)",
      "{mm} mm しか沈みません（指定は {wanted_mm} "
-     "mm）。フォームの高さが足りないか、上面の高さが指定されています"
+     "mm）。緩衝材の高さが足りないか、上面の高さが指定されています"
      "（--parting）。"},
     {"notches_shallow",
      "finger notches {depth_mm} mm deep are shallower than the {wanted_mm} mm that a finger wants: choose "
@@ -63,8 +63,8 @@ constexpr Wording kWordsOfFit[] = {
      "the items do not fit: above {floor_mm} mm of foam they reach {height_mm} mm, and the case is "
      "{inside_mm} mm high "
      "where its foam begins; choose a thinner floor (--wall) or a higher case",
-     "入りきりません。厚さ {floor_mm} mm のフォームの上に {height_mm} mm "
-     "の高さが要りますが、ケースの高さはフォームの"
+     "入りきりません。厚さ {floor_mm} mm の緩衝材の上に {height_mm} mm "
+     "の高さが要りますが、ケースの高さは緩衝材の"
      "下面から {inside_mm} mm です。底を薄くするか（--wall）、もっと高いケースにしてください。"},
     {"tips_out",
      "rolls out over the rim of its pocket when the tray is tilted by {degrees} degrees: sink it deeper "
@@ -84,19 +84,19 @@ constexpr Wording kWordsOfFit[] = {
      "between {one} and {other} stand only {distance} mm of foam, and {between} mm are wanted: shift one of "
      "them by {shift} mm along y or z, give both one group if they may share a pocket, or ask for less "
      "(--between)",
-     "{one} と {other} の間のフォームが {distance} mm しかありません（必要なのは {between} mm）。どちらかを "
+     "{one} と {other} の間の緩衝材が {distance} mm しかありません（必要なのは {between} mm）。どちらかを "
      "y または z 方向に {shift} mm 動かすか、同じくぼみに入れてよければ同じグループにするか、--between を"
      "小さくしてください。"},
     {"items_near/meet",
      "{one} and {other} lie in the same columns ({distance} mm apart, and {between} mm of foam are wanted): "
      "shift one of them by {shift} mm along y or z, or give both one group if they may share a pocket and do "
      "not run into each other",
-     "{one} と {other} が同じ列にあります（間は {distance} mm、必要なフォームは {between} mm）。どちらかを y "
+     "{one} と {other} が同じ列にあります（間は {distance} mm、必要な緩衝材は {between} mm）。どちらかを y "
      "または z 方向に {shift} mm 動かすか、ぶつからず同じくぼみに入れてよければ同じグループにしてください。"},
     {"items_near/layers",
      "between {one} and {other} in a layer above it stand only {distance} mm of foam, and {between} mm are "
      "wanted: move {other} {shift} mm up, shift one of them aside, or ask for less (--between)",
-     "{one} と上の段の {other} の間のフォームが {distance} mm しかありません（必要なのは {between} mm）。"
+     "{one} と上の段の {other} の間の緩衝材が {distance} mm しかありません（必要なのは {between} mm）。"
      "{other} を {shift} mm 上げるか、どちらかを横に動かすか、--between を小さくしてください。"},
     {"object_same_name",
      "another object is called {name}, too, and is a different file: a project finds one alone beside it, so "
@@ -111,7 +111,7 @@ constexpr Wording kWordsOfFit[] = {
     {"items.no_object", "there is an item of object {number}, but only {objects} of them, counted from 0",
      "対象物 {number} のものがありますが、対象物は {objects} 個しかありません（0 から数えます）。"},
     {"search.tray", "a search looks for foams that close, and this is a tray: place its items yourself",
-     "探索は閉じるフォームを対象とします。トレイでは、置き方を自分で決めてください。"},
+     "探索は閉じる緩衝材を対象とします。トレイでは、置き方を自分で決めてください。"},
     {"search.objective_alone",
      "{option} says what a search or an arrangement looks for, and none is asked for: add {search} or "
      "{arrange}",
@@ -123,16 +123,16 @@ constexpr Wording kWordsOfFit[] = {
      "探索できる対象物は一つだけですが、ここには {items} 個あります。--arrange "
      "で並べるか、自分で置いてください"
      "（{example}）。"},
-    {"with_clearance", " with its clearance", "すきまを含めて "},
+    {"with_clearance", " with its clearance", "クリアランスを含めて "},
     {"open",
      "the object is open, and foam would grow inside it: {blocks} {blocks|block|blocks} ({cm3} cm3) in "
      "{columns} {columns|column|columns}; close the holes with --cap, or repair the scan",
-     "対象物に穴が開いていて、内側にフォームが残ります：{columns} 列に {blocks} ブロック（{cm3} cm3）。"
+     "対象物に穴が開いていて、内側に緩衝材が残ります：{columns} 列に {blocks} ブロック（{cm3} cm3）。"
      "--cap で穴をふさぐか、スキャンを修復してください。"},
     {"uncut_part",
      "a part of the object ({size} mm) cuts no block, so foam would press on it: choose a larger "
      "clearance or smaller blocks, or move the object",
-     "ブロックが一つも切り抜かれない部品（{size} mm）があり、フォームに押されます。すきまを大きくするか、"
+     "ブロックが一つも切り抜かれない部品（{size} mm）があり、緩衝材に押されます。クリアランスを大きくするか、"
      "ブロックを小さくするか、対象物を動かしてください。"},
     {"parts_not_checked",
      "whether {parts} {parts|part|parts} of the object, flush with the blocks, cut a block each was not "
@@ -141,7 +141,7 @@ constexpr Wording kWordsOfFit[] = {
      "ブロックの面にそろった {parts} 個の部品が切り抜かれるかどうかは、細かいブロックに対して数が多すぎる"
      "ため確認していません。プレビューで確かめるか、対象物をブロックの一部だけ動かしてください。"},
     {"no_lower", "the lower foam is empty: choose another parting level or {instead}",
-     "下のフォームがありません。分割の高さを変えるか、{instead}。"},
+     "下の緩衝材がありません。分割の高さを変えるか、{instead}。"},
     {"no_upper", "the upper foam is empty: choose another parting level or {instead}",
      "ふたがありません。分割の高さを変えるか、{instead}。"},
     {"no_lift",
@@ -153,12 +153,12 @@ constexpr Wording kWordsOfFit[] = {
      "端を外に出して渡してください。"},
     {"no_middle",
      "middle foam {number} is empty: move the layers around it farther apart, or choose {instead}",
-     "中間のフォーム {number} がありません。上下の段を離すか、{instead}。"},
+     "中間の緩衝材 {number} がありません。上下の段を離すか、{instead}。"},
     {"middle_pieces",
      "middle foam {number} falls into {pieces} pieces: move the layers around it farther apart, or {instead}",
-     "中間のフォーム {number} が {pieces} 個に分かれます。上下の段を離すか、{instead}。"},
+     "中間の緩衝材 {number} が {pieces} 個に分かれます。上下の段を離すか、{instead}。"},
     {"lower_pieces", "the lower foam falls into {pieces} pieces: glue them to the case, or {instead}",
-     "下のフォームが {pieces} 個に分かれます。ケースに接着するか、{instead}。"},
+     "下の緩衝材が {pieces} 個に分かれます。ケースに接着するか、{instead}。"},
     {"upper_pieces", "the upper foam falls into {pieces} pieces: glue them to the case, or {instead}",
      "ふたが {pieces} 個に分かれます。ケースに接着するか、{instead}。"},
     {"pieces.higher_case", "a higher case", "もっと高いケースにしてください"},
@@ -172,30 +172,30 @@ constexpr Wording kWordsOfFit[] = {
      "{specks|of them a speck|of them specks} away from the rest: clean the scan if they are dirt, they "
      "cut foam too",
      "対象物は離れた {parts} 個の部品からなり（{sizes;} mm）、そのうち {specks} 個は他から離れた小さなもの"
-     "です。ごみであればスキャンから取り除いてください。フォームも切り取られます。"},
+     "です。ごみであればスキャンから取り除いてください。緩衝材も切り取られます。"},
     {"no_bearing",
      "the {foam} does not hold the object: it would sink more than 5 mm before it lies on foam; choose a "
      "smaller clearance or smaller blocks, or fill what blocks leave: {fills/}",
-     "{foam}が対象物を支えません。フォームに載るまでに 5 mm "
-     "より深く沈みます。すきまかブロックを小さくするか、"
+     "{foam}が対象物を支えません。緩衝材に載るまでに 5 mm "
+     "より深く沈みます。クリアランスかブロックを小さくするか、"
      "ブロックの残すすきまを埋めてください（{fills/}）。"},
     {"no_bearing/pads",
      "the {foam} by itself does not hold the object, which would sink more than 5 mm before it lies on foam: "
      "its "
      "pads are to, and what they carry is not counted here",
-     "{foam}だけでは対象物を支えません（フォームに載るまでに 5 mm "
+     "{foam}だけでは対象物を支えません（緩衝材に載るまでに 5 mm "
      "より深く沈みます）。支えるのは詰め板で、その面"
      "積はここでは数えていません。"},
     {"creep",
      "the object presses on the {foam} with {kpa} kPa, more than the {creep_kpa} kPa that it bears for "
      "long: turn the object so that it lies on a larger area, or take a firmer foam",
      "{foam}にかかる対象物の圧力は {kpa} kPa で、長く耐えられる {creep_kpa} kPa を超えます。広い面で載るよ"
-     "うに対象物を回すか、硬めのフォームを選んでください。"},
-    {"foam.lower", "lower foam", "下のフォーム"},
+     "うに対象物を回すか、硬めの緩衝材を選んでください。"},
+    {"foam.lower", "lower foam", "下の緩衝材"},
     {"foam.upper", "upper foam", "ふた"},
-    {"foam.middle", "middle foam {number}", "中間のフォーム {number}"},
+    {"foam.middle", "middle foam {number}", "中間の緩衝材 {number}"},
     {"foam.lid", "lid", "ふた"},
-    {"foam.lower_half", "lower half", "下のフォーム"},
+    {"foam.lower_half", "lower half", "下の緩衝材"},
     {"no_relief/items", "no relief: items that may reach one another are not looked at on islands",
      "くり抜きはしません。互いに影響する複数のものは、島の上では計算できません。"},
     {"no_relief/foam",
@@ -211,16 +211,16 @@ constexpr Wording kWordsOfFit[] = {
      "くり抜きはしません。{height_mm} mm の高さに対して {island_mm} mm の島では座屈します。{least_mm} mm "
      "以上にしてください。"},
     {"no_relief/nothing", "no relief: no foam below the object carries it",
-     "くり抜きはしません。対象物を支えるフォームが下にありません。"},
+     "くり抜きはしません。対象物を支える緩衝材が下にありません。"},
     {"no_relief/thin",
      "no relief: the {foam_mm} mm of foam below the object are too few blocks high for islands that stand "
      "nearly through them",
-     "くり抜きはしません。下のフォーム {foam_mm} mm のブロック数が少なく、ほぼ貫く高さの島を作れません。"},
+     "くり抜きはしません。下の緩衝材 {foam_mm} mm のブロック数が少なく、ほぼ貫く高さの島を作れません。"},
     {"no_relief/depth",
      "no relief: islands must stand nearly through the {foam_mm} mm of foam below the object, and "
      "{height_mm} mm is not "
      "that: take {least_mm} to {most_mm} mm",
-     "くり抜きはしません。島は、下のフォーム {foam_mm} mm をほぼ貫く高さにします（{height_mm} mm ではなく "
+     "くり抜きはしません。島は、下の緩衝材 {foam_mm} mm をほぼ貫く高さにします（{height_mm} mm ではなく "
      "{least_mm} から "
      "{most_mm} mm）。"},
     {"no_relief/room",
@@ -233,7 +233,7 @@ constexpr Wording kWordsOfFit[] = {
      "spreads its "
      "load, and the range on its floor takes in both that it gives way and that it does not",
      "対象物は {size} mm、周りが {height_mm} mm 空いた {islands} "
-     "か所の島に載ります。島の下のフォームがたわむ場合とたわまない"
+     "か所の島に載ります。島の下の緩衝材がたわむ場合とたわまない"
      "場合の両方を、底への落下の幅に含めています。"},
     {"relief_bottoms",
      "its islands may bottom with a fifth more mass from a quarter higher: wider ones, or none, would do",
@@ -244,25 +244,25 @@ constexpr Wording kWordsOfFit[] = {
      "wider ones "
      "would do",
      "島には静置時に {kpa} kPa "
-     "がかかり、フォームが長く耐える圧力の半分（{most_kpa}）を超えます。島を広げてください。"},
+     "がかかり、緩衝材が長く耐える圧力の半分（{most_kpa}）を超えます。島を広げてください。"},
     {"relief_creep_unknown",
      "what its foam bears for long is not known, so that nothing says whether its islands sag in a long "
      "store",
-     "フォームが長く耐える圧力が分からないため、長く置いたときに島が沈むかどうかは分かりません。"},
+     "緩衝材が長く耐える圧力が分からないため、長く置いたときに島が沈むかどうかは分かりません。"},
     {"relief_offer",
      "less foam under it would do on its floor: {flag} lets it stand on {islands} islands, about {range}, "
      "where "
      "you asked for {asked}",
-     "下のフォームを減らすと、底への落下の衝撃が足りる値になります。{flag} とすれば {islands} "
+     "下の緩衝材を減らすと、底への落下の衝撃が足りる値になります。{flag} とすれば {islands} "
      "か所の島に載り、およそ {range} です（希望 {asked}）。"},
     {"relief_offer/over",
      "less foam under it would help on its floor, and still not be shown to be enough: {flag} lets it stand "
      "on "
      "{islands} islands, about {range}, where you asked for {asked}",
-     "下のフォームを減らすと、底への落下の衝撃は下がりますが、まだ足りません。{flag} とすれば {islands} "
+     "下の緩衝材を減らすと、底への落下の衝撃は下がりますが、まだ足りません。{flag} とすれば {islands} "
      "か所の島に載り、およそ {range} です（希望 {asked}）。"},
     {"settled_none", "nothing was lowered: foam below, a lock or its group holds each thing where it is",
-     "下のフォーム、固定、またはグループのため、何も下げませんでした"},
+     "下の緩衝材、固定、またはグループのため、何も下げませんでした"},
     {"pads",
      "{pads} {pads|pad fills|pads fill} what block steps leave around what is packed: the packing sheet "
      "shows where they "
@@ -276,16 +276,16 @@ constexpr Wording kWordsOfFit[] = {
      "the pads above press on it with about {newton} N once the lid is closed, the weight of {kg} kg, with "
      "the "
      "foam's curve as it is given",
-     "ふたを閉じると、上の詰め板が約 {newton} N（{kg} kg の重さ）で押します（フォームの曲線による計算）。"},
+     "ふたを閉じると、上の詰め板が約 {newton} N（{kg} kg の重さ）で押します（緩衝材の曲線による計算）。"},
     {"pads_press_unknown",
      "the pads above press on it, and how hard is not known: name the foam by {flag}, or do without the "
      "squeeze",
      "上の詰め板が対象物を押しますが、その強さは分かりません。{flag} "
-     "でフォームを指定するか、押し込みをやめてください。"},
+     "で緩衝材を指定するか、押し込みをやめてください。"},
     {"no_notches/floor",
      "finger notches {depth_mm} mm deep would not leave the floor that is wanted: the foam below the "
      "parting level is {high_mm} mm high; choose a smaller depth or a higher parting level",
-     "深さ {depth_mm} mm の指かけでは、希望の底の厚さが残りません。分割の高さより下のフォームは {high_mm} "
+     "深さ {depth_mm} mm の指かけでは、希望の底の厚さが残りません。分割の高さより下の緩衝材は {high_mm} "
      "mm です。深さを小さくするか、分割の高さを上げてください。"},
     {"no_notches/blocks",
      "there is no room for finger notches of {width_mm} x {depth_mm} mm with {room_mm} mm for the "

@@ -12,7 +12,7 @@ constexpr Wording kWordsOfForeign[] = {
     {"foreign.download", "download the file itself again", "ファイルそのものをダウンロードし直してください"},
     {"foreign.unpack", "unpack it first", "先に展開してください"},
     {"foreign.make", "make its foams with snug make, or inspect the object itself",
-     "`snug make` でフォームを作るか、対象物そのものを調べてください"},
+     "`snug make` で緩衝材を作るか、対象物そのものを調べてください"},
     {"foreign.project", "a project of Snug's", "Snug のプロジェクト"},
     {"foreign.xml_file", "an XML file", " XML ファイル"},
     {"foreign.json_file", "a JSON file", " JSON ファイル"},

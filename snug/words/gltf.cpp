@@ -43,7 +43,7 @@ constexpr Wording kWordsOfGltf[] = {
     {"gltf.no_view", "it speaks of buffer view {index}, which it does not have: export it again",
      "バッファービュー {index} が使われていますが、ありません。もう一度書き出してください。"},
     {"gltf.repeats_parts", "it repeats its parts more often than its size allows: save it as STL or PLY",
-     "同じ部分の繰り返しが、ファイルの大きさに対して多すぎます。STL か PLY で保存してください。"},
+     "同じデータの繰り返しが、ファイルの大きさに対して多すぎます。STL か PLY で保存してください。"},
     {"gltf.version",
      "this is version {version} of glTF and Snug reads version 2: save it with a newer program, or as STL "
      "or PLY",

@@ -10,7 +10,7 @@ constexpr Wording kWordsOfGltfPacked[] = {
      "its parts packed by meshopt repeat each other to more than its size allows: save it without "
      "compression",
      "meshopt "
-     "で圧縮された部分の繰り返しが、ファイルの大きさに対して多すぎます。圧縮せずに保存してください。"},
+     "で圧縮されたデータの繰り返しが、ファイルの大きさに対して多すぎます。圧縮せずに保存してください。"},
     {"draco.not_here",
      "its geometry is packed by Draco, which cannot be read here: save it without compression",
      "形状が Draco で圧縮されており、ここでは読めません。圧縮せずに保存してください。"},
@@ -22,7 +22,7 @@ constexpr Wording kWordsOfGltfPacked[] = {
     {"draco.points", "Draco packed points in it and no mesh: save it without compression",
      "Draco で圧縮されているのは点群で、メッシュではありません。圧縮せずに保存してください。"},
     {"meshopt.damaged", "a part packed by meshopt is damaged: export it again",
-     "meshopt で圧縮された部分が壊れています。もう一度書き出してください。"},
+     "meshopt で圧縮されたデータが壊れています。もう一度書き出してください。"},
     {"meshopt.not_here", "it is packed by meshopt, which cannot be read here: save it without compression",
      "meshopt で圧縮されており、ここでは読めません。圧縮せずに保存してください。"},
     {"meshopt.newer",
@@ -32,7 +32,7 @@ constexpr Wording kWordsOfGltfPacked[] = {
      "てください。"},
     {"meshopt.mode",
      "a part of it is packed by meshopt as {name}, which Snug does not read: save it without compression",
-     "meshopt で {name} として圧縮された部分があり、Snug では読めません。圧縮せずに保存してください。"},
+     "meshopt で {name} として圧縮されたデータがあり、Snug では読めません。圧縮せずに保存してください。"},
     {"meshopt.filter",
      "its places are packed by meshopt with the filter {filter}, which Snug does not read: save it "
      "without compression",
@@ -41,11 +41,11 @@ constexpr Wording kWordsOfGltfPacked[] = {
     {"meshopt.too_many",
      "it claims {elements} elements in a part packed by meshopt that has {bytes} {bytes|byte|bytes}: it "
      "is damaged; export it again",
-     "{elements} 要素と書かれていますが、meshopt で圧縮された部分は {bytes} バイトしかありません。壊れてい"
+     "{elements} 要素と書かれていますが、meshopt で圧縮されたデータは {bytes} バイトしかありません。壊れてい"
      "るので、もう一度書き出してください。"},
     {"meshopt.stride",
      "a part packed by meshopt has elements of {stride} bytes, which cannot be: export it again",
-     "meshopt で圧縮された部分の要素が {stride} "
+     "meshopt で圧縮されたデータの要素が {stride} "
      "バイトで、あり得ない大きさです。もう一度書き出してください。"},
     {"draco.no_places", "Draco packed its triangles without their places: save it without compression",
      "Draco で三角形だけが圧縮され、座標がありません。圧縮せずに保存してください。"},

@@ -7,7 +7,7 @@ namespace {
 
 constexpr Wording kWordsOfManual[] = {
     {"manual.name", "NAME", "名前"},
-    {"manual.what", "design protective foam from 3D models", "3D モデルから緩衝フォームを設計する"},
+    {"manual.what", "design protective foam from 3D models", "3D モデルから緩衝緩衝材を設計する"},
     {"manual.synopsis", "SYNOPSIS", "書式"},
     {"manual.command", "COMMAND", "コマンド"},
     {"manual.description", "DESCRIPTION", "説明"},

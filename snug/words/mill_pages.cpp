@@ -20,13 +20,13 @@ constexpr Wording kWordsOfMillPages[] = {
      "{step_mm} mm down, lines {apart_mm} mm apart, {safe_mm} mm above the stock between them",
      "深さ {step_mm} mm、線の間隔 {apart_mm} mm、移動は材料の上 {safe_mm} mm"},
     {"mill.cut_stock", "Cut each stock to its size. Write {marks/} and BACK on it.",
-     "材料をそれぞれの寸法に切り、どのフォームか（{marks/}）と BACK（奥）を書きます。"},
+     "材料をそれぞれの寸法に切り、どの緩衝材か（{marks/}）と BACK（奥）を書きます。"},
     {"mill.fix_stock",
      "Fix it on the machine, the cavity's side up and BACK as drawn: double-sided tape or a vacuum, "
      "for screws tear foam. Keep {mm} mm free around it: strips at an edge are cleared from beside "
      "it.",
-     "くぼみの側を上に、BACK を図の向きにして、機械に固定します。ねじはフォームを裂くので、両面テープ"
-     "か真空で留めます。縁の細い部分は外側から削るため、まわりを {mm} mm あけておきます。"},
+     "くぼみの側を上に、BACK を図の向きにして、機械に固定します。ねじは緩衝材を裂くので、両面テープ"
+     "か真空で留めます。縁の細い所は外側から削るため、まわりを {mm} mm あけておきます。"},
     {"mill.set_zero",
      "Set X0 Y0 where it is drawn, Z0 on the top of the stock. Run the program once with Z0 {mm} mm "
      "higher, in the air.",
@@ -41,7 +41,7 @@ constexpr Wording kWordsOfMillPages[] = {
      "All sides on which pieces meet get two holes for pins of {mm} mm first. The pieces meet on them one "
      "way "
      "only: where they do not, one of them lay turned.",
-     "フォーム同士が合わさる面には、まず直径 {mm} mm のピンの穴を 2 つずつ開けます。正しい向きでだけピンで"
+     "緩衝材同士が合わさる面には、まず直径 {mm} mm のピンの穴を 2 つずつ開けます。正しい向きでだけピンで"
      "合います。合わなければ、どれかを逆向きに置いて削っています。"},
     {"mill.engrave",
      "Labels ({programs}): when the cavity is milled, leave the stock as it lies, change to a pointed cutter "
@@ -63,7 +63,7 @@ constexpr Wording kWordsOfMillPages[] = {
      "that its near edge comes to lie far and its cavity down on the pins, keep X0 Y0, set Z0 on its "
      "top, and run its outside program. Each half has its own holes in the board.",
      "外側（{programs}）：くぼみを削り終えたら、捨て板用のプログラム（{board}）で板に穴を開け、ピンを"
-     "差します。削ったフォームを左右の線を軸に裏返し、手前の縁を向こう側に、くぼみを下にしてピンに載"
+     "差します。削った緩衝材を左右の線を軸に裏返し、手前の縁を向こう側に、くぼみを下にしてピンに載"
      "せます。X0 Y0 はそのままに、Z0 を上面に合わせ、外側のプログラムを動かします。板の穴は、下とふた"
      "で別々です。"},
     {"mill.close",

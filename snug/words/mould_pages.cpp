@@ -9,7 +9,7 @@ constexpr Wording kWordsOfMouldPages[] = {
     {"mould.title", "{name}: mould guide", "{name}：型の手引き"},
     {"mould.subtitle",
      "Moulds to pour foam or silicone into · walls {wall} mm · rim {rim} mm · draft {draft} degrees",
-     "フォームやシリコーンを注ぐ型 · 壁 {wall} mm · 縁 {rim} mm · 抜き勾配 {draft} 度"},
+     "発泡樹脂やシリコーンを注ぐ型 · 壁 {wall} mm · 縁 {rim} mm · 抜き勾配 {draft} 度"},
     {"mould.column_outside", "mould outside, mm", "型の外寸 (mm)"},
     {"mould.column_parts", "parts", "部品"},
     {"mould.column_pour", "to pour", "注ぐ量"},
@@ -38,13 +38,13 @@ constexpr Wording kWordsOfMouldPages[] = {
     {"mould.release",
      "Smooth what is rough, then brush all inner faces with the release agent that the foam's or "
      "silicone's maker names; printed layers hold foam fast without it.",
-     "粗い所をならし、内側の面すべてに、フォームやシリコーンの製造元が指定する離型剤を塗ります。塗ら"
-     "ないと、印刷の層にフォームが張り付きます。"},
+     "粗い所をならし、内側の面すべてに、発泡樹脂やシリコーンの製造元が指定する離型剤を塗ります。塗ら"
+     "ないと、印刷の層に緩衝材が張り付きます。"},
     {"mould.pour",
      "Level the mould. Pour {pours;}. These are litres of what has set. Foams expand many times as "
      "they rise: weigh out by the maker's free-rise density, less at first, and close the top with a "
      "flat greased board that lets air out, so that the rise ends at the line.",
-     "型を水平に置き、注ぎます。{pours;}。これは固まった後の量です。フォームは何倍にも膨らむので、製"
+     "型を水平に置き、注ぎます。{pours;}。これは固まった後の量です。緩衝材は何倍にも膨らむので、製"
      "造元の自由発泡密度から量を計算し、初めは少なめにします。離型剤を塗った平らな板を、空気が抜ける"
      "ように載せ、膨らみが線で止まるようにします。"},
     {"mould.pour_to_ledge",
@@ -56,8 +56,8 @@ constexpr Wording kWordsOfMouldPages[] = {
     {"mould.cure",
      "Let it cure as long as the maker says. Trim what stands above the line flat: that is the outer "
      "side of the foam.",
-     "製造元の指定する時間をおいて硬化させます。線より上に出た部分を平らに切り落とします。そこがフォ"
-     "ームの外側になります。"},
+     "製造元の指定する時間をおいて硬化させます。線より上に出た所を平らに切り落とします。そこが緩衝材"
+     "の外側になります。"},
     {"mould.mark",
      "Write LOWER or LID on that side, and BACK along the edge that the picture marks so, before it "
      "comes out.",
@@ -72,11 +72,11 @@ constexpr Wording kWordsOfMouldPages[] = {
      "Pull the foam straight up, loosening it along the walls first; or take the mould apart at its "
      "joints. Turn it over from front to back: it is the half, cavity up; BACK now lies away from "
      "you in the lower foam, towards you in the lid.",
-     "壁に沿ってはがしてから、フォームをまっすぐ上に引き抜きます。型を継ぎ目で分けてもかまいません。"
-     "前後に裏返すと、くぼみが上になります。BACK は、下のフォームでは向こう側、ふたでは手前です。"},
+     "壁に沿ってはがしてから、緩衝材をまっすぐ上に引き抜きます。型を継ぎ目で分けてもかまいません。"
+     "前後に裏返すと、くぼみが上になります。BACK は、下の緩衝材では向こう側、ふたでは手前です。"},
     {"mould.close",
      "Close the empty halves once, lid over lower foam, BACK over BACK: the rims touch all round.",
-     "空のまま一度、BACK どうしを合わせて、下のフォームにふたをかぶせます。縁が全周で触れれば合ってい"
+     "空のまま一度、BACK どうしを合わせて、下の緩衝材にふたをかぶせます。縁が全周で触れれば合ってい"
      "ます。"},
     {"mould.heading", "{half}: the mould", "{half}の型"},
     {"mould.page_of", "{name} · from above, as it stands on the table · {size} mm · pour {litres}",
@@ -84,7 +84,7 @@ constexpr Wording kWordsOfMouldPages[] = {
     {"mould.read_picture",
      "The foam lies in it cavity down: the core makes the cavity, and where it is white the foam's "
      "rim lies on the mould's floor. {numbers}{corner} Leaning faces are not drawn.",
-     "フォームは、くぼみを下にして型に入っています。中子がくぼみを作り、白い所ではフォームの縁が型の"
+     "緩衝材は、くぼみを下にして型に入っています。中子がくぼみを作り、白い所では緩衝材の縁が型の"
      "底に接します。{numbers}{corner}傾いた面は描いていません。"},
     {"mould.numbers", "Numbers are the core's height in blocks of {mm} mm. ",
      "数字は中子の高さ（{mm} mm のブロックの数）です。"},

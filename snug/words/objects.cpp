@@ -20,8 +20,8 @@ constexpr Wording kWordsOfObjects[] = {
     {"left_out_objects",
      "there are several objects in the file, and the foams are for one of them: {names,}{more} "
      "{objects|is|are} left out. Make foams for each by itself",
-     "ファイルに複数の対象物があり、フォームはそのうちの一つのものです。除いたもの：{names,}{more}。それぞ"
-     "れ別にフォームを作ってください。"},
+     "ファイルに複数の対象物があり、緩衝材はそのうちの一つのものです。除いたもの：{names,}{more}。それぞ"
+     "れ別に緩衝材を作ってください。"},
     {"and_more", " and {count} more", "、ほか {count} 件"},
     {"no_end",
      "the file stops without \"endsolid\", so its end may be missing: look whether the object is whole, or "
@@ -39,14 +39,14 @@ constexpr Wording kWordsOfObjects[] = {
      "切る前に {holes} 個の穴をふさぎました。表面のない所の形は推定です。"},
     {"nothing_to_cap",
      "the object has no holes, so there was nothing to close: the foams are the same without --cap",
-     "対象物に穴がないため、ふさぐものがありません。--cap がなくてもフォームは同じです。"},
+     "対象物に穴がないため、ふさぐものがありません。--cap がなくても緩衝材は同じです。"},
     {"no_points", "a point radius was chosen, but the object is no cloud of points: it was not used",
      "点の半径が指定されていますが、対象物は点群ではないため使いませんでした。"},
     {"cloud",
      "a cloud of {points} {points|point|points}: each counts as a ball, half of them of {radius} mm or "
      "less in radius (--point-radius sets it). Volume, parts, gaps and undercuts are not known",
      "{points} 点の点群です。各点を球とみなし、その半数は半径 {radius} mm 以下です（--point-radius で指定"
-     "できます）。体積、部品、すきま、陰になる部分はわかりません。"},
+     "できます）。体積、部品、すきま、陰になる所はわかりません。"},
     {"capped/cloud",
      "what the scanner did not see was closed before cutting, down to the end of the object where that is "
      "near; its shape there is a guess",
@@ -56,12 +56,12 @@ constexpr Wording kWordsOfObjects[] = {
      "no place was found that the scanner did not see, so there was nothing to close: the foams are the "
      "same without --cap",
      "スキャナーから見えなかった所は見つからず、ふさぐものがありません。--cap "
-     "がなくてもフォームは同じです。"},
+     "がなくても緩衝材は同じです。"},
     {"streamed",
      "the object was read in pieces: whether it is closed, in how many parts, and what it has of "
      "undercuts is not known; foam may grow inside where it is open",
-     "対象物を分割して読み込みました。閉じているか、部品の数、陰になる部分はわかりません。開いている所では"
-     "内側にフォームが残ることがあります。"},
+     "対象物を分割して読み込みました。閉じているか、部品の数、陰になる所はわかりません。開いている所では"
+     "内側に緩衝材が残ることがあります。"},
     {"nothing_dropped",
      "no part of the object is smaller than {below} mm, so none was left out: the smallest is {smallest} "
      "mm long",
@@ -83,7 +83,7 @@ constexpr Wording kWordsOfObjects[] = {
     {"searched_stand_in",
      "the search worked with a stand-in that holds the object, so its own figures are a little too high; "
      "the foams are of the object itself",
-     "探索には対象物を包む写しを使ったため、探索の数値は少し大きめです。フォームは対象物そのものから作りま"
+     "探索には対象物を包むコピーを使ったため、探索の数値は少し大きめです。緩衝材は対象物そのものから作りま"
      "した。"},
     {"clean.all_behind",
      "the whole object lies behind the cutting plane: turn its direction round, or move it",

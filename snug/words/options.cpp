@@ -46,7 +46,7 @@ constexpr Wording kWordsOfOptions[] = {
     {"takes.clearance",
      "one number of mm, three (x,y,z) or six (x,y,z of the lower foam, then of the upper) such as {example} "
      "or {other}",
-     "一つの数値（mm）、三つ（x,y,z）、または六つ（下のフォームの x,y,z、上のフォームの x,y,z）の数値で、"
+     "一つの数値（mm）、三つ（x,y,z）、または六つ（下の緩衝材の x,y,z、上の緩衝材の x,y,z）の数値で、"
      "{example} や {other} のような形"},
     {"takes.walls",
      "one number of mm, three (x,y,z) or six (floor,roof,back,front,left,right) such as {example} or {other}",
@@ -112,7 +112,7 @@ constexpr Wording kWordsOfOptions[] = {
     {"json.levels", "a whole number, or a list of them for several layers",
      "整数、段が複数あれば整数のリスト"},
     {"json.clearance", "a number, or six in brackets (x, y, z of the lower foam, then of the upper)",
-     "数値、または角括弧に入れた六つの数値（下のフォームの x、y、z、上のフォームの x、y、z）"},
+     "数値、または角括弧に入れた六つの数値（下の緩衝材の x、y、z、上の緩衝材の x、y、z）"},
     {"json.weights", "an object with numbers for {words/}", " {words/} の数値を持つオブジェクト"},
     {"json.whole_list", "a list of whole numbers", "整数のリスト"},
     {"json.object_number", "the number of an object, from 0 to {last}", "対象物の番号（0～{last}）"},

@@ -12,7 +12,7 @@ constexpr Wording kWordsOfPackingSheet[] = {
     {"packing.subtitle_items", "Packing sheet · travels with the box · {items} {items|item|items}",
      "梱包指示書 · 箱に添えてください · {items} 点"},
     {"packing.item", "Item {number}", "{number} 点目"},
-    {"packing.picture_items", "2  Items in the lower foam", "2　下のフォームに納めたもの"},
+    {"packing.picture_items", "2  Items in the lower foam", "2　下の緩衝材に納めたもの"},
     {"packing.lay_items",
      "Lower the items straight down into their cavities, as in picture 2 and in the order of the list "
      "below, without turning or pressing. Where one does not go in by its own weight, take it out and look "
@@ -20,8 +20,8 @@ constexpr Wording kWordsOfPackingSheet[] = {
      "図 2 のように、下の一覧の順に、回したり押し込んだりせず、それぞれのくぼみへまっすぐに下ろします。"
      "自重で収まらないものがあれば、いったん取り出して原因を調べます。数を数え、残りがないことを確かめま"
      "す。"},
-    {"packing.picture_lower", "1  Lower foam, cavity up", "1　下のフォーム（くぼみが上）"},
-    {"packing.picture_object", "2  Object in the lower foam", "2　下のフォームに納めた対象物"},
+    {"packing.picture_lower", "1  Lower foam, cavity up", "1　下の緩衝材（くぼみが上）"},
+    {"packing.picture_object", "2  Object in the lower foam", "2　下の緩衝材に納めた対象物"},
     {"packing.picture_lid", "3  Lid, here turned over its BACK edge", "3　ふた（奥の縁を軸に裏返した図）"},
     {"packing.picture_below", "{number}  {piece}, cavity up", "{number}　{piece}（くぼみが上）"},
     {"packing.picture_layer", "{number}  Items of layer {layer}", "{number}　{layer} 段目に納めたもの"},
@@ -44,16 +44,16 @@ constexpr Wording kWordsOfPackingSheet[] = {
      "that, the side with its mark up, BACK over BACK, the marked corners together. Its rim must lie on the "
      "foam "
      "below all round without force.",
-     "後で次のフォームを持ち上げるために、リボンを 2 本、端を外に出して渡します。その上に {piece} "
+     "後で次の緩衝材を持ち上げるために、リボンを 2 本、端を外に出して渡します。その上に {piece} "
      "を、印のある面を"
      "上に、BACK "
-     "どうし、印のある角どうしを合わせて、まっすぐに下ろします。力を入れなくても、縁は全周で下のフォーム"
+     "どうし、印のある角どうしを合わせて、まっすぐに下ろします。力を入れなくても、縁は全周で下の緩衝材"
      "に載るはずです。"},
     {"packing.put_middle",
      "Lower {piece} straight down onto that, the side with its mark up, BACK over BACK, the marked corners "
      "together. Its rim must lie on the foam below all round without force.",
      "その上に {piece} を、印のある面を上に、BACK どうし、印のある角どうしを合わせて、まっすぐに下ろします。"
-     "力を入れなくても、縁は全周で下のフォームに載るはずです。"},
+     "力を入れなくても、縁は全周で下の緩衝材に載るはずです。"},
     {"packing.unpack_layers",
      "To unpack go the other way round, layer by layer: lift the lid straight up, then each item of the "
      "uppermost layer by hand where the list below says that fingers fit beside it, and the foam under them "
@@ -62,16 +62,17 @@ constexpr Wording kWordsOfPackingSheet[] = {
      "their ends outside, and lift by them. Never by a thin or projecting part. Slit sponge is lifted on a "
      "board that does not bend.",
      "取り出すときは逆の順に、段ごとに行います。まずふたをまっすぐ上に持ち上げ、一番上の段のものを一つずつ、"
-     "下の一覧で指の入る所から手で取り出します。その下のフォームは、空になってから、持ち上げ口か、下に渡して"
+     "下の一覧で指の入る所から手で取り出します。その下の緩衝材は、空になってから、持ち上げ口か、下に渡して"
      "おいた 2 本のリボンで持ち上げます。指の入る所が"
-     "ないものは、納める前にくぼみへリボンを 2 本、端を外に出して渡しておき、それを持って取り出します。細い部"
-     "分や突き出た部分を持たないでください。スリットスポンジは、曲がらない板に載せて持ち上げます。"},
+     "ないものは、納める前にくぼみへリボンを 2 "
+     "本、端を外に出して渡しておき、それを持って取り出します。細い所や突き出た所"
+     "を持たないでください。スリットスポンジは、曲がらない板に載せて持ち上げます。"},
     {"packing.pads", "Pads", "詰め板"},
     {"packing.pads_how",
      "Cut them from sheets of the same foam and stack them; seen into the cavity, as on every picture. Hold "
      "them by "
      "their fit, or by pins or stitches from the far side: no adhesive near the object.",
-     "同じフォームの板から切り出し、重ねて使います。図はどれも、くぼみを覗いた向きです。はめ込むか、反対側か"
+     "同じ緩衝材の板から切り出し、重ねて使います。図はどれも、くぼみを覗いた向きです。はめ込むか、反対側か"
      "ら"
      "ピンや糸で留めます。対象物の近くに接着剤を使わないでください。"},
     {"packing.pads_stock", "They take {cm2} cm2 of sheet {mm} mm thick, without waste.",
@@ -87,8 +88,8 @@ constexpr Wording kWordsOfPackingSheet[] = {
     {"packing.stand",
      "Stand the case with the lower foam in it, cavity up, the edge marked BACK away from you. The "
      "cavity must be empty and free of crumbs.",
-     "下のフォームを、くぼみを上にしてケースに入れ、奥（BACK と書いた縁）を向こう側にして置きます。く"
-     "ぼみは空で、フォームのくずが残っていないことを確かめます。"},
+     "下の緩衝材を、くぼみを上にしてケースに入れ、奥（BACK と書いた縁）を向こう側にして置きます。く"
+     "ぼみは空で、緩衝材のくずが残っていないことを確かめます。"},
     {"packing.lay",
      "Lower the object straight down into its cavity, as in picture 2, without turning or pressing. "
      "Where it does not go in by its own weight, take it out and look why.",
@@ -111,21 +112,21 @@ constexpr Wording kWordsOfPackingSheet[] = {
      "This is a tray: no foam lies on it, and it protects nothing when it is turned over or dropped. Carry "
      "it "
      "level, and keep what covers it off the items.",
-     "これはふたのないトレイです。上にフォームはなく、裏返したり落としたりすると中のものを守れません。水平に"
+     "これはふたのないトレイです。上に緩衝材はなく、裏返したり落としたりすると中のものを守れません。水平に"
      "運び、覆うものが中のものに触れないようにしてください。"},
     {"packing.unpack_open",
      "To unpack, lift it out by hand where fingers fit beside it: {places,}. Never by a thin or projecting "
      "part.",
-     "取り出すときは、脇に指の入る所（{places,}）から手で取り出します。細い部分や突き出た部分を持たないで"
+     "取り出すときは、脇に指の入る所（{places,}）から手で取り出します。細い所や突き出た所を持たないで"
      "ください。"},
     {"packing.unpack_open_items",
      "To unpack, lift each item by hand where the list below says that fingers fit beside it, or where it "
      "stands out of the foam. Where neither will do, lay two ribbons across its cavity before the item, "
      "their "
      "ends outside, and lift by them. Never by a thin or projecting part.",
-     "取り出すときは、一つずつ、下の一覧で指の入る所か、フォームから出ている所を手で持って取り出します。どち"
+     "取り出すときは、一つずつ、下の一覧で指の入る所か、緩衝材から出ている所を手で持って取り出します。どち"
      "らもないものは、納める前にくぼみへリボンを 2 本、端を外に出して渡しておき、それを持って取り出します。"
-     "細い部分や突き出た部分を持たないでください。"},
+     "細い所や突き出た所を持たないでください。"},
     {"packing.unpack_open_layers",
      "To unpack go the other way round, layer by layer: lift each item of the uppermost layer by hand where "
      "the list below says that fingers fit beside it or where it stands out of the foam, and the foam under "
@@ -134,31 +135,32 @@ constexpr Wording kWordsOfPackingSheet[] = {
      "item, their ends outside, and lift by them. Never by a thin or projecting part. Slit sponge is lifted "
      "on "
      "a board that does not bend.",
-     "取り出すときは逆の順に、段ごとに行います。一番上の段のものを一つずつ、下の一覧で指の入る所か、フォーム"
-     "から出ている所を手で持って取り出します。その下のフォームは、空になってから、持ち上げ口か、下に渡してお"
+     "取り出すときは逆の順に、段ごとに行います。一番上の段のものを一つずつ、下の一覧で指の入る所か、緩衝材"
+     "から出ている所を手で持って取り出します。その下の緩衝材は、空になってから、持ち上げ口か、下に渡してお"
      "いた 2 本のリボンで持ち上げます。指の入る所がな"
      "い"
-     "ものは、納める前にくぼみへリボンを 2 本、端を外に出して渡しておき、それを持って取り出します。細い部分や"
-     "突き出た部分を持たないでください。スリットスポンジは、曲がらない板に載せて持ち上げます。"},
+     "ものは、納める前にくぼみへリボンを 2 "
+     "本、端を外に出して渡しておき、それを持って取り出します。細い所や突き出た所"
+     "を持たないでください。スリットスポンジは、曲がらない板に載せて持ち上げます。"},
     {"packing.unpack_open_ribbons",
      "To unpack, take hold of it where it stands out of the foam. No side leaves the {mm} mm that a finger "
      "wants (widest: {widest}): where it stands out too little, lay two ribbons across the tray before the "
      "object, their ends outside, and lift by them.",
-     "取り出すときは、フォームから出ている所を持ちます。指を入れるのに要る {mm} mm のすきまは、どの側にもあ"
+     "取り出すときは、緩衝材から出ている所を持ちます。指を入れるのに要る {mm} mm のすきまは、どの側にもあ"
      "りません（最も広い所：{widest}）。出ている所が少ないときは、対象物を納める前に、リボンを 2 本、端を外"
      "に出してトレイに渡しておき、それを持って取り出します。"},
     {"packing.unpack",
      "To unpack, lift the lid straight up first. Lift out by hand where fingers fit beside the "
      "object: {places,}. Never by a thin or projecting part.",
      "取り出すときは、まずふたをまっすぐ上に持ち上げます。対象物は、脇に指の入る所（{places,}）から手"
-     "で取り出します。細い部分や突き出た部分を持たないでください。"},
+     "で取り出します。細い所や突き出た所を持たないでください。"},
     {"packing.unpack_items",
      "To unpack, lift the lid straight up first, then each item by hand where the list below says that "
      "fingers fit beside it. Where they fit nowhere, lay two ribbons across its cavity before the item, "
      "their ends outside, and lift by them. Never by a thin or projecting part.",
      "取り出すときは、まずふたをまっすぐ上に持ち上げ、次に一つずつ、下の一覧で指の入る所から手で取り出し"
      "ます。指の入る所がないものは、納める前にくぼみへリボンを 2 本、端を外に出して渡しておき、それを持っ"
-     "て取り出します。細い部分や突き出た部分を持たないでください。"},
+     "て取り出します。細い所や突き出た所を持たないでください。"},
     {"packing.with_fingers", "{item}; fingers fit: {places,}", "{item}。指の入る所：{places,}"},
     {"packing.without_fingers", "{item}; no room for fingers: ribbons",
      "{item}。指の入る所なし：リボンを使う"},
@@ -169,7 +171,7 @@ constexpr Wording kWordsOfPackingSheet[] = {
      "outside, and lift by them.",
      "取り出すときは、まずふたをまっすぐ上に持ち上げます。指を入れるのに要る {mm} mm のすきまは、どの"
      "側にもありません（最も広い所：{widest}）。対象物を納める前に、リボンを 2 本、端を外に出して下の"
-     "フォームに渡しておき、それを持って取り出します。"},
+     "緩衝材に渡しておき、それを持って取り出します。"},
     {"packing.widest", "{side}, {mm} mm at {column}", "{column} の{side} {mm} mm"},
     {"packing.what", "What it is", "内容"},
     {"packing.object_of", "{name}, {size} mm, {kg} kg", "{name}、{size} mm、{kg} kg"},
@@ -193,18 +195,18 @@ constexpr Wording kWordsOfPackingSheet[] = {
     {"packing.material_of", "{litres} litres, {cost}", "{litres} リットル、{cost}"},
     {"packing.know", "What to know", "注意点"},
     {"packing.nothing_found", "Nothing was found in the shape of the foam.",
-     "フォームの形に問題は見つかりませんでした。"},
+     "緩衝材の形に問題は見つかりませんでした。"},
     {"packing.unchecked", "What was not checked", "確かめていないこと"},
     {"packing.unchecked_drops",
      "Drops and shocks: neither the foam's thickness nor its stiffness was matched to the object's "
      "weight and fragility.",
-     "落下と衝撃：フォームの厚さと硬さは、対象物の重さと壊れやすさに合わせて決めたものではありません"
+     "落下と衝撃：緩衝材の厚さと硬さは、対象物の重さと壊れやすさに合わせて決めたものではありません"
      "。"},
     {"packing.drops", "What it meets in a drop", "落下のときの衝撃"},
     {"packing.drops_enough", "On all six sides no more than that is met, by the high end of each range.",
      "六つの面のどれでも、範囲の上端はこの値を超えません。"},
     {"packing.drops_over", "Not shown to be enough: {sides;}.", "足りるとはいえない面：{sides;}。"},
-    {"packing.drops_source", "The foam's curve is from: {source}.", "フォームの曲線の出典：{source}"},
+    {"packing.drops_source", "The foam's curve is from: {source}.", "緩衝材の曲線の出典：{source}"},
     {"packing.drops_claim",
      "An estimate for the first drop, flat on one side, at 23 C; confirm it by a drop test.",
      "最初の落下、一つの面で平らに落ちた場合、23 ℃ での推定値です。落下試験で確かめてください。"},
@@ -212,11 +214,11 @@ constexpr Wording kWordsOfPackingSheet[] = {
      "Drops on corners and edges, later drops, rebound, other temperatures than 23 C, what the case gives, "
      "the object's own resonance, ageing of the foam.",
      "角や稜からの落下、二度目以降の落下、はね返り、23 ℃ "
-     "以外の温度、ケースのたわみ、対象物自体の共振、フォームの劣化。"},
+     "以外の温度、ケースのたわみ、対象物自体の共振、緩衝材の劣化。"},
     {"packing.unchecked_pressure",
      "Pressure: whether the foam dents where the object rests on a small area, or sags in a long "
      "store.",
-     "圧力：対象物が小さな面で載る所でフォームがへこまないか、長期の保管で沈まないか。"},
+     "圧力：対象物が小さな面で載る所で緩衝材がへこまないか、長期の保管で沈まないか。"},
     {"packing.unchecked_material",
      "The material near collections: gases, plasticisers, dust, colour, flammability. Ask a "
      "conservator; put tissue or film between where in doubt.",
@@ -235,9 +237,9 @@ constexpr Wording kWordsOfPackingSheet[] = {
     {"packing.record_parts", "Parts taken off, and where they are", "外した部品と、その置き場所"},
     {"packing.record_carrier", "Batteries, liquids (carrier rules not checked)",
      "電池・液体（運送会社の規則は確かめていません）"},
-    {"packing.record_spare", "Spare foam in the case", "ケースに入れた予備のフォーム"},
+    {"packing.record_spare", "Spare foam in the case", "ケースに入れた予備の緩衝材"},
     {"packing.record_up", "Mark the case like this on two sides: the lower foam lies below.",
-     "下のフォームが下になる向きで、ケースの二つの面にこの印を付けてください。"},
+     "下の緩衝材が下になる向きで、ケースの二つの面にこの印を付けてください。"},
     {"packing.unchecked_model",
      "The model itself: whether it is the object's true size and shape, as it is today.",
      "モデル自体：対象物の現在の大きさと形に合っているか。"},

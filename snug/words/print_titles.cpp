@@ -6,7 +6,7 @@ namespace snug {
 namespace {
 
 constexpr Wording kWordsOfPrintTitles[] = {
-    {"print.title", "{name}: foams", "{name}：フォーム"},
+    {"print.title", "{name}: foams", "{name}：緩衝材"},
     {"print.fit_title", "{name}: fit test", "{name}：試験片"},
     {"print.mould_title", "{name}: moulds", "{name}：型"},
 };

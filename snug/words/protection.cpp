@@ -34,11 +34,11 @@ constexpr Wording kWordsOfProtection[] = {
      "own\n"
      "in {file}: a curve of strain and kPa, or at least five points of a\n"
      "cushion curve (static kPa, G, thickness mm, drop mm):",
-     "曲線は、厚さに対する割合で押されたときにフォームが押し返す圧力です。自分のフォームは\n{file} "
+     "曲線は、厚さに対する割合で押されたときに緩衝材が押し返す圧力です。自分の緩衝材は\n{file} "
      "に加えてください。ひずみと kPa の曲線か、\n緩衝曲線の五つ以上の点（静的応力 kPa、G、厚さ mm、落下高さ "
      "mm）を書きます："},
     {"help.foams", "List foams whose data are known: how they push back in a drop, what they bear for long",
-     "データの分かっているフォームを一覧します：落下のときの押し返し方と、長く耐える圧力"},
+     "データの分かっている緩衝材を一覧します：落下のときの押し返し方と、長く耐える圧力"},
     {"help.foams.json", "Print them as foams.json has them", "foams.json の形で出力します"},
     {"curve.two_points", "two or more points", "二つ以上の点"},
     {"curve.many", "at most {most} points", "{most} 個以下の点"},
@@ -54,9 +54,9 @@ constexpr Wording kWordsOfProtection[] = {
      "試験した厚さの最小が最大を超えています"},
     {"foam.curve_or_points", "give a curve or points, not both", "曲線か点のどちらか一つにしてください"},
     {"foam.twice", "two foams are called {name}: give each a name of its own",
-     "{name} というフォームが二つあります。別の名前にしてください"},
+     "{name} という緩衝材が二つあります。別の名前にしてください"},
     {"foam.unknown", "no foam is called {name}; known are {known;}",
-     "{name} というフォームはありません。使えるのは {known;} です"},
+     "{name} という緩衝材はありません。使えるのは {known;} です"},
     {"cushion.points", "points must be a list of [static kPa, G, thickness mm, drop mm]",
      "点は [静的応力 kPa, G, 厚さ mm, 落下高さ mm] のリストでなければなりません"},
     {"cushion.few", "a cushion curve needs at least {least} points, not {found}",
@@ -81,7 +81,7 @@ constexpr Wording kWordsOfProtection[] = {
     {"protect.lacks/mass", "the mass of every item (--mass)", "すべてのものの質量（--mass）"},
     {"protect.lacks/drop", "the drop (--drop-height)", "落下高さ（--drop-height）"},
     {"protect.lacks/borne", "what every item bears (--fragility)", "すべてのものが耐える衝撃（--fragility）"},
-    {"protect.lacks/foam", "a foam whose curve is known (--foam)", "曲線の分かっているフォーム（--foam）"},
+    {"protect.lacks/foam", "a foam whose curve is known (--foam)", "曲線の分かっている緩衝材（--foam）"},
     {"protect.wish/walls", "walls that protect", "保護する壁を決めるには"},
     {"protect.wish/shock", "searches that weigh shocks", "衝撃を重視して探すには"},
     {"protect.not_fitted",
@@ -95,15 +95,15 @@ constexpr Wording kWordsOfProtection[] = {
      "data of "
      "drops, less height, or a way to lie on a larger side",
      "{cm} cm から{fallen}を下に落とすと、{most} mm "
-     "までのどの壁でも底づきのおそれがあります。硬いフォーム、落下試"
-     "験のデータがあるフォーム、低い落下高さ、広い面で載る置き方のどれかにしてください"},
+     "までのどの壁でも底づきのおそれがあります。硬い緩衝材、落下試"
+     "験のデータがある緩衝材、低い落下高さ、広い面で載る置き方のどれかにしてください"},
     {"protect.too_stiff",
      "from {cm} cm {fallen} this foam is too stiff for it, with any wall up to {most} mm: take a softer "
      "foam, one "
      "with data of drops, less height, or a way to lie on a smaller side",
-     "{cm} cm から{fallen}を下に落とす場合、このフォームは硬すぎ、{most} mm "
+     "{cm} cm から{fallen}を下に落とす場合、この緩衝材は硬すぎ、{most} mm "
      "までのどの壁でも足りません。軟らかいフォー"
-     "ム、落下試験のデータがあるフォーム、低い落下高さ、狭い面で載る置き方のどれかにしてください"},
+     "ム、落下試験のデータがある緩衝材、低い落下高さ、狭い面で載る置き方のどれかにしてください"},
     {"protect.stand_in",
      "walls that protect are not chosen for what is read in pieces or as points: its drops are computed with "
      "a "
@@ -119,30 +119,30 @@ constexpr Wording kWordsOfProtection[] = {
      "{foam_kg} kg of foam make it fall from {low} mm instead of {high} by the height of {rule}: by their "
      "own mass "
      "the items would fall from {high} mm",
-     "フォーム {foam_kg} kg の重さのため、{rule} の高さは {high} mm ではなく {low} mm "
+     "緩衝材 {foam_kg} kg の重さのため、{rule} の高さは {high} mm ではなく {low} mm "
      "です（中身だけの質量なら {high} mm）"},
     {"protect.items_meet",
      "from {cm} cm {fallen} items may meet through the foam between them, whatever the walls: put more foam "
      "between them (--between), or lay them into layers of their own",
      "{cm} cm から{fallen}を下に落とすと、壁の厚さにかかわらず、隣のものとぶつかるおそれがあります。間の"
-     "フォーム（--between）を増やすか、別の段に置いてください"},
+     "緩衝材（--between）を増やすか、別の段に置いてください"},
     {"protect.between",
      "dropped from {cm} cm items may meet through the foam between them, even where {most} mm of it are: "
      "take a "
      "stiffer foam or less height, or lay them into layers of their own",
-     "{cm} cm から落とすと、間のフォームが {most} mm "
-     "あっても隣のものとぶつかるおそれがあります。硬いフォームにするか、落下高さを下げるか、別の段に置いてく"
+     "{cm} cm から落とすと、間の緩衝材が {most} mm "
+     "あっても隣のものとぶつかるおそれがあります。硬い緩衝材にするか、落下高さを下げるか、別の段に置いてく"
      "ださい"},
     {"moved_apart",
      "items lie farther apart than was asked, so that they do not meet through the foam between them in a "
      "drop",
-     "落としたときに間のフォーム越しにぶつからないよう、指定より離して並べました"},
+     "落としたときに間の緩衝材越しにぶつからないよう、指定より離して並べました"},
     {"protect.too_heavy",
      "with foam as thick as that would take the pack would weigh {kg} kg, more than the rule of the drop "
      "goes "
      "to: take another foam, or give the height in mm",
-     "必要な厚さのフォームでは全体が {kg} kg "
-     "になり、落下高さの規則の範囲を超えます。フォームを変えるか、高さを mm で指定してください"},
+     "必要な厚さの緩衝材では全体が {kg} kg "
+     "になり、落下高さの規則の範囲を超えます。緩衝材を変えるか、高さを mm で指定してください"},
     {"protect.none", "no walls were found with which every item meets no more than it bears",
      "すべてのものの衝撃が耐えられる値に収まる壁が見つかりませんでした"},
     {"status.walls", "Choosing walls", "壁の厚さを決めています"},
@@ -163,16 +163,16 @@ constexpr Wording kWordsOfProtection[] = {
     {"drop.bottoms",
      "from {cm} cm {fallen} the foam may be squeezed beyond its data or the case be met: no shock can "
      "be told",
-     "{cm} cm から{fallen}を下に落とすと、フォームがデータの範囲を超えてつぶれるか、ケースに当たるお"
+     "{cm} cm から{fallen}を下に落とすと、緩衝材がデータの範囲を超えてつぶれるか、ケースに当たるお"
      "それがあり、衝撃を示せません"},
     {"drop.thin",
      "from {cm} cm {fallen} over a tenth of the energy would be taken by foam thinner than its data "
      "({mm} mm): no shock can be told",
-     "{cm} cm から{fallen}を下に落とすと、データの厚さ（{mm} mm）より薄いフォームがエネルギーの一割以"
+     "{cm} cm から{fallen}を下に落とすと、データの厚さ（{mm} mm）より薄い緩衝材がエネルギーの一割以"
      "上を受けるため、衝撃を示せません"},
     {"drop.items_meet",
      "from {cm} cm {fallen} the foam to another item may be squeezed beyond its data, or they meet",
-     "{cm} cm から{fallen}を下に落とすと、隣のものとの間のフォームがデータの範囲を超えてつぶれるか、ぶ"
+     "{cm} cm から{fallen}を下に落とすと、隣のものとの間の緩衝材がデータの範囲を超えてつぶれるか、ぶ"
      "つかるおそれがあります"},
     {"shock", "{drop}{more}. {advice}", "{drop}{more}。{advice}"},
     {"bottoms", "{drop}{more}. {advice}", "{drop}{more}。{advice}"},
@@ -180,19 +180,19 @@ constexpr Wording kWordsOfProtection[] = {
     {"shock.thicker_walls", "Thicker walls there would do", "その側の壁を厚くしてください"},
     {"shock.others", " ({items} more {items|item|items} likewise)", "（ほか {items} 個も同様）"},
     {"shock.more_foam", "{mm} mm more foam behind it would do",
-     "後ろのフォームをあと {mm} mm 厚くすれば足ります"},
+     "後ろの緩衝材をあと {mm} mm 厚くすれば足ります"},
     {"shock.more_foam_or_data", "{mm} mm more foam behind it, or a foam with data of drops, would do",
-     "後ろのフォームをあと {mm} mm 厚くするか、落下試験のデータがあるフォームを選んでください"},
+     "後ろの緩衝材をあと {mm} mm 厚くするか、落下試験のデータがある緩衝材を選んでください"},
     {"shock.other_foam", "Less height or another foam may do",
-     "落下高さを下げるか、ほかのフォームを選んでください"},
+     "落下高さを下げるか、ほかの緩衝材を選んでください"},
     {"shock.other_foam_or_data", "A foam with data of drops, less height or another way to lie may do",
-     "落下試験のデータがあるフォームにするか、落下高さや置き方を変えてください"},
+     "落下試験のデータがある緩衝材にするか、落下高さや置き方を変えてください"},
     {"no_shock/foam",
      "what it meets in a drop is not estimated: nothing is known of how this foam pushes back; name it by "
      "--foam "
      "(`snug foams` lists those with data and where to add one's own)",
-     "落下の衝撃は計算していません。このフォームの押し返し方が分からないためです。--foam "
-     "で指定してください（`snug foams` で一覧と、自分のフォームの加え方を示します）"},
+     "落下の衝撃は計算していません。この緩衝材の押し返し方が分からないためです。--foam "
+     "で指定してください（`snug foams` で一覧と、自分の緩衝材の加え方を示します）"},
     {"no_shock/mass", "what it meets in a drop is not estimated without its mass (--mass)",
      "質量（--mass）がないため、落下の衝撃は計算していません"},
     {"no_shock/height",
@@ -204,11 +204,11 @@ constexpr Wording kWordsOfProtection[] = {
      "高さを mm で指定することもできます"},
     {"items_meet", "{drop}{more}. {advice}", "{drop}{more}。{advice}"},
     {"shock.more_between", "Put more foam between them (--between), or lay them into layers of their own",
-     "間のフォーム（--between）を増やすか、別の段に置いてください"},
+     "間の緩衝材（--between）を増やすか、別の段に置いてください"},
     {"no_shock/unsettled",
      "what items meet in a drop is not estimated: they reach one another through foam, and their motion "
      "does not come to an end in the steps that are allowed",
-     "落下の衝撃は計算していません。フォームを介して押し合うものの動きが、許された計算の段階では収まらな"
+     "落下の衝撃は計算していません。緩衝材を介して押し合うものの動きが、許された計算の段階では収まらな"
      "いためです"},
     {"shock_of_stand_in",
      "drops were computed with a copy of what is read in pieces or as points, which stands a little outside "
@@ -216,23 +216,23 @@ constexpr Wording kWordsOfProtection[] = {
      "by more foam than the thing itself, so that the figures differ and a side that bottoms may be missed. "
      "Read it "
      "whole, as a mesh, to be sure",
-     "分割して読むものや点群の落下は、少し外側にある写しで計算しました。実物より多くのフォームに支えられるた"
+     "分割して読むものや点群の落下は、少し外側にあるコピーで計算しました。実物より多くの緩衝材に支えられるた"
      "め、値が変わり、"
      "底つきする面を見落とすことがあります。確かめるには、メッシュとして全体を読み込んでください"},
     {"foam_of_rigid",
      "these drops are of the foam that is named, {foam}: what is printed or built here holds and does not "
      "cushion, so none "
      "of them is true of it",
-     "落下の計算は、指定したフォーム {foam} "
+     "落下の計算は、指定した緩衝材 {foam} "
      "のものです。印刷や組み立てで作るものは支えるだけで緩衝せず、この値は当てはまりません"},
     {"no_shock/open", "a tray is not dropped: no shock is estimated", "トレイは落下の対象にしていません"},
     {"rest.unknown/foam", "how it rests is not estimated: nothing is known of how this foam pushes back",
-     "このフォームの押し返し方が分からないため、静止時の圧力は計算していません"},
+     "この緩衝材の押し返し方が分からないため、静止時の圧力は計算していません"},
     {"rest.unknown/mass", "how it rests is not estimated without its mass",
      "質量がないため、静止時の圧力は計算していません"},
     {"rest.unknown/bottoms",
      "already at rest the foam below would be squeezed beyond its data, or there is none of it",
-     "静止するだけで、下のフォームがデータの範囲を超えてつぶれるか、下にフォームがありません"},
+     "静止するだけで、下の緩衝材がデータの範囲を超えてつぶれるか、下に緩衝材がありません"},
     {"near_collections", "near collections:{known}", "収蔵品の近くで：{known}"},
     {"near.ethafoam",
      " Ethafoam, one interlaboratory Oddy test: permanent in 5 laboratories, temporary in 2; Oddy judges "

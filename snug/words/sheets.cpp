@@ -47,7 +47,7 @@ constexpr Wording kWordsOfSheets[] = {
     {"sheets-dowels",
      "No two dowels of {dowel_mm} mm with {edge_mm} mm of foam around them go through the sheets of the "
      "{foam}: lay them by the marked outlines, or choose thinner dowels.",
-     "{foam}のシートには、まわりに {edge_mm} mm のフォームを残して {dowel_mm} mm のダボを二本通す場所があ"
+     "{foam}のシートには、まわりに {edge_mm} mm の緩衝材を残して {dowel_mm} mm のダボを二本通す場所があ"
      "りません。記された輪郭に合わせて重ねるか、細いダボを選んでください。"},
     {"sheets-dowels/one",
      "Sheet {sheet} of the {foam} has no room for dowels: lay them by the outline that is marked on the "
@@ -68,16 +68,16 @@ constexpr Wording kWordsOfSheets[] = {
     {"sheets.too_many_pieces",
      "The foam falls into more than {most} pieces of sheet, which no one glues; choose larger blocks or a "
      "smoother object.",
-     "フォームがシートの部品 {most} 個を超え、貼り合わせられません。ブロックを大きくするか、凹凸の少ない対"
+     "緩衝材がシートの部品 {most} 個を超え、貼り合わせられません。ブロックを大きくするか、凹凸の少ない対"
      "象物にしてください。"},
     {"sheets.thickness",
      "Sheets of {thickness} do not make up this foam, whose blocks are {depth} deep and whose thickest "
      "half is {thickest}: a sheet must be a whole part or a multiple of a block. The nearest that work: "
      "{nearest}.",
-     "厚さ {thickness} のシートではこのフォームを作れません。ブロックの深さは {depth}、厚い方のフォームは "
+     "厚さ {thickness} のシートではこの緩衝材を作れません。ブロックの深さは {depth}、厚い方の緩衝材は "
      "{thickest} です。シートの厚さは、ブロックの整数分の一か整数倍にしてください。最も近い厚さ：{nearest}"},
     {"sheets.no_foam", "The design leaves no foam to cut into sheets; make the space larger than the object.",
-     "シートに切り分けるフォームがありません。対象物より大きい空間にしてください。"},
+     "シートに切り分ける緩衝材がありません。対象物より大きい空間にしてください。"},
     {"sheets.kerf",
      "A kerf of {kerf_mm} mm cannot cut openings as narrow as one block, {block_mm} mm; choose a smaller "
      "kerf or larger blocks.",

@@ -66,21 +66,21 @@ constexpr Wording kWordsOfSheetsPages[] = {
      "の所にある{layer} の層の線に沿ってナイフで切ります。深さは厚みの半分ほどで、貫通"
      "させません。内張りを滑らかな面を対象物側にしてくぼみに敷き、縁をへらで切れ目に差し込みます。"},
     {"sheets.lower_done", "The lower foam is done: it goes into the case with {first} below.",
-     "これで下のフォームの完成です。{first} を下にしてケースに入れます。"},
+     "これで下の緩衝材の完成です。{first} を下にしてケースに入れます。"},
     {"sheets.middle_done",
      "The middle foam is done: once the layer below is packed it goes onto it with {first} below, BACK on "
      "BACK.",
-     "これで中間のフォームの完成です。下の段を収めたら、{first} を下に、BACK どうしを合わせて載せます。"},
+     "これで中間の緩衝材の完成です。下の段を収めたら、{first} を下に、BACK どうしを合わせて載せます。"},
     {"sheets.lid_done",
      "The lid is done: turn it over about its BACK edge onto the lower foam, BACK on BACK.",
-     "これでふたの完成です。奥（BACK）の縁を軸に裏返し、BACK どうしを合わせて下のフォームにかぶせます"
+     "これでふたの完成です。奥（BACK）の縁を軸に裏返し、BACK どうしを合わせて下の緩衝材にかぶせます"
      "。"},
     {"sheets.laser",
      "Ask the maker of the foam whether it may be cut by laser: never PVC (chlorine); polystyrene, "
      "polypropylene, polyethylene and polyurethane foams burn or give off poisonous gases, and many "
      "workshops forbid them. A knife or water jet cuts all.",
-     "レーザーで切ってよいか、フォームの製造元に確かめてください。塩化ビニルは塩素が出るので、決して"
-     "切らないでください。ポリスチレン、ポリプロピレン、ポリエチレン、ポリウレタンのフォームは燃えた"
+     "レーザーで切ってよいか、緩衝材の製造元に確かめてください。塩化ビニルは塩素が出るので、決して"
+     "切らないでください。ポリスチレン、ポリプロピレン、ポリエチレン、ポリウレタンの緩衝材は燃えた"
      "り有毒なガスを出したりするため、多くの工房で禁じられています。ナイフやウォータージェットなら、"
      "どれでも切れます。"},
     {"sheets.measure",

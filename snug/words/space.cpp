@@ -14,7 +14,8 @@ constexpr Wording kWordsOfSpace[] = {
     {"case.squeezed",
      "the case is divided into blocks of {block} mm, for which the clearance must be {least} mm or more "
      "(-0.4 of the smallest side), not {clearance}",
-     "ケースは {block} mm のブロックに分かれます。すきまは {least} mm（最も短い辺の -0.4 倍）以上にしてく"
+     "ケースは {block} mm のブロックに分かれます。クリアランスは {least} mm（最も短い辺の -0.4 "
+     "倍）以上にしてく"
      "ださい。今は {clearance} mm です。"},
     {"fit.no_orientation",
      "the object fits the design space of {space} mm in no orientation that was tried: lying best it is "
@@ -43,14 +44,14 @@ constexpr Wording kWordsOfSpace[] = {
      "遊びを除いたケースの内側は {inside} mm（長さ、幅、高さ）で、{block} mm のブロック一つより小さくなっ"
      "ています。ブロックを小さくするか、ケースを大きくしてください。"},
     {"workshop.no_foams", "the object leaves the design space, so there are no foams",
-     "対象物が設計空間に収まらないため、フォームがありません。"},
+     "対象物が設計空間に収まらないため、緩衝材がありません。"},
     {"arrange.locked_nowhere", "{name} is locked and has no place to stay at: give it one ({example})",
      "{name} は固定されていますが、場所が決まっていません。場所を指定してください（{example}）。"},
     {"arrange.locked_meet",
      "{one} and {other} are both locked, and less than {between} mm of foam would stand between them: move "
      "one "
      "of them, or unlock it",
-     "{one} と {other} はどちらも固定されていて、間のフォームが {between} mm "
+     "{one} と {other} はどちらも固定されていて、間の緩衝材が {between} mm "
      "に足りません。どちらかを動かすか、"
      "固定を外してください。"},
     {"arrange.locked_outside",
@@ -68,7 +69,8 @@ constexpr Wording kWordsOfSpace[] = {
      "or a "
      "larger clearance, or place it yourself",
      "{name} "
-     "はどこに置いてもブロックを切り抜かず、必要な場所が決まりません。ブロックを小さくするか、すきまを大きく"
+     "はどこに置いてもブロックを切り抜かず、必要な場所が決まりません。ブロックを小さくするか、クリアランスを"
+     "大きく"
      "するか、自分で場所を指定してください。"},
     {"arrange.does_not_fit",
      "the {items} items do not go into {space} mm together, as far as was looked: {fit} of them do, without "

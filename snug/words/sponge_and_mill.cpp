@@ -20,13 +20,13 @@ constexpr Wording kWordsOfSpongeAndMill[] = {
      "a round cutter of {cutter_mm} mm leaves {left_cm3} cm3 of foam in inside corners where the object "
      "does not reach, and takes foam beside the blocks where it must go beyond them to reach a corner (up "
      "to {widest_mm} mm wide, {taken_cm3} cm3 together); a thinner cutter makes both less",
-     "直径 {cutter_mm} mm の刃では、対象物の届かない内側の角に {left_cm3} cm3 のフォームが残り、角に届くた"
+     "直径 {cutter_mm} mm の刃では、対象物の届かない内側の角に {left_cm3} cm3 の緩衝材が残り、角に届くた"
      "めブロックの外まで切る所があります（幅最大 {widest_mm} mm、合わせて {taken_cm3} cm3）。刃を細くする"
      "と、どちらも減ります。"},
     {"round_corners/left",
      "a round cutter of {cutter_mm} mm leaves {left_cm3} cm3 of foam in inside corners where the object "
      "does not reach; a thinner cutter makes both less",
-     "直径 {cutter_mm} mm の刃では、対象物の届かない内側の角に {left_cm3} cm3 のフォームが残ります。刃を細"
+     "直径 {cutter_mm} mm の刃では、対象物の届かない内側の角に {left_cm3} cm3 の緩衝材が残ります。刃を細"
      "くすると減ります。"},
     {"round_corners",
      "a round cutter of {cutter_mm} mm takes foam beside the blocks where it must go beyond them to reach "
@@ -36,7 +36,7 @@ constexpr Wording kWordsOfSpongeAndMill[] = {
     {"no_pins",
      "there is too little foam of full height for pins of {pin_mm} mm, so there are none: line the halves "
      "up by their edges, or choose others with --pin (0: none)",
-     "{pin_mm} mm のピンを通せる全高のフォームが足りないため、ピンはありません。下とふたを縁で合わせるか、"
+     "{pin_mm} mm のピンを通せる全高の緩衝材が足りないため、ピンはありません。下とふたを縁で合わせるか、"
      "--pin で別のピンを選んでください（0：なし）。"},
     {"no_pins/cutter",
      "holes for pins of {pin_mm} mm cannot be made with a cutter of {cutter_mm} mm, so there are none: "
@@ -53,7 +53,7 @@ constexpr Wording kWordsOfSpongeAndMill[] = {
     {"mill.too_many_columns",
      "the foam has more columns than can be milled with a cutter of {cutter_mm} mm; take larger blocks or "
      "a larger cutter",
-     "フォームの列が多すぎて、直径 {cutter_mm} mm "
+     "緩衝材の列が多すぎて、直径 {cutter_mm} mm "
      "の刃では切削できません。ブロックか刃を大きくしてください。"},
     {"mill.short_flute",
      "the flute reaches {flute_mm} mm, but the {half} is cut {depth_mm} mm deep: take a cutter with a "
@@ -66,7 +66,7 @@ constexpr Wording kWordsOfSpongeAndMill[] = {
      "a cutter of {cutter_mm} mm is wider than every pocket; the widest that goes in is {widest_mm} mm. "
      "Choose it with --cutter, or a larger clearance",
      "直径 {cutter_mm} mm の刃は、どのくぼみにも入りません。入る最大の直径は {widest_mm} mm です。"
-     "--cutter で選ぶか、すきまを大きくしてください。"},
+     "--cutter で選ぶか、クリアランスを大きくしてください。"},
     {"mill.under_side", "{half}'s underside", "{half}の下面"},
     {"mill.outer_side", "{half}'s outer side", "{half}の外側"},
 };

@@ -21,7 +21,7 @@ constexpr Wording kWordsOfSpongePages[] = {
      "{blocks|block|blocks} to pluck",
      "{width} x {depth} mm、厚さ {mm} mm を {layers} 層。抜くブロック {blocks} 個"},
     {"sponge.no_stock", "no foam on this side; {blocks} {blocks|block|blocks} to pluck",
-     "こちら側にフォームはありません。抜くブロック {blocks} 個"},
+     "こちら側に緩衝材はありません。抜くブロック {blocks} 個"},
     {"sponge.from_cavity", "from the cavity", "くぼみ側から"},
     {"sponge.from_above", "from above", "上から"},
     {"sponge.in_each", "pluck in each", "1 層で抜く数"},
@@ -38,36 +38,36 @@ constexpr Wording kWordsOfSpongePages[] = {
      "plucking it, glue as many spare blocks on layer 2 where the map is white: that saves work and "
      "1 layer of foam.",
      "{half}：1 層目に残るブロックは半分未満（{blocks} 個）です。抜く代わりに、余ったブロックを同じ数"
-     "だけ、図の白い所に合わせて 2 層目に接着すれば、手間とフォーム 1 層を省けます。"},
+     "だけ、図の白い所に合わせて 2 層目に接着すれば、手間と緩衝材 1 層を省けます。"},
     {"sponge.high_layers",
      "{half}: layers 1 to {last} keep less than half of their blocks, {blocks} {blocks|block|blocks}"
      " together. Instead of plucking them, glue as many spare blocks on layer {next} where the map "
      "is white: that saves work and {layers} layers of foam.",
      "{half}：1～{last} 層目に残るブロックは半分未満（合わせて {blocks} 個）です。抜く代わりに、余っ"
-     "たブロックを同じ数だけ、図の白い所に合わせて {next} 層目に接着すれば、手間とフォーム {layers} "
+     "たブロックを同じ数だけ、図の白い所に合わせて {next} 層目に接着すれば、手間と緩衝材 {layers} "
      "層を省けます。"},
     {"sponge.try_fit",
      "Fit test first: print the map \"fit test\", make that ring from one layer, and pass the "
      "object's outline through it by hand. If it does not fit, go back to the design, before a whole "
      "block is spent.",
-     "まず試験片ではめ合わせを確かめます。「試験片」の図を印刷し、1 層分のフォームでその枠を作って、"
-     "対象物の輪郭を手で通します。通らないときは、フォームを丸ごと使う前に設計に戻ります。"},
+     "まず試験片ではめ合わせを確かめます。「試験片」の図を印刷し、1 層分の緩衝材でその枠を作って、"
+     "対象物の輪郭を手で通します。通らないときは、緩衝材を丸ごと使う前に設計に戻ります。"},
     {"sponge.print_maps",
      "Print the maps at 100 %, check the square on the first page with a ruler, and join the tiles.",
      "図を 100 % で印刷し、最初のページの正方形を定規で確かめてから、紙をつなぎます。"},
     {"sponge.cut_layers",
      "Cut the layers to size. Write {marks/} and its number on each, and BACK on its back edge. "
      "Layer 1 is the one at the cavity.",
-     "層を寸法どおりに切ります。それぞれに、どのフォームの層か（{marks/}）と層の番号を書き、奥の縁に "
+     "層を寸法どおりに切ります。それぞれに、どの緩衝材の層か（{marks/}）と層の番号を書き、奥の縁に "
      "BACK と書きます。1 層目はくぼみ側の層です。"},
     {"sponge.middle",
      "A MIDDLE piece has a cavity on each side; its layer 1 is the uppermost, and all its maps show it from "
      "above.",
-     "MIDDLE のフォームは両面にくぼみがあります。1 層目は一番上の層で、図はすべて上から見たものです。"},
+     "MIDDLE の緩衝材は両面にくぼみがあります。1 層目は一番上の層で、図はすべて上から見たものです。"},
     {"sponge.trim",
      "Cut off each layer what its map shows in grey: the case has no room for it there. Some layers "
      "have a map for this alone.",
-     "各層から、図の灰色の部分を切り落とします。ケースに入らない部分です。そのためだけの図がある層も"
+     "各層から、図の灰色の所を切り落とします。ケースに入らない所です。そのためだけの図がある層も"
      "あります。"},
     {"sponge.pluck",
      "Lay the map of a layer on it, cavity side up, BACK on BACK, the black corner on column A1. "
@@ -78,7 +78,7 @@ constexpr Wording kWordsOfSpongePages[] = {
      "Stack each piece from its last layer up to layer 1, the BACK edges in one line, and check the "
      "depths against the overview. Then glue the layers, with an adhesive that the object's keeper "
      "allows.",
-     "フォームごとに、最後の層から 1 層目まで、BACK の縁をそろえて重ね、深さを全体図で確かめます"
+     "緩衝材ごとに、最後の層から 1 層目まで、BACK の縁をそろえて重ね、深さを全体図で確かめます"
      "。それから、対象物の管理者が認めた接着剤で層を接着します。"},
     {"sponge.close_layers",
      "Stand the empty pieces on each other once, from LOWER up to the LID, BACK over BACK: the black corners "
@@ -88,12 +88,12 @@ constexpr Wording kWordsOfSpongePages[] = {
     {"sponge.close",
      "Close the empty halves once, lid over lower foam, BACK over BACK: the black corners meet and "
      "the rims touch all round.",
-     "空のまま一度、BACK どうしを合わせて、下のフォームにふたをかぶせます。黒い角が重なり、縁が全周で"
+     "空のまま一度、BACK どうしを合わせて、下の緩衝材にふたをかぶせます。黒い角が重なり、縁が全周で"
      "触れれば合っています。"},
     {"sponge.test_leaves_out",
      "The fit test leaves out {islands} {islands|island|islands} of foam and its ring is in {pieces} "
      "{pieces|piece|pieces}.",
-     "試験片では島になったフォーム {islands} 個を省いてあり、枠は {pieces} 個です。"},
+     "試験片では島になった緩衝材 {islands} 個を省いてあり、枠は {pieces} 個です。"},
     {"sponge.depths", "{half}: depths", "{half}：深さ"},
     {"sponge.how_to_read",
      "{name} · rows, then columns: blocks to remove from the cavity's side; columns that are not "
@@ -121,7 +121,7 @@ constexpr Wording kWordsOfSpongePages[] = {
     {"sponge.ring_task",
      "Keep the shaded ring, pluck what is inside, cut off what is outside. Lies as the lower foam, "
      "cavity facing you. True size. {name}",
-     "色のついた枠を残し、内側を抜き、外側を切り落とします。下のフォームをくぼみ側から見た向きです。"
+     "色のついた枠を残し、内側を抜き、外側を切り落とします。下の緩衝材をくぼみ側から見た向きです。"
      "原寸。{name}"},
     {"sponge.read_numbers",
      "Cavity facing you. The number says how many blocks to remove from this column, from the "

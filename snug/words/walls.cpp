@@ -7,19 +7,19 @@ namespace {
 
 constexpr Wording kWordsOfWalls[] = {
     {"no_floor", "no foam is left {side}: the object would touch the case; {advice}",
-     "{side}にフォームが残らず、対象物がケースに触れます。{advice}。"},
+     "{side}に緩衝材が残らず、対象物がケースに触れます。{advice}。"},
     {"no_roof", "no foam is left {side}: the object would touch the case; {advice}",
-     "{side}にフォームが残らず、対象物がケースに触れます。{advice}。"},
+     "{side}に緩衝材が残らず、対象物がケースに触れます。{advice}。"},
     {"touches_case", "no foam is left {side}: the object would touch the case; {advice}",
-     "{side}にフォームが残らず、対象物がケースに触れます。{advice}。"},
+     "{side}に緩衝材が残らず、対象物がケースに触れます。{advice}。"},
     {"thin_floor", "only {mm} mm of foam {side}; 25 mm is the least that cushions, 50 mm is usual: {advice}",
-     "{side}のフォームは {mm} mm しかありません。緩衝には最低 25 mm、通常は 50 mm が必要です。{advice}。"},
+     "{side}の緩衝材は {mm} mm しかありません。緩衝には最低 25 mm、通常は 50 mm が必要です。{advice}。"},
     {"thin_roof", "only {mm} mm of foam {side}; 25 mm is the least that cushions, 50 mm is usual: {advice}",
-     "{side}のフォームは {mm} mm しかありません。緩衝には最低 25 mm、通常は 50 mm が必要です。{advice}。"},
+     "{side}の緩衝材は {mm} mm しかありません。緩衝には最低 25 mm、通常は 50 mm が必要です。{advice}。"},
     {"thin_wall", "only {mm} mm of foam {side}; 25 mm is the least that cushions, 50 mm is usual: {advice}",
-     "{side}のフォームは {mm} mm しかありません。緩衝には最低 25 mm、通常は 50 mm が必要です。{advice}。"},
+     "{side}の緩衝材は {mm} mm しかありません。緩衝には最低 25 mm、通常は 50 mm が必要です。{advice}。"},
     {"wall_below_wanted", "only {mm} mm of foam {side} where {wanted_mm} mm is wanted; {advice}",
-     "{side}のフォームは {mm} mm で、希望の {wanted_mm} mm に足りません。{advice}。"},
+     "{side}の緩衝材は {mm} mm で、希望の {wanted_mm} mm に足りません。{advice}。"},
     {"side.floor", "under the object (-x)", "対象物の下（-x）"},
     {"side.roof", "over the object (+x)", "対象物の上（+x）"},
     {"side.back", "at the back (-y)", "奥（-y）"},
@@ -42,7 +42,7 @@ constexpr Wording kWordsOfWalls[] = {
      "the object needs {needed} mm (length, width, height){clearance} and leaves the foam of its case, "
      "{foam} mm (length, width, height). Lacking: {lacking,}. A case would do from {least} mm (length, "
      "width, height) inside; `snug cases --for` lists those that fit, in every way to lay the object",
-     "対象物には{clearance}{needed} mm（長さ、幅、高さ）が必要で、ケースのフォーム {foam} mm（長さ、幅、高"
+     "対象物には{clearance}{needed} mm（長さ、幅、高さ）が必要で、ケースの緩衝材 {foam} mm（長さ、幅、高"
      "さ）に収まりません。不足：{lacking,}。内寸 {least} mm（長さ、幅、高さ）以上のケースなら収まります。"
      "`snug cases --for` で、あらゆる向きで収まるケースを一覧できます。"},
     {"lacking.height", "{mm} mm of height", "高さ {mm} mm"},
@@ -56,9 +56,9 @@ constexpr Wording kWordsOfWalls[] = {
      "対象物がケースの角の丸みや傾いた壁に入り込みます。必要な {blocks} ブロックがケースの外になります。動"
      "かすか回す、またはより大きなケースを選んでください。"},
     {"off_lid_line/above", "the foams part {mm} mm above the lid's line, at the nearest step of the blocks",
-     "フォームは、ふたの線より {mm} mm 上の、最も近いブロックの段で分かれます。"},
+     "緩衝材は、ふたの線より {mm} mm 上の、最も近いブロックの段で分かれます。"},
     {"off_lid_line/below", "the foams part {mm} mm below the lid's line, at the nearest step of the blocks",
-     "フォームは、ふたの線より {mm} mm 下の、最も近いブロックの段で分かれます。"},
+     "緩衝材は、ふたの線より {mm} mm 下の、最も近いブロックの段で分かれます。"},
     {"cases.nothing_fits",
      "nothing in the list fits. A case would do from {least} mm (length, width, height) "
      "inside{nearest}{too_weak}",

@@ -20,17 +20,17 @@ constexpr Wording kWordsOfZones[] = {
      "{cm} cm から{fallen}を下に落とすと、場所 {zone} に届きます。最大 {travel} mm 動きますが、空きは {room} "
      "mm です。"
      "{least} mm 残すには {mm} mm "
-     "以上離し、もう一度確かめてください。支えるフォームが減り、さらに動くことがあります"},
+     "以上離し、もう一度確かめてください。支える緩衝材が減り、さらに動くことがあります"},
     {"zone_pressed",
      "foam would press on zone {zone} with up to {kpa} kPa, as a mean over 1 cm2; it bears {asked} kPa. Keep "
      "foam off it, or take a softer foam; ridges see more",
-     "フォームが場所 {zone} を最大 {kpa} kPa（1 cm2 の平均）で押します。耐える圧力は {asked} kPa "
-     "です。フォームを離すか、柔らかいフォームにしてください。突起にはそれ以上の圧力がかかります"},
+     "緩衝材が場所 {zone} を最大 {kpa} kPa（1 cm2 の平均）で押します。耐える圧力は {asked} kPa "
+     "です。緩衝材を離すか、柔らかい緩衝材にしてください。突起にはそれ以上の圧力がかかります"},
     {"zone_free",
      "zones that foam keeps away from stand free. Free is not protected: what such a part meets through its "
      "own "
      "inertia is not computed",
-     "離しておく場所は宙に浮いています。それは保護されているという意味ではなく、その部分自身の慣性による力は"
+     "離しておく場所は宙に浮いています。それは保護されているという意味ではなく、その場所自身の慣性による力は"
      "計算していません"},
     {"zone.told", "{parts;}", "{parts;}"},
     {"zone.kept_off", "kept off by {mm} mm, {blocks} {blocks|block|blocks} cut for it{left}",
@@ -41,13 +41,13 @@ constexpr Wording kWordsOfZones[] = {
     {"zone.pressed", "pressed with {kpa} kPa at most, of {asked} kPa that it bears",
      "最大 {kpa} kPa で押される（耐える圧力 {asked} kPa）"},
     {"zone.press_unknown", "bears {asked} kPa; what foam presses with is not known",
-     "耐える圧力 {asked} kPa（フォームの押す圧力は不明）"},
+     "耐える圧力 {asked} kPa（緩衝材の押す圧力は不明）"},
     {"zone.loose", "loose: nothing may touch it", "剝がれやすいため、触れてはならない"},
     {"summary.zone", "Zone {zone}", "場所 {zone}"},
     {"packing.zones", "Places to keep off", "触れない場所"},
     {"packing.zones_claim",
      "Free is not protected: what such a part meets through its own inertia is not computed.",
-     "空いていることは、保護されていることではありません。その部分自身の慣性による力は計算していません。"},
+     "空いていることは、保護されていることではありません。その場所自身の慣性による力は計算していません。"},
     {"zone.numbered", "zone {zone}: {why}", "場所 {zone}：{why}"},
     {"zone.no_place", "zone {zone} must have a place: a part from 1 upward, or balls such as {example}",
      "場所 {zone} には、1 以上の部品番号か {example} のような球が必要です"},
@@ -63,7 +63,7 @@ constexpr Wording kWordsOfZones[] = {
      "場所 {zone} が耐える圧力は 0 kPa より大きくなければなりません"},
     {"zone.loose_pressed",
      "zone {zone} is loose, so nothing may press on it: keep foam off it, without a pressure",
-     "場所 {zone} は剝がれやすいため、押してはなりません。圧力を指定せず、フォームを離してください"},
+     "場所 {zone} は剝がれやすいため、押してはなりません。圧力を指定せず、緩衝材を離してください"},
     {"zone.no_rule", "zone {zone} says neither how far foam keeps off nor what it bears: add mm",
      "場所 {zone} に、離す距離も耐える圧力もありません"},
     {"zone.no_surface",

@@ -1,6 +1,6 @@
 import {cpus} from 'node:os';
 import type {Page} from '@playwright/test';
-import {expect, gapsMeasured, open, status, test} from '../e2e/support/studio';
+import {expect, foamsShown, gapsMeasured, open, test} from '../e2e/support/studio';
 import {torusStl} from '../e2e/support/torus';
 
 // From a slider's input to the picture of its foams, in the software renderer of a headless browser: the default
@@ -32,7 +32,7 @@ test('one of five that turns', async ({studio: page}) => {
   }));
   await page.getByLabel('Open object', {exact: true}).setInputFiles(rings);
   await expect(page.getByRole('list', {name: 'In the case'}).getByRole('listitem')).toHaveCount(5, {timeout: 60_000});
-  await expect(status(page)).toContainText('F ', {timeout: 60_000});
+  await foamsShown(page, {timeout: 60_000});
   await inDefaultSpace(page);
   await page.getByRole('button', {name: '3. ring-3.stl'}).click();
   await measure(page, 'one of five items of 100,352 triangles');

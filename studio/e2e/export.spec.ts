@@ -3,7 +3,7 @@ import {join} from 'node:path';
 import {unzipSync} from 'fflate';
 import type {Download, Page} from '@playwright/test';
 import {folder, made, sample, untimed} from './support/command_line';
-import {expect, open, set, status, test} from './support/studio';
+import {expect, foamsShown, open, set, test} from './support/studio';
 
 async function bytes(download: Download): Promise<Buffer> {
   return readFileSync(await download.path());
@@ -64,7 +64,7 @@ test('a saved project makes the same foams on the command line, and comes back',
   const path = sample('figurine');
   await open(page, path);
   await set(page, 'slider', 'Rotation θ', 35);
-  await expect(status(page)).toContainText('F ');
+  await foamsShown(page);
   const [download] = await Promise.all([
     page.waitForEvent('download'),
     page.getByRole('button', {name: 'Save project'}).click(),

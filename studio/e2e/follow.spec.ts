@@ -92,12 +92,12 @@ test('a place taken from the map cuts what the map says, with the walls that wer
   await expect(progress).toBeVisible();
   await expect(progress).toBeHidden({timeout: 240_000});
   const map = page.getByRole('button', {name: /^Map of directions: arrow keys/});
-  const foam = () => page.evaluate(() => document.querySelector('footer')?.textContent ?? '');
+  const foam = () => status(page).getAttribute('data-ms');
   for (const [right, down] of [[0.5, 0.5], [0.3, 0.4], [0.62, 0.75]] as const) {
     const box = (await map.boundingBox()) ?? {width: 0, height: 0};
     const before = await foam();
     await map.click({position: {x: right * box.width, y: down * box.height}});
-    const promised = await page.getByText(/^Cuts [\d.]+ litres$/).innerText();
+    const promised = await page.getByText(/^Cuts [\d.]+ L$/).innerText();
     await expect.poll(foam).not.toBe(before);
     const litres = Number(/Cuts ([\d.]+)/.exec(promised)?.[1]);
     await expect.poll(async () => Math.abs((await cutLitres(page)) - litres)).toBeLessThan(0.006);

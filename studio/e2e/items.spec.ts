@@ -1,7 +1,7 @@
 import {readFileSync} from 'node:fs';
 import type {Page} from '@playwright/test';
 import {violations} from './support/axe';
-import {commandSays, expect, open, set, status, test} from './support/studio';
+import {commandSays, expect, foamsShown, open, set, status, test} from './support/studio';
 import {torusStl} from './support/torus';
 
 // Several things in one case.
@@ -23,7 +23,7 @@ async function drop(page: Page, ...files: {name: string; buffer: Buffer}[]) {
 const list = (page: Page) => page.getByRole('list', {name: 'In the case'}).getByRole('listitem');
 const item = (page: Page, name: string) => page.getByRole('button', {name, exact: true});
 const plan = (page: Page) => page.getByRole('img', {name: /^Section through layer/});
-const foams = async (page: Page) => (/F [\d.]+/.exec((await status(page).textContent()) ?? '') ?? [''])[0];
+const foams = (page: Page) => status(page).getAttribute('data-fill');
 
 /** Drags in the plan, by shares of its width and pixels from its middle. */
 async function dragInPlan(page: Page, from: number, by: number) {
@@ -38,7 +38,7 @@ async function dragInPlan(page: Page, from: number, by: number) {
 test('two files are dropped, one is moved by hand, doubled, taken back, saved and opened again', async ({studio: page}) => {
   await drop(page, RING, SMALL);
   await expect(list(page)).toHaveCount(2);
-  await expect(status(page)).toContainText('F ');
+  await foamsShown(page);
   await commandSays(page, 'snug make ring.stl small.stl --blocks=auto');
 
   const before = await foams(page);
@@ -92,7 +92,7 @@ test('a file that is dropped joins what is there, one that is opened takes its p
 
 test('items that come too near each other are named, and a locked one stays where it is', async ({studio: page}) => {
   await drop(page, RING, SMALL);
-  await expect(status(page)).toContainText('F ');
+  await foamsShown(page);
   await page.getByRole('button', {name: 'Lock ring.stl: no hand moves it'}).click();
   await commandSays(page, 'ring.stl:lock');
   const before = await page.locator('code').textContent();
@@ -113,8 +113,8 @@ test('things are arranged, another arrangement is taken, and a case filled with 
   const CAP = {name: 'cap.stl', buffer: torusStl(24, 12, 30, 12)};
   await drop(page, RING, SMALL, CAP);
   await expect(list(page)).toHaveCount(3);
-  await expect(status(page)).toContainText('F ');
-  const litres = async () => Number(/foam ([\d.]+)/i.exec((await status(page).textContent()) ?? '')?.[1]);
+  await foamsShown(page);
+  const litres = async () => Number(await status(page).getAttribute('data-litres'));
   const row = await litres();
   const fill = page.getByRole('button', {name: /^As many of/});
   await expect(fill).toBeDisabled();

@@ -2,7 +2,7 @@ import {readFileSync} from 'node:fs';
 import type {BrowserContext, Page} from '@playwright/test';
 import {made, sample} from './support/command_line';
 import {kept} from './support/kept';
-import {expect, open, set, status, test} from './support/studio';
+import {expect, foamsShown, open, set, test} from './support/studio';
 
 const slider = (page: Page, name: string) => page.getByRole('slider', {name, exact: true});
 const empty = (page: Page) => page.getByRole('heading', {name: 'What are you packing?'});
@@ -45,7 +45,7 @@ test('a fresh tab asks which work to go on with, and offers none that another ta
   await expect(third.getByRole('button', {name: /^Continue torus.stl/})).toHaveCount(0);
   await third.getByRole('button', {name: /^Continue vase.stl/}).click();
   await expect(third.getByTitle('vase.stl')).toBeVisible();
-  await expect(status(third)).toContainText('F ');
+  await foamsShown(third);
   await first.close();
 
   const fourth = await another(context);
@@ -65,7 +65,7 @@ test('a duplicated tab goes on with a copy', async ({studio: first}) => {
   // A tab that is opened by another starts with what that one has in its session.
   const [second] = await Promise.all([first.waitForEvent('popup'), first.evaluate(() => void window.open(location.href))]);
   await expect(second.getByTitle('torus.stl')).toBeVisible();
-  await expect(status(second)).toContainText('F ');
+  await foamsShown(second);
   await set(second, 'slider', 'Rotation ψ', 70);
   await kept(second, '"rotation_deg":[70,0,0]');
   await second.reload();
@@ -116,7 +116,7 @@ test('the work that an earlier version kept is offered, too', async ({page}) => 
   await page.goto('./');
   await page.getByRole('button', {name: /^Continue ring.stl/}).click();
   await expect(page.getByTitle('ring.stl')).toBeVisible();
-  await expect(status(page)).toContainText('F ');
+  await foamsShown(page);
 });
 
 test('a change just before the page goes is there when it comes back', async ({studio: page}) => {

@@ -1,7 +1,7 @@
 import type {Page} from '@playwright/test';
 import {violations} from './support/axe';
 import {made, sample, untimed} from './support/command_line';
-import {commandSays, expect, exported, gapsMeasured, set, status, test} from './support/studio';
+import {commandSays, expect, exported, foamsShown, gapsMeasured, set, test} from './support/studio';
 
 // Things in layers that stand on each other, and trays.
 
@@ -12,7 +12,7 @@ async function openTwo(page: Page): Promise<[string, string]> {
   const files: [string, string] = [sample('camera'), sample('torus')];
   await page.getByLabel('Open object', {exact: true}).setInputFiles(files);
   await page.getByRole('button', {name: '2. torus.stl', exact: true}).click();
-  await expect(status(page)).toContainText('F ');
+  await foamsShown(page);
   return files;
 }
 

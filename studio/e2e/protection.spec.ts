@@ -1,7 +1,7 @@
 import {readFileSync} from 'node:fs';
 import type {Page} from '@playwright/test';
 import {violations} from './support/axe';
-import {commandSays, expect, open, set, status, test} from './support/studio';
+import {commandSays, expect, foamsShown, open, set, status, test} from './support/studio';
 import {torusStl} from './support/torus';
 
 // What an item meets in a drop, asked and answered in Check.
@@ -21,7 +21,7 @@ async function ask(page: Page, height = 'ista-1a', fragility = 'rugged') {
 
 test('a drop is asked for, told side by side, and held by walls that Snug chooses', async ({studio: page}) => {
   await page.getByRole('button', {name: 'Camera'}).click();
-  await expect(status(page)).toContainText('F ');
+  await foamsShown(page);
   await page.getByRole('button', {name: 'How thick for a drop?'}).click();
   await expect(page.getByRole('heading', {name: 'What it meets in a drop'})).toBeInViewport();
   await expect(page.getByRole('button', {name: 'Choose the walls for it'})).toBeDisabled();
@@ -96,7 +96,7 @@ test('a height and a number of G are typed in place of a rule and a class', asyn
 
 test('several items in layers each bear their own, and a tray is not dropped', async ({studio: page}) => {
   await page.getByLabel('Open object', {exact: true}).setInputFiles([RING, SMALL].map((file) => ({...file, mimeType: 'application/octet-stream'})));
-  await expect(status(page)).toContainText('F ');
+  await foamsShown(page);
   await ask(page);
   await expect(check(page)).toContainText('enter: what the object weighs');
   for (const [item, kg] of [['1. ring.stl', 0.6], ['2. small.stl', 0.3]] as const) {
@@ -194,7 +194,7 @@ test('a foam of one\'s own is entered, kept, opened from a file, and refused wit
   expect(saved.map(({name}) => name)).toEqual(['bench-foam', 'from-file']);
 
   await page.reload();
-  await expect(status(page)).toContainText('F ');
+  await foamsShown(page);
   await expect(page.getByLabel('Foam material', {exact: true})).toHaveValue('from-file');
   await page.getByText('Foams of your own').last().click();
   await page.getByRole('button', {name: 'Remove bench-foam'}).click();

@@ -3,7 +3,7 @@ import {mkdirSync, writeFileSync} from 'node:fs';
 import {join} from 'node:path';
 import {GEOMETRY, scene, text} from '../tests/support/scenes';
 import {folder, sample, SNUG} from './support/command_line';
-import {expect, test, status} from './support/studio';
+import {expect, foamsShown, test} from './support/studio';
 
 /** Runs `snug studio` for the time of one test; gives the address that it prints. */
 async function served(options: string[], use: (address: string) => Promise<void>) {
@@ -23,7 +23,7 @@ test('snug studio OBJECT opens the object, under its own policy', async ({studio
   await served([sample('vase')], async (address) => {
     await page.goto(address);
     await expect(page.getByTitle('vase.stl')).toBeVisible();
-    await expect(status(page)).toContainText('F ');
+    await foamsShown(page);
     await expect(page.getByRole('button', {name: 'Export', exact: true})).toBeEnabled();
   });
 });
@@ -32,7 +32,7 @@ test('a thinned copy says how far it is off, and is never exported', async ({stu
   await served(['--most-bytes', '1000', sample('vase')], async (address) => {
     await page.goto(address);
     await expect(page.getByText('This is a thinned copy, nowhere more than')).toBeVisible();
-    await expect(status(page)).toContainText('F ');
+    await foamsShown(page);
     await expect(page.getByRole('button', {name: 'Export', exact: true})).toBeDisabled();
     await expect(page.getByText('snug make vase.stl').first()).toBeVisible();
     await expect(page.getByRole('button', {name: 'Save project'})).toBeDisabled();
@@ -48,6 +48,6 @@ test('a .gltf comes with the files that it names, from folders below it, too', a
     await page.goto(address);
     await expect(page.getByTitle('chair.gltf')).toBeVisible();
     await expect(page.getByText('100 × 100 × 100 mm')).toBeVisible();
-    await expect(status(page)).toContainText('F ');
+    await foamsShown(page);
   });
 });

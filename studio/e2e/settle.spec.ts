@@ -1,6 +1,6 @@
 import type {Page} from '@playwright/test';
 import {violations} from './support/axe';
-import {commandSays, expect, gapsMeasured, open, set, status, test} from './support/studio';
+import {commandSays, expect, foamsShown, gapsMeasured, open, set, test} from './support/studio';
 
 // Lying on foam, pads in what block steps leave, and islands below.
 
@@ -27,7 +27,7 @@ async function picture(page: Page) {
 
 test('the camera is lowered onto its foam, and its pads are listed and drawn until they are taken back', async ({studio: page}) => {
   await page.getByRole('button', {name: 'Camera'}).click();
-  await expect(status(page)).toContainText('F ');
+  await foamsShown(page);
   await expect(check(page).getByRole('heading', {name: 'Lowered onto its foam'})).toHaveCount(0);
   await turn(page, 'Lower it until it lies on foam').click();
   await commandSays(page, '--settle');

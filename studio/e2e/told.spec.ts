@@ -2,7 +2,7 @@ import {sample} from './support/command_line';
 import {hold, holdReads, letGo} from './support/hold_reads';
 import {inTheMoment} from './support/in_the_moment';
 import {kept} from './support/kept';
-import {expect, gapsMeasured, open, set, status, test} from './support/studio';
+import {expect, foamsShown, gapsMeasured, open, set, status, test} from './support/studio';
 import {torusStl} from './support/torus';
 import {WEDGE_IN_METRES} from './support/wedge';
 
@@ -62,7 +62,7 @@ test('another file ends the reading of the one before', async ({page}) => {
   });
   await page.getByLabel('Open object', {exact: true}).setInputFiles(sample('torus'));
   await expect(page.getByTitle('torus.stl')).toBeVisible();
-  await expect(status(page)).toContainText('F ');
+  await foamsShown(page);
   await expect(page.getByText('Reading')).toBeHidden();
 });
 
@@ -109,7 +109,7 @@ test('the question for the unit can be left, found again, moved, and answered by
   await expect(page.getByTitle('other.off')).toBeVisible();
   await expect(question.getByRole('spinbutton', {name: 'Or: its longest side is'})).toHaveValue('0');
   await question.getByRole('button', {name: /^Metres/}).click();
-  await expect(status(page)).toContainText('F ');
+  await foamsShown(page);
 });
 
 test('a part that must stay keeps its tick', async ({studio: page}) => {
@@ -132,8 +132,10 @@ test('a part that must stay keeps its tick', async ({studio: page}) => {
 test('gaps whose measuring is cancelled are said to be not measured', async ({studio: page}) => {
   await inTheMoment(page, 'progress[aria-label^="Measuring the gaps"]', 'Escape');
   await open(page, {name: 'ring.stl', buffer: torusStl(300, 150)});
-  await expect(page.locator('body')).toHaveAttribute('data-moment', /Widest gap …/);
-  await expect(status(page)).toContainText('Widest gap not measured');
+  await expect(page.locator('body')).toHaveAttribute('data-gap', 'comes');
+  await expect(status(page)).toHaveAttribute('data-gap', 'none');
+  await page.getByRole('button', {name: 'Figures'}).click();
+  await expect(page.locator('footer')).toContainText('not measured');
   await page.getByRole('button', {name: 'Measure the gaps'}).click();
   await gapsMeasured(page);
 });

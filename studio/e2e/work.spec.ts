@@ -4,7 +4,7 @@ import {sample} from './support/command_line';
 import {atRest} from './support/at_rest';
 import {inTheMoment} from './support/in_the_moment';
 import {kept} from './support/kept';
-import {expect, gapsMeasured, open, set, status, test} from './support/studio';
+import {expect, foamsShown, gapsMeasured, open, set, status, test} from './support/studio';
 import {torusStl} from './support/torus';
 import {WEDGE_IN_METRES} from './support/wedge';
 
@@ -17,7 +17,7 @@ async function projectText(page: Page): Promise<string> {
 }
 
 async function fRatio(page: Page): Promise<number> {
-  return Number(/F (\d\.\d+)/.exec(await status(page).innerText())?.[1]);
+  return Number(await status(page).getAttribute('data-fill'));
 }
 
 test('undo goes back to the empty start, and redo to the end', async ({studio: page}) => {
@@ -39,7 +39,7 @@ test('undo goes back to the empty start, and redo to the end', async ({studio: p
   await expect(page.getByRole('heading', {name: 'What are you packing?'})).toBeVisible();
   for (let i = 0; i < steps; i++) await redo.click();
   await expect(redo).toBeDisabled();
-  await expect(status(page)).toContainText('F ');
+  await foamsShown(page);
   expect(await projectText(page)).toBe(last);
 });
 
@@ -51,7 +51,7 @@ test('a reload brings everything back', async ({studio: page}) => {
   const before = await projectText(page);
   await kept(page, '"wall_mm":70');
   await page.reload();
-  await expect(status(page)).toContainText('F ');
+  await foamsShown(page);
   await expect(page.getByTitle('vase.ply')).toBeVisible();
   await expect(page.getByRole('slider', {name: 'Rotation φ'})).toHaveValue('45');
   expect(await projectText(page)).toBe(before);
@@ -67,8 +67,8 @@ test('without a network it opens and works', async ({studio: page, context}) => 
   await context.setOffline(true);
   await page.reload();
   await page.getByRole('button', {name: 'Camera'}).click();
-  await expect(status(page)).toContainText('F ');
-  await expect(status(page)).toContainText('ms');
+  await foamsShown(page);
+  await expect(status(page)).toHaveAttribute('data-ms', /^\d/);
   await context.setOffline(false);
 });
 
@@ -100,7 +100,7 @@ test('a cancelled Optimize keeps the best so far', async ({studio: page}) => {
     button('Cancel')?.click();
   });
   await expect(page.getByRole('button', {name: 'Optimize', exact: true})).toBeEnabled();
-  await expect(status(page)).toContainText('F ');
+  await foamsShown(page);
 });
 
 test('another object opened meanwhile ends an Optimize, and starts anew', async ({studio: page}) => {
@@ -121,7 +121,7 @@ test('a file in metres asks for its unit', async ({studio: page}) => {
   await dialog.getByRole('button', {name: /^Metres/}).click();
   await expect(dialog).toBeHidden();
   await expect(page.getByText('200 × 150 × 100 mm')).toBeVisible();
-  await expect(status(page)).toContainText('F ');
+  await foamsShown(page);
 
   // And a length that is known scales it.
   await page.getByText('Set a length').click();
@@ -132,14 +132,14 @@ test('a file in metres asks for its unit', async ({studio: page}) => {
 
 test('a lost graphics context says so and comes back', async ({studio: page}) => {
   await open(page, sample('torus'));
-  const scene = page.locator('canvas').first();
+  const scene = page.getByRole('application');
   const context = await scene.evaluateHandle((canvas: HTMLCanvasElement) => canvas.getContext('webgl2')?.getExtension('WEBGL_lose_context'));
   await context.evaluate((extension) => extension?.loseContext());
   await expect(page.getByText('The graphics of this browser stopped')).toBeVisible();
   await context.evaluate((extension) => extension?.restoreContext());
   await expect(page.getByText('The graphics of this browser stopped')).toBeHidden();
   await set(page, 'slider', 'Rotation ψ', 10);
-  await expect(status(page)).toContainText('F ');
+  await foamsShown(page);
 });
 
 test.describe('with a camera that moves', () => {

@@ -1,6 +1,6 @@
 import type {Page} from '@playwright/test';
 import {sample} from './support/command_line';
-import {commandSays, expect, exported, open, set, status, test} from './support/studio';
+import {commandSays, expect, exported, foamsShown, open, set, test} from './support/studio';
 import {torusStl} from './support/torus';
 
 /** Whose foams are built in a moment, block by block. */
@@ -124,7 +124,7 @@ test('a case that is known is filled, with walls, notches and a looser lid', asy
   await set(page, 'spinbutton', 'Clearance of the lid y', 5);
   await page.getByRole('checkbox', {name: 'Finger notches'}).check();
   await set(page, 'spinbutton', 'Width', 40);
-  await expect(status(page)).toContainText('F ');
+  await foamsShown(page);
   await expect(page.getByText('What it lies on')).toBeVisible({timeout: 20_000});
   await commandSays(page, '--case=', '--clearance=0,0,0,0,5,0', '--notches=40x40x25');
 });

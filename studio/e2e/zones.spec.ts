@@ -1,7 +1,7 @@
 import {readFileSync} from 'node:fs';
 import type {Page} from '@playwright/test';
 import {violations} from './support/axe';
-import {commandSays, expect, status, test} from './support/studio';
+import {commandSays, expect, foamsShown, test} from './support/studio';
 import {torusStl} from './support/torus';
 
 // Places on an item that foam keeps away from, painted by hand.
@@ -14,12 +14,12 @@ const shot = (page: Page, name: string) => page.screenshot({path: test.info().ou
 
 async function vase(page: Page) {
   await page.getByRole('button', {name: /Vase/}).click();
-  await expect(status(page)).toContainText('F ');
+  await foamsShown(page);
 }
 
 /** Drags over the view, by shares of it. */
 async function drag(page: Page, from: [number, number], to: [number, number], button: 'left' | 'right' = 'left') {
-  const {x, y, width, height} = (await page.locator('canvas').first().boundingBox())!;
+  const {x, y, width, height} = (await page.getByRole('application').boundingBox())!;
   const at = ([across, down]: [number, number]) => [x + width * across, y + height * down] as const;
   await page.mouse.move(...at(from));
   await page.mouse.down({button});
@@ -130,7 +130,7 @@ test('of two items each has its own, in Japanese, and on a small screen', async 
   await page.getByLabel('Language').selectOption('ja');
   await page.getByRole('button', {name: '対象物に塗る'}).click();
   await expect(page.getByText('対象物の上をドラッグして塗ります。')).toBeVisible();
-  await expect(page.getByText(/個のブロック|ブロック/).first()).toBeVisible();
+  await expect(page.getByText(/個のブロック|ブロック/).filter({visible: true}).first()).toBeVisible();
   await shot(page, 'japanese');
   await page.setViewportSize({width: 380, height: 760});
   await shot(page, 'small');
@@ -152,13 +152,13 @@ function beside(one: Buffer, other: Buffer, by: number): Buffer {
 test('a separate part is taken by a click', async ({studio: page}) => {
   const two = {...RING, name: 'two.stl', buffer: beside(torusStl(24, 12, 40, 22), torusStl(24, 12, 30, 20), 150)};
   await page.getByLabel('Open object', {exact: true}).setInputFiles(two);
-  await expect(status(page)).toContainText('F ');
+  await foamsShown(page);
   await begin(page);
   await page.getByRole('button', {name: 'Whole part'}).click();
   await page.getByRole('button', {name: 'Top', exact: true}).click();
   await page.waitForTimeout(500);
   await shot(page, 'parts');
-  const {x, y, width, height} = (await page.locator('canvas').first().boundingBox())!;
+  const {x, y, width, height} = (await page.getByRole('application').boundingBox())!;
   for (let i = 1; i < 20 && !(await line(page).textContent())!.includes('part='); i++) {
     await page.mouse.click(x + (width * i) / 20, y + height * 0.5);
     await page.waitForTimeout(400);
@@ -173,7 +173,7 @@ test.describe('with fingers', () => {
   test('one paints, two turn', async ({studio: page}) => {
     await vase(page);
     await begin(page);
-    const {x, y, width, height} = (await page.locator('canvas').first().boundingBox())!;
+    const {x, y, width, height} = (await page.getByRole('application').boundingBox())!;
     const client = await page.context().newCDPSession(page);
     const touch = (type: 'touchStart' | 'touchMove' | 'touchEnd', ...fingers: [number, number][]) =>
       client.send('Input.dispatchTouchEvent', {type, touchPoints: fingers.map(([across, down], id) => ({x: x + width * across, y: y + height * down, id}))});

@@ -38,7 +38,7 @@ TEST(OptionsSchema, SaysWhatAProjectMayHave) {
     EXPECT_EQ(all["object.clean.cut_plane"]["count"], 4);
     EXPECT_EQ(all["fit.notches"]["kind"], "group");
     EXPECT_EQ(all["fit.notches"]["label"], (Json{"Notches", "指かけ"}));
-    EXPECT_EQ(all["fit.least_rib_mm"]["label"], (Json{"the least rib", "最小の壁厚"}));
+    EXPECT_EQ(all["fit.least_rib_mm"]["label"], (Json{"the least rib", "リブの最小厚さ"}));
     EXPECT_EQ(all["fit.notches.room_mm"]["default"], 25);
     EXPECT_EQ(all.count("workshop.mill"), 0u) << "always there";
     for (const char* several : {"space.wall_mm", "cut.clearance_mm"}) {

@@ -86,7 +86,7 @@ TEST(Options, WhatIsOutOfRangeIsSaidInBothLanguages) {
     const Message message = checked(design).error().message;
     EXPECT_EQ(text(message), "the least rib is -3 mm, but must be from 0 to 10000 mm");
     EXPECT_EQ(text(message, Language::japanese),
-              "最小の壁厚が -3 mm になっています。使える範囲は 0 から 10000 mm までです。");
+              "リブの最小厚さが -3 mm になっています。使える範囲は 0 から 10000 mm までです。");
 }
 
 TEST(Options, TheCommandLineOfADesignGivesTheDesign) {

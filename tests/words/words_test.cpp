@@ -42,8 +42,8 @@ TEST(Words, AMessageStandsWithinAnotherInItsLanguage) {
     const Message bearing = say(
         "no_bearing", {{"foam", say("foam.lower")}, {"fills", std::vector<Message>{as_it_is("--pads 2")}}});
     EXPECT_EQ(text(bearing).substr(0, 39), "the lower foam does not hold the object");
-    EXPECT_EQ(text(bearing, Language::japanese).substr(0, std::string("下のフォームが").size()),
-              "下のフォームが");
+    EXPECT_EQ(text(bearing, Language::japanese).substr(0, std::string("下の緩衝材が").size()),
+              "下の緩衝材が");
 }
 
 TEST(Words, WhatIsNoMessageStaysAsItIs) {

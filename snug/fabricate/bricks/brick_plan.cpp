@@ -101,7 +101,7 @@ class CoursePicture {
         const bool lower = half_.build->half == Half::lower;
         const double y = lower ? 0 : size().y;
         page_.line(corner_ + Vec2d{0, y}, corner_ + Vec2d{size().x, y}, {kInk, 0.6, {}});
-        page_.text(corner_ + Vec2d{size().x, lower ? -1.0 : y + 3.0}, "BACK",
+        page_.text(corner_ + Vec2d{size().x, lower ? -1.0 : y + 3.0}, say("mark.back"),
                    {kSmallText, kInk, true, TextAnchor::end});
         const double side = std::min(2.5, stud_), down = lower ? side : -side;
         const Vec2d odd = corner_ + Vec2d{0, y};

@@ -99,8 +99,8 @@ void draw_edge(PageBuilder& page, const BlockGrid& grid) {
     const double cut = cut_corner(grid), inward = lower ? cut : -cut;
     page.loops({{back_left, back_left + Vec2d{cut, 0}, back_left + Vec2d{0, inward}}}, kInk);
     const double outward = kGridMargin - 2.2;
-    page.text({grid.corner.x + grid.size().x / 2, back_left.y + (lower ? -outward + 2.6 : outward)}, "BACK",
-              {kHeadingText, kInk, true, TextAnchor::middle});
+    page.text({grid.corner.x + grid.size().x / 2, back_left.y + (lower ? -outward + 2.6 : outward)},
+              say("mark.back"), {kHeadingText, kInk, true, TextAnchor::middle});
 }
 
 void draw_names(PageBuilder& page, const BlockGrid& grid) {

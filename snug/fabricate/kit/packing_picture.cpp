@@ -106,7 +106,7 @@ void draw_packing_picture(PageBuilder& builder, Vec2d corner, Vec2d size, Pictur
     draw_numbers(builder, page, pair, layer.numbered);
     const Vec3d back_left{lower.relief.right_faces.front(), lower.relief.front_faces.front(), 0};
     const Vec2d hinge = parts.lid ? Vec2d{-2, -3.5} : Vec2d{-1, -1.5};
-    builder.text(page.at(back_left) + hinge, "BACK", {kSmallText, kInk, true, TextAnchor::end});
+    builder.text(page.at(back_left) + hinge, say("mark.back"), {kSmallText, kInk, true, TextAnchor::end});
 }
 
 }  // namespace snug

@@ -100,7 +100,7 @@ void draw_plan(PageBuilder& page, const PadPlan& plan, const PadPlans& all, cons
                   {kSmallText, kInk, true, TextAnchor::middle});
     }
     const Vec2d back = scale.at(box.min.y, box.centre().z);
-    page.text(back + Vec2d{0, plan.above ? 3.4 : -1.2}, "BACK",
+    page.text(back + Vec2d{0, plan.above ? 3.4 : -1.2}, say("mark.back"),
               {kSmallText, piece_ink(plan.piece), true, TextAnchor::middle});
 }
 

@@ -90,7 +90,7 @@ class TopView {
         const bool far = back_is_far(plan_);
         const double y = far ? corner_.y : corner_.y + size_.y;
         page_.line({corner_.x, y}, {corner_.x + size_.x, y}, {kInk, 0.9, {}});
-        page_.text({corner_.x + size_.x, far ? y - 1.4 : y + 4.2}, "BACK",
+        page_.text({corner_.x + size_.x, far ? y - 1.4 : y + 4.2}, say("mark.back"),
                    {kBodyText, kInk, true, TextAnchor::end});
     }
 

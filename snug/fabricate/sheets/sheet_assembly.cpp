@@ -190,7 +190,7 @@ class Picture {
         const bool lower = stack_.piece.half() == Half::lower;
         const double y = lower ? 0 : size.y;
         draw(page_, {{at({0, y}), at({size.x, y})}}, false, {}, Pen{kInk, 0.6, {}});
-        write(page_, at({size.x, y}) + Vec2d{0, lower ? -1.0 : 3.2}, "BACK", 2.4, kInk, true,
+        write(page_, at({size.x, y}) + Vec2d{0, lower ? -1.0 : 3.2}, say("mark.back"), 2.4, kInk, true,
               TextAnchor::end);
     }
 

@@ -85,6 +85,12 @@ Message blocks_text(const PluckPlan& plan) {
     return say("figure.blocks_of_layers", {{"blocks", plan.plucked}, {"layers", plan.layers}});
 }
 
+/// As people write it.
+Message paper_name(std::string_view paper) {
+    if (paper == "letter") return say("paper.letter");
+    return paper == "a3" ? say("paper.a3") : say("paper.a4");
+}
+
 void tell_figures(const FoamDesign& design, const SpongeWork& work, const Maps& maps,
                   const std::string& paper, WorkshopPack& pack) {
     const double columns = static_cast<double>(design.available.size());
@@ -101,7 +107,7 @@ void tell_figures(const FoamDesign& design, const SpongeWork& work, const Maps& 
     pack.figures.push_back(
         {say("figure.maps"), say("figure.maps_on_pages", {{"maps", std::to_string(maps.files.size())},
                                                           {"pages", std::to_string(pages)},
-                                                          {"paper", paper}})});
+                                                          {"paper", paper_name(paper)}})});
 }
 
 }  // namespace

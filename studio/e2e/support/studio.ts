@@ -5,7 +5,9 @@ import {unzipSync} from 'fflate';
 /** A page whose console stays silent: any error on it fails the test. */
 export const test = base.extend<{address: string; studio: Page}>({
   address: ['./', {option: true}],
-  studio: async ({page, address}, use) => {
+  studio: async ({page, context, address}, use) => {
+    // As for somebody who wants the angles open.
+    await context.addInitScript(() => localStorage.setItem('snug-fine-turn', 'open'));
     const errors: string[] = [];
     page.on('console', (message) => message.type() === 'error' && errors.push(message.text()));
     page.on('pageerror', (error) => errors.push(String(error)));
@@ -26,18 +28,23 @@ export {expect};
 
 export const status = (page: Page) => page.getByRole('status');
 
+/** Waits until there are foams. */
+export async function foamsShown(page: Page, options?: {timeout: number}) {
+  await expect(status(page)).toHaveAttribute('data-fill', /^\d/, options);
+}
+
 /** Opens a file and waits for its foams. */
 export async function open(page: Page, file: string | {name: string; buffer: Buffer}) {
   const input = page.getByLabel('Open object', {exact: true});
   await input.setInputFiles(typeof file === 'string' ? file : {...file, mimeType: 'application/octet-stream'});
   const name = typeof file === 'string' ? (file.split('/').at(-1) ?? file) : file.name;
   await expect(page.getByTitle(name)).toBeVisible();
-  await expect(status(page)).toContainText('F ');
+  await foamsShown(page);
 }
 
 /** Waits for the gaps, which are measured by themselves once nobody has changed anything for a while. */
 export async function gapsMeasured(page: Page) {
-  await expect(status(page)).toContainText(/Widest gap [\d.]+ mm/, {timeout: 60_000});
+  await expect(status(page)).toHaveAttribute('data-gap', /^\d/, {timeout: 60_000});
 }
 
 /** A range or number field's value, as a person's hand would set it. */

@@ -44,3 +44,7 @@ export interface BrickRange {
   sizes: string[];
   colors: {name: string; css: string}[];
 }
+
+export function spaceSize(blocks: Triple, block_mm: Triple): Triple {
+  return blocks.map((n, i) => n * (block_mm[i] ?? 0)) as Triple;
+}

@@ -2,6 +2,7 @@ import type {Studio} from '../state/studio.svelte';
 import {drawItemNumbers, drawMap, drawMarks, drawNumbers, drawOutlines} from '../view2d/draw';
 import {PRINT_INK} from '../view2d/ink';
 import {itemsIn, layOut, mapsOf, said} from '../view2d/page';
+import {size} from '../words/figures';
 import type {Texts} from '../words/texts';
 
 /** Pixels of a drawing on paper; about 250 to the inch on A4. */
@@ -42,7 +43,7 @@ function sheet({packing, objects}: Studio, canvas: HTMLCanvasElement, note: stri
   heading.textContent = objects.map(({file}) => file.name).join(', ');
   const line = document.createElement('p');
   const {blocks, block_mm} = packing ?? {blocks: [], block_mm: []};
-  line.textContent = `${note} · ${blocks.join(' × ')} × (${block_mm.join(' × ')} mm)`;
+  line.textContent = `${note} · ${blocks.join(' × ')} × (${size(block_mm)})`;
   const image = new Image();
   image.src = canvas.toDataURL('image/png');
   image.alt = note;

@@ -7,7 +7,7 @@ export type Severity = Finding['severity'];
  *  not know. */
 export function findingTitle({severity, code}: Finding, t: Texts['check']): string {
   const name = t.codes[code];
-  return name ? `${t.severities[severity]}: ${name}` : t.severities[severity];
+  return name ? t.titled(t.severities[severity], name) : t.severities[severity];
 }
 
 const GRAVITY: readonly Severity[] = ['danger', 'warning', 'note'];
@@ -33,7 +33,7 @@ export function counted(findings: readonly Finding[], t: Texts['check']): string
     .map((severity) => ({severity, n: countOf(findings, severity)}))
     .filter(({n}) => n > 0)
     .map(({severity, n}) => t.counts[severity](n))
-    .join(', ');
+    .join(t.between);
 }
 
 /** Their titles, each once, and how often where that is more. */

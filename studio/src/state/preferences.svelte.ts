@@ -3,12 +3,16 @@ import {remember, remembered} from '../words/remembered';
 export type Theme = 'system' | 'light' | 'dark';
 
 const KEY = 'snug-theme';
+const FINE_TURN = 'snug-fine-turn';
 
 class Preferences {
   theme: Theme = $state(stored());
   #system = matchMedia('(prefers-color-scheme: dark)');
   #systemDark = $state(this.#system.matches);
   dark = $derived(this.theme === 'system' ? this.#systemDark : this.theme === 'dark');
+
+  /** The three angles are wanted open. */
+  fineTurn = $state(localStorage.getItem(FINE_TURN) === 'open');
 
   constructor() {
     this.#system.addEventListener('change', ({matches}) => (this.#systemDark = matches));
@@ -17,6 +21,11 @@ class Preferences {
   choose(theme: Theme) {
     this.theme = theme;
     remember(KEY, theme);
+  }
+
+  openFineTurn(open: boolean) {
+    this.fineTurn = open;
+    localStorage.setItem(FINE_TURN, open ? 'open' : '');
   }
 }
 

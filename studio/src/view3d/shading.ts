@@ -53,7 +53,17 @@ float edges() {
   // Where blocks are smaller than a few pixels their edges would only darken the picture.
   vec3 faded = smoothstep(0.42, 0.18, width);
   vec3 line = (1.0 - smoothstep(0.35, 1.25, distance)) * faded * step(abs(vOwnNormal), vec3(0.5));
+  // Fainter, the finer they are: many lines beside each other would be all that is seen.
+  vec3 fine = mix(vec3(0.5), vec3(0.14), smoothstep(0.02, 0.14, width));
+  line *= fine;
   return max(line.x, max(line.y, line.z));
+}
+/** Pores, about a millimetre wide: foam does not shine. */
+float pores() {
+  vec3 cell = floor(vDesign * 1.3 + vOwnNormal * 0.5);
+  float each = fract(sin(dot(cell, vec3(12.9898, 78.233, 37.719))) * 43758.5453);
+  // Smaller than a pixel they would flicker.
+  return (each - 0.5) * smoothstep(1.2, 0.3, length(fwidth(vDesign)));
 }
 ${FOAM_PRESSURE}
 #else
@@ -71,9 +81,12 @@ void main() {
   #else
   shaded = pressed(zoned(shaded));
   #endif
-  shaded *= 0.50 + 0.42 * key + 0.20 * fill;
   #ifdef FOAM
-  shaded = mix(shaded, edgeColor, 0.55 * edges());
+  // Light goes some way into foam: its faces differ little.
+  shaded *= 0.60 + 0.30 * key + 0.13 * fill + 0.10 * pores();
+  shaded = mix(shaded, edgeColor, edges());
+  #else
+  shaded *= 0.50 + 0.42 * key + 0.20 * fill;
   #endif
   gl_FragColor = vec4(shaded, opacity);
   #include <colorspace_fragment>

@@ -48,6 +48,8 @@ export interface StageEvents {
   shifted(by: Triple, start: boolean): void;
   /** The handle was let go. */
   released(): void;
+  /** A person turns or moves the view, or it still glides after that. */
+  looked(): void;
   lost(): void;
   restored(): void;
   /** After a picture was handed to the browser. */
@@ -85,7 +87,7 @@ export class Stage {
     this.#controls.smoothTime = matchMedia('(prefers-reduced-motion: reduce)').matches ? 0 : 0.18;
     this.#controls.draggingSmoothTime = 0.04;
     this.#controls.dollyToCursor = true;
-    this.#controls.addEventListener('control', () => this.draw());
+    this.#controls.addEventListener('control', () => this.#look());
     this.#handles = new TransformControls(this.camera, canvas);
     content.scene.add(this.#proxy, this.#handles.getHelper());
     this.#handles.attach(this.#proxy);
@@ -185,11 +187,16 @@ export class Stage {
 
   orbit(azimuth: number, polar: number) {
     void this.#controls.rotate(azimuth, polar, true);
-    this.draw();
+    this.#look();
   }
 
   zoom(factor: number) {
     void this.#controls.dollyTo(this.#controls.distance * factor, true);
+    this.#look();
+  }
+
+  #look() {
+    this.#events.looked();
     this.draw();
   }
 
@@ -204,6 +211,7 @@ export class Stage {
     this.#last = now;
     this.#renderer.render(this.#content.scene, this.camera);
     this.#events.drawn();
+    if (moving && !this.#still) this.#events.looked();
     if (moving) this.draw();
   }
 

@@ -9,7 +9,7 @@ export const fields = {
       name: ['Close the holes before cutting', '切る前に穴をふさぐ'],
       tip: [
         'For scans that are open at the base: the missing surface is spanned, so that no foam grows inside.',
-        '底が開いたスキャン用：欠けた面を補い、内側にフォームが残らないようにします。',
+        '底が開いたスキャン用：欠けた面を補い、内側に緩衝材が残らないようにします。',
       ],
     },
     'object.point_radius_mm': {
@@ -20,10 +20,10 @@ export const fields = {
       ],
     },
     'object.clean.drop_below_mm': {
-      name: ['Leave out parts below', 'これより小さい部分を除く'],
+      name: ['Leave out parts below', 'これより小さい部品を除く'],
       tip: [
         'Separate parts that are shorter than this are left out: specks that the scanner saw beside the object.',
-        'これより短い離れた部分（スキャンに写り込んだごみなど）を除きます。',
+        'これより短い離れた部品（スキャンに写り込んだごみなど）を除きます。',
       ],
     },
     'cut.cut_on_touch': {
@@ -61,21 +61,21 @@ export const fields = {
       name: ['Liner', '内張り'],
       tip: [
         'Thickness of a cloth or film between object and foam, on top of the clearance',
-        '対象物とフォームの間の布やフィルムの厚さ（すきまに加わります）',
+        '対象物と緩衝材の間の布やフィルムの厚さ（クリアランスに加わります）',
       ],
     },
     'fit.least_rib_mm': {
-      name: ['Least rib', '最小の壁厚'],
+      name: ['Least rib', 'リブの最小厚さ'],
       tip: [
         'Foam between two cavities that is thinner than this is cut away. 0: nothing is.',
-        'くぼみの間に残るフォームがこれより薄いときは切り取ります。0 なら切りません。',
+        'くぼみの間に残る緩衝材（リブ）がこれより薄いときは切り取ります。0 なら切りません。',
       ],
     },
     'fit.settle': {
-      name: ['Lower it until it lies on foam', 'フォームに載るまで下げる'],
+      name: ['Lower it until it lies on foam', '緩衝材に載るまで下げる'],
       tip: [
         'Foam ends in whole blocks, so things may float above it by almost a block, and fall through that first.',
-        'フォームはブロック単位で終わるため、対象物が最大でほぼブロック一つ分浮き、落下でまずそこを通ります。',
+        '緩衝材はブロック単位で終わるため、対象物が最大でほぼブロック一つ分浮き、落下でまずそこを通ります。',
       ],
     },
     'fit.pads.sheet_mm': {
@@ -91,7 +91,7 @@ export const fields = {
     },
     'fit.relief.height_mm': {
       name: ['Free height', '島の高さ'],
-      tip: ['How high the islands stand free: 70 % of the foam below, or more', '島の周りを空ける高さ。下のフォームの 70 % 以上'],
+      tip: ['How high the islands stand free: 70 % of the foam below, or more', '島の周りを空ける高さ。下の緩衝材の 70 % 以上'],
     },
     'fit.relief.island_mm': {
       name: ['Island’s side', '島の幅'],
@@ -99,7 +99,7 @@ export const fields = {
     },
     'fit.lift.width_mm': {
       name: ['Width', '幅'],
-      tip: ['Along the edge of the piece', 'フォームの縁に沿った長さ'],
+      tip: ['Along the edge of the piece', '緩衝材の縁に沿った長さ'],
     },
     'fit.lift.depth_mm': {
       name: ['Depth', '奥行き'],
@@ -147,7 +147,7 @@ export const fields = {
     },
     'case.play_mm': {
       name: ['Play', '遊び'],
-      tip: ['Air between foam and case on each side', 'フォームとケースの間のすきま（各面）'],
+      tip: ['Air between foam and case on each side', '緩衝材とケースの間の余裕（各面）'],
     },
     'case.corner_radius_mm': {
       name: ['Corner radius', '角の半径'],
@@ -160,7 +160,7 @@ export const fields = {
     },
     'workshop.price_per_litre': {
       name: ['Price a litre', 'リットル単価'],
-      tip: ['Of the foam as you buy it; 0: the cost is not reckoned', '購入するフォームの価格。0 なら費用は計算しません。'],
+      tip: ['Of the foam as you buy it; 0: the cost is not reckoned', '購入する緩衝材の価格。0 なら費用は計算しません。'],
     },
     'workshop.currency': {
       name: ['Currency', '通貨'],
@@ -168,7 +168,7 @@ export const fields = {
     },
     'workshop.mass_kg': {
       name: ['Object weighs', '対象物の重さ'],
-      tip: ['For the packing sheet and the pressure on the foam; 0: not known', '梱包票とフォームにかかる圧力のため。0 なら不明。'],
+      tip: ['For the packing sheet and the pressure on the foam; 0: not known', '梱包票と緩衝材にかかる圧力のため。0 なら不明。'],
     },
     'items.0.fragility_g': {
       name: ['Bears', '耐える衝撃'],
@@ -199,7 +199,7 @@ export const fields = {
     },
     'workshop.sheets.copies': {
       name: ['Copies', '組数'],
-      tip: ['So many times the same foam, cut from common stock', '同じフォームを何組作るか。材料はまとめて切り出します'],
+      tip: ['So many times the same foam, cut from common stock', '同じ緩衝材を何組作るか。材料はまとめて切り出します'],
     },
     'workshop.sheets.second_color': {
       name: ['Second colour below the uppermost sheet', 'いちばん上のシートの下を二色目にする'],
@@ -211,7 +211,7 @@ export const fields = {
       parts: [['Bed, right', 'ベッド 横'], ['Bed, back', 'ベッド 奥'], ['Bed, up', 'ベッド 高さ']],
     },
     'workshop.print.dowels': {
-      name: ['Dowels where a half is cut apart', '分割した部分をダボでつなぐ'],
+      name: ['Dowels where a half is cut apart', '分割した部品をダボでつなぐ'],
       tip: ['Holes in the parts, and loose dowels to print', '部品の穴と、別に作るダボ'],
     },
     'workshop.bricks.unit': {
@@ -255,7 +255,7 @@ export const fields = {
     },
     'workshop.mill.feed_mm_min': {
       name: ['Feed', '送り'],
-      tip: ['To the side. A cautious start: no table covers soft foams', '横方向。控えめな値から始めています（柔らかいフォームの表はありません）。'],
+      tip: ['To the side. A cautious start: no table covers soft foams', '横方向。控えめな値から始めています（柔らかい緩衝材の表はありません）。'],
     },
     'workshop.mill.plunge_mm_min': {
       name: ['Plunge', '下向きの送り'],
@@ -288,7 +288,7 @@ export const fields = {
     },
     'workshop.mould.draft_deg': {
       name: ['Draft', '抜き勾配'],
-      tip: ['Lean of upright faces, so that the foam lets go', 'フォームが抜けるように立ち面を傾けます'],
+      tip: ['Lean of upright faces, so that the foam lets go', '緩衝材が抜けるように立ち面を傾けます'],
     },
   }),
 };

@@ -4,10 +4,10 @@ import {byName, words} from './words';
 
 export const foam = words({
   foam: {
-    preset: ['Foam', 'フォーム'],
+    preset: ['Foam', '緩衝材'],
     presetTip: [
       'Real foams with the blocks that they have. Everything below can still be changed.',
-      '実際に手に入るフォームとそのブロックの大きさ。下の値はあとから変えられます。',
+      '実際に手に入る緩衝材とそのブロックの大きさ。下の値はあとから変えられます。',
     ],
     presets: byName({
       paper: ['Block sponge 15 × 15 × 22', 'ブロックスポンジ 15 × 15 × 22'],
@@ -32,14 +32,14 @@ export const foam = words({
     wall: ['Wall', '壁の厚さ'],
     wallTip: [
       'Foam between the object and the case on every side. 50 mm is the usual least for parcels.',
-      '対象物とケースの間の、各面のフォームの厚さ。宅配便では 50 mm 以上が目安です。',
+      '対象物とケースの間の、各面の緩衝材の厚さ。宅配便では 50 mm 以上が目安です。',
     ],
     blocks: ['Blocks', 'ブロック数'],
     blocksTip: (axis: string) => [`How many blocks of foam along ${axis}`, `${axis}のブロックの数`],
     blockSize: ['Block size', 'ブロックの大きさ'],
     blockSizeTip: (axis: string) => [`How large one block is along ${axis}`, `${axis}のブロック1個の大きさ`],
     space: ['Outside', '外寸'],
-    clearance: ['Clearance', 'すきま'],
+    clearance: ['Clearance', 'クリアランス'],
     clearanceTip: [
       'Play around the object before blocks are cut. Negative squeezes it.',
       'ブロックを切る前に対象物のまわりに取る余裕。負の値は締めつけます。',
@@ -54,49 +54,49 @@ export const foam = words({
     fill: ['Fill a case', 'ケースに合わせる'],
     fillTip: [
       'The foam fills the inside of a case; the halves part where its lid does.',
-      'フォームはケースの内側を満たし、ふたの線で分かれます。',
+      '緩衝材はケースの内側を満たし、ふたの線で分かれます。',
     ],
     look: ['Which cases hold it?', '入るケースを探す'],
     nothing: (least: string) => [
       `None of the known cases holds it. One would from ${least} inside.`,
-      `知られているケースには入りません。内寸 ${least} 以上が必要です。`,
+      `登録済みのケースには入りません。内寸 ${least} 以上が必要です。`,
     ],
     nearest: (name: string, inside: string) => [
       `The nearest is ${name}, ${inside}.`,
       `最も近いのは ${name}（${inside}）です。`,
     ],
-    filled: (percent: number) => [`${percent} % filled`, `充填 ${percent} %`],
+    filled: (percent: string) => [`${percent} filled`, `充填 ${percent}`],
   },
   fit: {
-    apart: ['Lower foam and lid each with their own', '下のフォームとふたで別々に決める'],
+    apart: ['Lower foam and lid each with their own', '下の緩衝材とふたで別々に決める'],
     apartTip: [
       'Along each axis, too. A lid may be loose around an object that the lower foam holds tight.',
-      '軸ごとにも決められます。下のフォームでしっかり支え、ふたはゆるくできます。',
+      '軸ごとにも決められます。下の緩衝材でしっかり支え、ふたはゆるくできます。',
     ],
     halves: {
-      lower: ['Clearance of the lower foam', '下のフォームのすきま'],
-      upper: ['Clearance of the lid', 'ふたのすきま'],
+      lower: ['Clearance of the lower foam', '下の緩衝材のクリアランス'],
+      upper: ['Clearance of the lid', 'ふたのクリアランス'],
     },
-    halfTip: (axis: string) => [`Play around the object along ${axis}`, `${axis}方向のすきま`],
+    halfTip: (axis: string) => [`Play around the object along ${axis}`, `${axis}方向のクリアランス`],
     pads: ['Pads in what block steps leave', '段のすきまに詰め板を入れる'],
     padsTip: [
       'Rectangles of sheet foam below and above the object; step 4 and the packing sheet list them with numbers and sizes',
-      '対象物の上下に入れる板状のフォーム。番号と寸法の一覧は手順4と梱包指示書に出ます',
+      '対象物の上下に入れる板状の緩衝材。番号と寸法の一覧は手順4と梱包指示書に出ます',
     ],
     relief: ['Islands under the object', '対象物を島で支える'],
     reliefTip: [
       'Much foam under little weight stops it too hard: all but three or four islands below it is taken away. For one object, in sheets or a milled block',
-      '軽いものを広いフォームで受けると衝撃が大きくなります。下のフォームを三、四か所の島だけ残してくり抜きます。対象物が一つで、シートか切削した塊の場合に使えます',
+      '軽いものを広い緩衝材で受けると衝撃が大きくなります。下の緩衝材を三、四か所の島だけ残してくり抜きます。対象物が一つで、シートか切削した塊の場合に使えます',
     ],
     lift: ['Slots to lift the foam by', '持ち上げ口'],
     liftTip: [
       'Two recesses at the edges of every piece above the lowest, for the hands that lift it out of the case',
-      '一番下を除く各フォームの縁に設ける、ケースから持ち上げるための2つのくぼみ',
+      '一番下を除く各緩衝材の縁に設ける、ケースから持ち上げるための2つのくぼみ',
     ],
     notches: ['Finger notches', '指かけ'],
     notchesTip: [
       'Two recesses in the lower foam, opposite each other, for the fingers that lift the object',
-      '対象物を持ち上げる指のための、下のフォームの向かい合う2つのくぼみ',
+      '対象物を持ち上げる指のための、下の緩衝材の向かい合う2つのくぼみ',
     ],
     notchMoved: ['Choose their places', '位置を決める'],
     notchPlaceTip: [
@@ -105,7 +105,7 @@ export const foam = words({
     ],
   },
   pads: {
-    lowered: ['Lowered onto its foam', 'フォームに載せるために下げた量'],
+    lowered: ['Lowered onto its foam', '緩衝材に載せるために下げた量'],
     stays: ['stays as it lies', 'そのまま'],
     heading: ['Pads', '詰め板'],
     how: [

@@ -18,7 +18,7 @@ export const items = words({
     duplicateNamed: (name: string) => [`Duplicate ${name}`, `${name} を複製`],
     remove: (name: string) => [`Take ${name} out`, `${name} を取り出す`],
     fields: (name: string) => [`Of ${name}`, `${name} について`],
-    asForAll: ['Clearance as for all', 'すきまを全体と同じに'],
+    asForAll: ['Clearance as for all', 'クリアランスを全体と同じに'],
     placing: (name: string) => [`Turns and shifts ${name}.`, `${name} を回して動かします。`],
     locked: (name: string) => [`${name} is locked.`, `${name} は固定されています。`],
     arrange: ['Arrange', '並べる'],
@@ -28,10 +28,10 @@ export const items = words({
     ],
     choices: ['Arrangements to choose from', '並べ方の候補'],
     choice: (n: number, litres: string, size: string, layers: number) => [
-      `Arrangement ${n}: ${litres} litres, ${size} mm, ${layers === 1 ? '1 layer' : `${layers} layers`}`,
-      `並べ方 ${n}：${litres} リットル、${size} mm、${layers} 段`,
+      `Arrangement ${n}: ${litres}, ${size}, ${layers === 1 ? '1 layer' : `${layers} layers`}`,
+      `並べ方 ${n}：${litres}、${size}、${layers} 段`,
     ],
-    leastLitres: (litres: string) => [`No arrangement needs less than ${litres} l.`, `どう並べても ${litres} L は必要です。`],
+    leastLitres: (litres: string) => [`No arrangement needs less than ${litres}.`, `どう並べても ${litres} は必要です。`],
     layers: (layers: number) => [layers === 1 ? '1 layer' : `${layers} layers`, `${layers} 段`],
     fill: (name: string) => [`As many of ${name} as fit`, `${name} を入るだけ`],
     fillTip: [
@@ -41,7 +41,7 @@ export const items = words({
     fillNeeds: ['Choose a case or the number of blocks first: then there is something to fill.', '先にケースかブロック数を選んでください。'],
     closedOnly: [
       'Searches look for foams that close: place what lies in a tray by hand, here or in the view.',
-      '探索は閉じるフォームが対象です。トレイのものは、ここか立体の表示で手で置いてください。',
+      '探索は閉じる緩衝材が対象です。トレイのものは、ここか立体の表示で手で置いてください。',
     ],
     plan: ['Drag an item in the plan to move it.', '平面図でものをドラッグすると動かせます。'],
   },

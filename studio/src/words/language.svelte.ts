@@ -1,3 +1,4 @@
+import {ofLibrary} from './figures';
 import {remember, remembered} from './remembered';
 import {en, ja, type Texts} from './texts';
 import type {Pair} from './words';
@@ -11,7 +12,7 @@ class Language {
 
   /** A sentence that is there in both, such as the library's. */
   of(pair: Pair): string {
-    return pair[this.code === 'ja' ? 1 : 0];
+    return ofLibrary(pair[this.code === 'ja' ? 1 : 0]);
   }
 
   /** For dates: the browser's own way of this language, such as en-GB. */

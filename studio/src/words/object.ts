@@ -10,11 +10,11 @@ export const object = words({
     points: ['Points', '点の数'],
     partsTip: [
       'Untick what does not belong to the object; it is left out and cuts no foam.',
-      '物の一部でないもののチェックを外すと、除かれてフォームを削りません。',
+      '対象物に属さないもののチェックを外すと、除かれて緩衝材を削りません。',
     ],
     part: (number: number, size: string, share: string) => [
       `Part ${number}: ${size}, ${share} of the surface`,
-      `部分${number}：${size}、表面の${share}`,
+      `部品${number}：${size}、表面の${share}`,
     ],
     closed: ['Surface', '表面'],
     watertight: ['closed', '閉じている'],
@@ -23,11 +23,11 @@ export const object = words({
     parts: ['Parts', '部品'],
     drawn: (n: string, mm: string) => [
       `The view draws a copy of ${n} triangles, at most about ${mm} off. The foam is cut from the original.`,
-      `表示は三角形 ${n} 個の写しです（ずれは最大で約 ${mm}）。フォームは元のデータから切り出します。`,
+      `表示は三角形 ${n} 個のコピーです（ずれは最大で約 ${mm}）。緩衝材は元のデータから切り出します。`,
     ],
     thinned: (mm: string) => [
       `This is a thinned copy, nowhere more than ${mm} off the original. Use it to choose the placement; it is not exported. Make the foams from the original with:`,
-      `これは間引いた写しで、元からのずれは最大 ${mm} です。配置を決めるために使い、書き出しはできません。元のデータからは次のコマンドで作ります：`,
+      `これは間引いたコピーで、元からのずれは最大 ${mm} です。配置を決めるために使い、書き出しはできません。元のデータからは次のコマンドで作ります：`,
     ],
     unit: ['Unit of the file', 'ファイルの単位'],
     unitTip: [
@@ -54,7 +54,7 @@ export const object = words({
     lengthApply: ['Set', '決定'],
     lengthFirst: ['Click the first point on the object.', '対象物の上の1点目をクリックしてください。'],
     lengthSecond: ['Click the second point.', '2点目をクリックしてください。'],
-    lengthBoth: (mm: string) => [`Between the two points: ${mm} mm now.`, `2点の間は今 ${mm} mm です。`],
+    lengthBoth: (mm: string) => [`Between the two points: ${mm} now.`, `2点の間は今 ${mm} です。`],
   },
   units: {
     heading: ['Which unit does this file use?', 'このファイルの単位は？'],
@@ -67,7 +67,7 @@ export const object = words({
     set: ['Set', '決定'],
     open: [
       'There are no foams yet: the unit of this file is not chosen.',
-      'まだフォームがありません。このファイルの単位が選ばれていません。',
+      'まだ緩衝材がありません。このファイルの単位が選ばれていません。',
     ],
     reopen: ['Choose the unit', '単位を選ぶ'],
     names: {

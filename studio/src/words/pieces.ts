@@ -4,8 +4,8 @@ import {words} from './words';
 
 export const pieces = words({
   pieces: {
-    lower: ['Lower foam', '下のフォーム'],
-    middle: (number: number) => [`Middle foam ${number}`, `中間のフォーム ${number}`],
+    lower: ['Lower foam', '下の緩衝材'],
+    middle: (number: number) => [`Middle foam ${number}`, `中間の緩衝材 ${number}`],
     upper: ['Lid', 'ふた'],
     layer: (number: number) => [`Layer ${number}`, `${number} 段目`],
     tray: ['Tray without a lid', 'ふたのないトレイ'],
@@ -17,16 +17,16 @@ export const pieces = words({
     partingOf: (layer: number) => [`Parting, layer ${layer}`, `${layer} 段目の分割`],
     partingTip: [
       'Where lower foam and lid meet beside the object, in blocks from below.',
-      '対象物のない所で下のフォームとふたが合わさる高さ（下からのブロック数）。',
+      '対象物のない所で下の緩衝材とふたが合わさる高さ（下からのブロック数）。',
     ],
     partingOfTip: (layer: number) => [
       `Where the pieces around layer ${layer} meet beside its items, in blocks from below.`,
-      `${layer} 段目のもののない所で、その上下のフォームが合わさる高さ（下からのブロック数）。`,
+      `${layer} 段目のもののない所で、その上下の緩衝材が合わさる高さ（下からのブロック数）。`,
     ],
     surface: ['Surface', '上面の高さ'],
     surfaceTip: [
       'Where the foam of the tray ends, in blocks from below. Chosen here, it no longer follows how deep items are sunk.',
-      'トレイのフォームの上面（下からのブロック数）。ここで決めると、沈める深さには従いません。',
+      'トレイの緩衝材の上面（下からのブロック数）。ここで決めると、沈める深さには従いません。',
     ],
     automatic: ['Choose it for me', '自動で決める'],
   },

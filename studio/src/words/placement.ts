@@ -17,8 +17,9 @@ export const placement = words({
       `${axis}の軸まわりに90度、${way}`,
     ],
     ways: {left: ['counterclockwise', '左回り'], right: ['clockwise', '右回り']},
+    fine: ['Fine turn', '細かく回す'],
     down: ['This side down', 'この面を下に'],
-    downTip: (side: string) => [`The object’s own ${side} side down`, `対象物の ${side} 側を下にします`],
+    downTip: (side: string) => [`Lays it like this: ${side} of its file down`, `このように置きます（ファイルの ${side} 側が下）`],
     offset: ['Shift', '移動'],
     offsetTip: (axis: string) => [
       `Shift the object from the middle of the space, ${axis}`,
@@ -29,7 +30,7 @@ export const placement = words({
     objective: ['Look for', '重視するもの'],
     objectiveTip: ['What Optimize makes small or large', '最適化で小さく、または大きくするもの'],
     objectives: byName({
-      cut: ['least foam cut away', '削るフォームを最少に'],
+      cut: ['least foam cut away', '削る緩衝材を最少に'],
       gap: ['least gap at the surface', '表面のすきまを最小に'],
       depth: ['least insertion depth', '差し込む深さを最小に'],
       bearing: ['most bearing area', '支える面を最大に'],
@@ -50,7 +51,7 @@ export const placement = words({
     optimize: ['Optimize', '最適化'],
     optimizeTip: [
       'Look at every way to turn the object, and shift it by up to half a block, for the placement that cuts the least foam away. Cancel keeps the best so far.',
-      'あらゆる向きと半ブロック以内の移動を調べ、削るフォームが最も少ない配置を探します。中止すると、それまでの最良が残ります。',
+      'あらゆる向きと半ブロック以内の移動を調べ、削る緩衝材が最も少ない配置を探します。中止すると、それまでの最良が残ります。',
     ],
     searching: (f: string) => [`Searching … F ${f}`, `探索中 … F ${f}`],
   },
@@ -61,14 +62,13 @@ export const placement = words({
       '数値が最良でも、置き方として自然とは限りません。対象物に合うものを選んでください。',
     ],
     alternative: (n: number, litres: string) => [
-      `Placement ${n}: cuts ${litres} litres`,
-      `配置 ${n}：切り取り ${litres} リットル`,
+      `Placement ${n}: cuts ${litres}`,
+      `配置 ${n}：切り取り ${litres}`,
     ],
-    litres: (litres: string) => [`${litres} l`, `${litres} L`],
     map: ['Map of directions', '挿入方向の地図'],
     mapTip: [
       'Colours every direction in which the object could be put in by the foam that would be cut away.',
-      '対象物を入れられるすべての方向を、切り取られるフォームの量で色分けします。',
+      '対象物を入れられるすべての方向を、切り取られる緩衝材の量で色分けします。',
     ],
     mapLabel: [
       'Map of directions: arrow keys move, Enter turns the object',
@@ -78,7 +78,7 @@ export const placement = words({
       'Dark cuts the least. The ring is where you are; pick any place to turn the object there.',
       '濃い色ほど切り取りが少ない方向です。輪が現在の方向。好きな場所を選ぶとその向きに回ります。',
     ],
-    cutHere: (litres: string) => [`Cuts ${litres} litres`, `切り取り ${litres} リットル`],
+    cutHere: (litres: string) => [`Cuts ${litres}`, `切り取り ${litres}`],
     fitsNot: ['In this direction it does not fit with its walls.', 'この方向では、壁を保って入れることができません。'],
   },
 });

@@ -5,13 +5,13 @@ import {words} from './words';
 export const views = words({
   view3d: {
     label: [
-      '3D view of the object in its foams. Drag to orbit; arrow keys orbit, plus and minus zoom.',
-      'フォームに収まった対象物の3D表示。ドラッグか矢印キーで回転、プラスとマイナスで拡大・縮小。',
+      '3D view of the object in its foams. Drag to orbit; arrow keys orbit, plus and minus zoom, F or a double click shows all.',
+      '緩衝材に収まった対象物の3D表示。ドラッグか矢印キーで回転、プラスとマイナスで拡大・縮小、Fかダブルクリックで全体を表示。',
     ],
-    opening: ['Open foams', 'フォームを開く'],
+    opening: ['Open foams', '緩衝材を開く'],
     openingTip: [
       'Moves the pieces of foam up and down, away from each other, as things go in and out',
-      'フォームを上下に離します（出し入れの動き）',
+      '緩衝材を上下に離します（出し入れの動き）',
     ],
     openingValue: ['Opening in percent', '開き（パーセント）'],
     play: ['Open or close, animated', '開閉のアニメーション'],
@@ -26,10 +26,11 @@ export const views = words({
       bottom: ['Below', '下'],
     },
     all: ['Show all', '全体を表示'],
+    allTip: ['Show all: F in the view, or a double click on it', '全体を表示：表示の中で F、またはダブルクリック'],
     parts: {
       object: ['Object', '対象物'],
-      lower: ['Lower foam', '下のフォーム'],
-      middle: ['Middle foam', '中間のフォーム'],
+      lower: ['Lower foam', '下の緩衝材'],
+      middle: ['Middle foam', '中間の緩衝材'],
       upper: ['Lid', 'ふた'],
       space: ['Space', '空間'],
     },
@@ -44,7 +45,6 @@ export const views = words({
       shift: ['Arrows to shift the object in the view', '矢印をつかんで対象物を動かします'],
     },
     up: ['UP', '上'],
-    own: ['object’s own z', '対象物の z'],
     lost: [
       'The graphics of this browser stopped. They come back by themselves; nothing is lost.',
       'ブラウザーのグラフィックスが止まりました。自動で戻ります。データは失われません。',
@@ -54,7 +54,7 @@ export const views = words({
       'このブラウザーにはWebGL 2がないため3D表示はできません。ほかの機能は使えます。',
     ],
     gapNear: ['touching', '接している'],
-    gapFar: (mm: string) => [`${mm} mm and more`, `${mm} mm 以上`],
+    gapFar: (mm: string) => [`${mm} and more`, `${mm} 以上`],
   },
   view2d: {
     label: ['Drawings', '図面'],
@@ -78,11 +78,11 @@ export const views = words({
       '下から数えた1層のブロック。PageUp／PageDownで5層ずつ動きます。',
     ],
     sliceValue: ['Layer from below', '下からの層'],
-    sliceAt: (mm: string) => [`seen from above, at ${mm} mm`, `上から見た図、高さ ${mm} mm`],
+    sliceAt: (mm: string) => [`seen from above, at ${mm}`, `上から見た図、高さ ${mm}`],
     notes: {
       lower: [
         'LOWER · cavity facing you · numbers: blocks to remove',
-        '下のフォーム（LOWER）・くぼみが手前・数字は取り除くブロック数',
+        '下の緩衝材（LOWER）・くぼみが手前・数字は取り除くブロック数',
       ],
       middle: {
         above: (number: number) => [
@@ -99,11 +99,11 @@ export const views = words({
         'ふた（LID）・くぼみが手前・数字は取り除くブロック数',
       ],
     },
-    back: ['BACK', 'BACK'],
+    back: ['BACK', '奥（BACK）'],
     print: ['Print', '印刷'],
     printTip: [
       'Prints the maps of all pieces of foam, one page for each side with cavities, which faces you',
-      '図を印刷します：フォームのくぼみのある面を1ページずつ、くぼみを手前にして',
+      '図を印刷します：緩衝材のくぼみのある面を1ページずつ、くぼみを手前にして',
     ],
     column: (j: number, k: number) => [`Row ${j}, column ${k}`, `${j} 行 ${k} 列`],
     remove: (parts: readonly string[]) => [`remove ${parts.join(', ')}`, `${parts.join('、')} 取り除く`],
@@ -114,23 +114,23 @@ export const views = words({
     },
     hover: ['Point at a column to see it in both windows.', '列を指すと両方の窓に表示されます。'],
     legend: {
-      lower: ['lower foam', '下のフォーム'],
-      middle: ['middle foam', '中間のフォーム'],
+      lower: ['lower foam', '下の緩衝材'],
+      middle: ['middle foam', '中間の緩衝材'],
       upper: ['lid', 'ふた'],
       cut: ['cut away', '切り取り'],
       object: ['object', '対象物'],
     },
     canvas: {
       section: (n: number) => [`Section through layer ${n}`, `${n} 層目の断面`],
-      lower: ['Map of the lower foam: blocks to remove in each column', '下のフォームの図：各列で取り除くブロック数'],
+      lower: ['Map of the lower foam: blocks to remove in each column', '下の緩衝材の図：各列で取り除くブロック数'],
       middle: {
         above: (number: number) => [
           `Map of middle foam ${number} from above: blocks to remove in each column`,
-          `中間のフォーム ${number} の上からの図：各列で取り除くブロック数`,
+          `中間の緩衝材 ${number} の上からの図：各列で取り除くブロック数`,
         ],
         below: (number: number) => [
           `Map of middle foam ${number} from below: blocks to remove in each column`,
-          `中間のフォーム ${number} の下からの図：各列で取り除くブロック数`,
+          `中間の緩衝材 ${number} の下からの図：各列で取り除くブロック数`,
         ],
       },
       upper: ['Map of the lid: blocks to remove in each column', 'ふたの図：各列で取り除くブロック数'],

@@ -6,7 +6,7 @@ export const workshop = words({
   workshop: {
     how: ['How you work', '作り方'],
     works: {
-      none: ['The foams’ own files', 'フォームのファイルのみ'],
+      none: ['The foams’ own files', '緩衝材のファイルのみ'],
       sponge: ['Slit sponge and cubes', 'スリットスポンジ・キューブ'],
       sheets: ['Sheets, cut and glued', 'シートを切って貼る'],
       print: ['3D print', '3Dプリント'],
@@ -27,7 +27,7 @@ export const workshop = words({
       ],
       bricks: ['Building steps, parts list and wanted list, LDraw', '組み立て手順・部品表・購入リスト・LDraw'],
       mill: ['G-code for a flat cutter, each half cavity up', 'フラットエンドミル用の Gコード（くぼみを上に）'],
-      mould: ['Boxes to print, for foam or silicone', 'フォームやシリコーンを流し込む型の3Dプリント'],
+      mould: ['Boxes to print, for foam or silicone', '発泡樹脂やシリコーンを流し込む型の3Dプリント'],
     },
     takeUsual: (preset: string) => [`Take its usual foam: ${preset}`, `通常の材料にする：${preset}`],
     counting: ['Counting what it takes …', '必要なものを数えています …'],
@@ -61,7 +61,7 @@ export const workshop = words({
     stockWrong: ['Write sizes and pieces: 2x4=100, 1x1=40', '大きさと数を書いてください：2x4=100, 1x1=40'],
     studs: [
       'Studs stand 1.8 mm into the cavity, so the clearance along x is larger by that.',
-      'ポッチがくぼみの中へ 1.8 mm 出るので、x 方向のすきまはその分大きくなります。',
+      'ポッチがくぼみの中へ 1.8 mm 出るので、x 方向のクリアランスはその分大きくなります。',
     ],
   },
 });

@@ -7,7 +7,7 @@ export const zones = words({
     heading: ['Places to keep off', '触れない場所'],
     lead: [
       'Handles, spouts, flaking paint: show them on the object, and the foam keeps its distance. What lies free is not protected by that.',
-      '取っ手、注ぎ口、剝がれかけた彩色など。対象物の上で塗って示すと、フォームがそこから離れます。離すだけで守られるわけではありません。',
+      '取っ手、注ぎ口、剝がれかけた彩色など。対象物の上で塗って示すと、緩衝材がそこから離れます。離すだけで守られるわけではありません。',
     ],
     of: (name: string) => [`Of ${name}`, `${name} について`],
     list: ['Places to keep off, one by one', '触れない場所の一覧'],
@@ -18,7 +18,7 @@ export const zones = words({
     fresh: ['New place: paint it on the object', '新しい場所：対象物に塗ってください'],
     remove: (n: number) => [`Remove place ${n}`, `場所 ${n} を削除`],
     keepOff: ['Distance', '離す距離'],
-    keepOffTip: ['How far foam stays away, all round. 0: no farther than elsewhere', 'まわりのフォームをこれだけ離します。0 ならほかと同じです'],
+    keepOffTip: ['How far foam stays away, all round. 0: no farther than elsewhere', 'まわりの緩衝材をこれだけ離します。0 ならほかと同じです'],
     press: ['May be pressed with at most', '押してよい圧力の上限'],
     pressTip: [
       'What the surface bears, as a mean over 1 cm². Tick it only where that is known: the estimate of drops then tells when it is more.',

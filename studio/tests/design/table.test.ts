@@ -62,7 +62,7 @@ test('a field that may be empty, or 0 besides, goes down to 0', () => {
 });
 
 test('an option without words of the page is called by its label in either language', () => {
-  expect(fieldName(schema['fit.least_rib_mm'])).toEqual(['Least rib', '最小の壁厚']);
+  expect(fieldName(schema['fit.least_rib_mm'])).toEqual(['Least rib', 'リブの最小厚さ']);
   expect(fieldName(schema['workshop.sheets.thickness_mm'])).toEqual(['Sheet\'s thickness', 'シートの厚さ']);
   for (const row of Object.values(schema)) expect(fieldName(row).every((name) => name.length > 0)).toBe(true);
 });
