@@ -110,7 +110,7 @@ constexpr Wording kWordsOfProtection[] = {
      "copy that stands outside it, and might hide a side that bottoms. Give the walls in mm, or read a mesh "
      "whole "
      "({option})",
-     "分割して読むものや点群には、保護する壁を決められません。落下は外側にある写しで計算するため、底づきする"
+     "分割して読むものや点群には、保護する壁を決められません。落下は外側にあるコピーで計算するため、底づきする"
      "面を"
      "見落とすおそれがあります。壁を mm で指定するか、メッシュの全体を読み込んでください（{option}）"},
     {"protect.fit_case", "walls that protect fit the space to them: leave out {option}",
