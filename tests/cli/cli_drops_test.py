@@ -168,7 +168,7 @@ class Drops(unittest.TestCase):
             message = self.report(camera, *arguments, status=1)
             self.assertEqual(len(message.strip().splitlines()), 1, message)
         thick = self.report(camera, *DROP, "--mass", "90", "--drop-height", "900", "--fragility", "5", "--wall", "protect", status=3)
-        self.assertIn("another foam", thick)
+        self.assertIn("a stiffer foam", thick)
 
     def test_what_is_missing_is_said(self):
         def codes(*arguments):

@@ -80,11 +80,11 @@ Span span_of(const TextItem& text) {
 }
 
 /// Words in Latin letters but for those that are written on foams and cutters' screens, units, names of files
-/// and of what is sold.
+/// and of what is sold, and sources, which are quoted.
 std::vector<std::string> latin_words(std::string text) {
     static const std::regex kKept(
         R"([a-z-]+/[\w.-]+|[\w-]+\.(pdf|nc|3mf|csv|svg|dxf|mpd|xml|stl)|--[a-z-]+( (auto|plate|tiles))?|)"
-        R"(`[^`]*`|\b(LOWER|LID|BACK|DXF|STL|LDraw|BrickLink|ISTA|ld33|JPY|mm|mm3|cm|cm3|kg|m|vase|step|lid|lower)\b|)"
+        R"(`[^`]*`|\b(LOWER|LID|BACK|DXF|STL|LDraw|BrickLink|ISTA|ld33|Plastazote LD33 data sheet|customfoams.co.uk|JPY|mm|mm3|cm|cm3|kg|m|vase|step|lid|lower)\b|)"
         R"(\b[LU]\d+[a-z]*\b|\b(lower|lid|dowel)-\d+\b|\d+[a-z]\b)");
     std::replace(text.begin(), text.end(), '\n', ' ');
     text = std::regex_replace(text, kKept, " ");
