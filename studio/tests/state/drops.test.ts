@@ -90,7 +90,7 @@ test('walls that nothing would do for are refused, cancelled ones leave everythi
   await change((design) => withFragility(asked(design), 5));
   const before = studio.moment.design;
   await studio.drops.chooseWalls();
-  expect(studio.problem?.text[0]).toMatch(/no wall up to 400 mm/);
+  expect(studio.problem?.text[0]).toMatch(/any wall up to 400 mm/);
   expect(studio.moment.design).toEqual(before);
   studio.problem = null;
   await change((design) => withFragility(design, 85));
