@@ -102,15 +102,16 @@ constexpr Wording kWordsOfProtection[] = {
      "foam, one "
      "with data of drops, less height, or a way to lie on a smaller side",
      "{cm} cm から{fallen}を下に落とす場合、この緩衝材は硬すぎ、{most} mm "
-     "までのどの壁でも足りません。軟らかいフォー"
-     "ム、落下試験のデータがある緩衝材、低い落下高さ、狭い面で載る置き方のどれかにしてください"},
+     "までのどの壁でも足りません。軟らかい緩衝材"
+     "、落下試験のデータがある緩衝材、低い落下高さ、狭い面で載る置き方のどれかにしてください"},
     {"protect.stand_in",
      "walls that protect are not chosen for what is read in pieces or as points: its drops are computed with "
      "a "
      "copy that stands outside it, and might hide a side that bottoms. Give the walls in mm, or read a mesh "
      "whole "
      "({option})",
-     "分割して読むものや点群には、保護する壁を決められません。落下は外側にあるコピーで計算するため、底づきする"
+     "分割して読むものや点群には、保護する壁を決められません。落下は外側にあるコピーで計算するため、底づきす"
+     "る"
      "面を"
      "見落とすおそれがあります。壁を mm で指定するか、メッシュの全体を読み込んでください（{option}）"},
     {"protect.fit_case", "walls that protect fit the space to them: leave out {option}",
