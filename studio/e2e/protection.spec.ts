@@ -33,7 +33,7 @@ test('a drop is asked for, told side by side, and held by walls that Snug choose
   await set(page, 'spinbutton', 'Object weighs', 0.9);
   await expect(sides(page)).toHaveCount(6);
   await expect(sides(page).first()).toContainText('the foam may be squeezed beyond its data');
-  await expect(check(page)).toContainText('From 760 mm, height from ISTA 1A; not a test of it, in ld33 (maker\'s sheet)', {ignoreCase: true});
+  await expect(check(page)).toContainText('From 760 mm, height from ISTA 1A; not a test of it, in ld33 (maker\'s sheet, to 60 %, pressed slowly)', {ignoreCase: true});
   await expect(status(page)).toContainText(/\d dangers?/);
   await commandSays(page, '--foam=ld33', '--drop-height=ista-1a', '--fragility=rugged', '--mass=0.9');
   const before = await page.locator('code').textContent();

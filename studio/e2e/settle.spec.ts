@@ -38,7 +38,7 @@ test('the camera is lowered onto its foam, and its pads are listed and drawn unt
   const without = await picture(page);
   await turn(page, 'Pads in what block steps leave').click();
   await commandSays(page, '--pads=2');
-  await expect(pads(page).first()).toContainText(/^LOWER.*: \d[\d.]* x [\d.]+ x [\d.]+ mm \(\d+ sheets? of 2 mm\)$/);
+  await expect(pads(page).first()).toContainText(/^LOWER.*: \d[\d.]* × [\d.]+ × [\d.]+ mm \(\d+ sheets? of 2 mm\)$/);
   await expect(pads(page).last()).toContainText(/^LID/);
   await expect(check(page)).toContainText('Note: Pads fill what steps leave');
   await expect.poll(async () => (await picture(page)).equals(without)).toBe(false);
@@ -67,7 +67,7 @@ test('islands are refused in slit sponge, and cut in sheets', async ({studio: pa
   await commandSays(page, '--relief=40x60');
   await expect(check(page)).toContainText('Warning: No relief');
   await choose(page, 'Foam', 'sheet-10');
-  await expect(check(page)).toContainText(/Note: Stands on islands\s*The object stands on \d islands of [\d.]+ x [\d.]+ mm that stand 40 mm free/i);
+  await expect(check(page)).toContainText(/Note: Stands on islands\s*The object stands on \d islands of [\d.]+ × [\d.]+ mm that stand 40 mm free/i);
   await expect(check(page)).not.toContainText('No relief');
   await set(page, 'spinbutton', 'Island’s side', 40);
   await expect(check(page)).toContainText(/No relief: islands of 40 mm would buckle/i);

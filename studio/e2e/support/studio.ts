@@ -7,7 +7,13 @@ export const test = base.extend<{address: string; studio: Page}>({
   address: ['./', {option: true}],
   studio: async ({page, context, address}, use) => {
     // As for somebody who wants the angles open.
-    await context.addInitScript(() => localStorage.setItem('snug-fine-turn', 'open'));
+    await context.addInitScript(() => {
+      try {
+        localStorage.setItem('snug-fine-turn', 'open');
+      } catch {
+        // A test that forbids storage.
+      }
+    });
     const errors: string[] = [];
     page.on('console', (message) => message.type() === 'error' && errors.push(message.text()));
     page.on('pageerror', (error) => errors.push(String(error)));

@@ -12,7 +12,7 @@ class Preferences {
   dark = $derived(this.theme === 'system' ? this.#systemDark : this.theme === 'dark');
 
   /** The three angles are wanted open. */
-  fineTurn = $state(localStorage.getItem(FINE_TURN) === 'open');
+  fineTurn = $state(remembered(FINE_TURN) === 'open');
 
   constructor() {
     this.#system.addEventListener('change', ({matches}) => (this.#systemDark = matches));
@@ -25,7 +25,7 @@ class Preferences {
 
   openFineTurn(open: boolean) {
     this.fineTurn = open;
-    localStorage.setItem(FINE_TURN, open ? 'open' : '');
+    remember(FINE_TURN, open ? 'open' : '');
   }
 }
 
