@@ -5,15 +5,7 @@ import {unzipSync} from 'fflate';
 /** A page whose console stays silent: any error on it fails the test. */
 export const test = base.extend<{address: string; studio: Page}>({
   address: ['./', {option: true}],
-  studio: async ({page, context, address}, use) => {
-    // As for somebody who wants the angles open.
-    await context.addInitScript(() => {
-      try {
-        localStorage.setItem('snug-fine-turn', 'open');
-      } catch {
-        // A test that forbids storage.
-      }
-    });
+  studio: async ({page, address}, use) => {
     const errors: string[] = [];
     page.on('console', (message) => message.type() === 'error' && errors.push(message.text()));
     page.on('pageerror', (error) => errors.push(String(error)));

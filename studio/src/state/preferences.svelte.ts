@@ -11,8 +11,8 @@ class Preferences {
   #systemDark = $state(this.#system.matches);
   dark = $derived(this.theme === 'system' ? this.#systemDark : this.theme === 'dark');
 
-  /** The three angles are wanted open. */
-  fineTurn = $state(remembered(FINE_TURN) === 'open');
+  /** The three angles stand open until they are put away. */
+  fineTurn = $state(remembered(FINE_TURN) !== 'closed');
 
   constructor() {
     this.#system.addEventListener('change', ({matches}) => (this.#systemDark = matches));
@@ -25,7 +25,7 @@ class Preferences {
 
   openFineTurn(open: boolean) {
     this.fineTurn = open;
-    remember(FINE_TURN, open ? 'open' : '');
+    remember(FINE_TURN, open ? 'open' : 'closed');
   }
 }
 
