@@ -26,6 +26,7 @@ struct CommandSpec;  // arguments.h
 [[nodiscard]] CommandSpec make_command(Language language);
 [[nodiscard]] CommandSpec inspect_command(Language language);
 [[nodiscard]] CommandSpec sample_command(Language language);
+[[nodiscard]] CommandSpec shape_command(Language language);
 [[nodiscard]] CommandSpec presets_command(Language language);
 [[nodiscard]] CommandSpec cases_command(Language language);
 [[nodiscard]] CommandSpec foams_command(Language language);

@@ -1,16 +1,11 @@
-#include <algorithm>
-#include <cctype>
-#include <filesystem>
 #include <memory>
 #include <string>
 
-#include "snug/base/text.h"
-#include "snug/formats/mesh_files.h"
 #include "snug/samples/samples.h"
 
 #include "cli/arguments.h"
 #include "cli/console.h"
-#include "cli/files.h"
+#include "cli/mesh_file.h"
 
 namespace snug::cli {
 namespace {
@@ -21,30 +16,11 @@ struct SampleArguments {
     std::string file;
 };
 
-Result<FileBytes> encoded(const Mesh& mesh, const std::filesystem::path& path) {
-    std::string ending = path.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return std::tolower(c); });
-    if (ending == ".stl") return write_stl(mesh.vertices, mesh.triangles, "Snug sample, mm");
-    if (ending == ".ply") return write_ply(mesh.vertices, mesh.triangles, {});
-    if (ending == ".obj") return write_obj(mesh.vertices, mesh.triangles);
-    if (ending == ".off") return write_off(mesh.vertices, mesh.triangles);
-    return fail(ErrorKind::usage, say("usage.sample_name", {{"file", path.string()}}));
-}
-
 int write_sample(const SampleArguments& arguments) {
     const Language language = arguments.language;
     const auto mesh = sample(arguments.name);
     if (!mesh) return report(mesh.error(), language);
-    const auto bytes = encoded(*mesh, arguments.file);
-    if (!bytes) return report(bytes.error(), language);
-    if (auto done = write_file(arguments.file, *bytes); !done) return report(done.error(), language);
-    const auto done = print(text(say("sample.written", {{"file", arguments.file},
-                                                        {"vertices", mesh->vertices.size()},
-                                                        {"size", dimensions(bounds(*mesh).size())}}),
-                                 language) +
-                            "\n");
-    return done ? kDone : report(done.error(), language);
+    return write_mesh_file(*mesh, arguments.file, "Snug sample, mm", language);
 }
 
 }  // namespace

@@ -18,7 +18,7 @@
 
 namespace snug {
 
-enum class MeshFormat { stl, obj, ply, off };
+enum class MeshFormat { stl, obj, ply, off, shape };
 
 /// Binary or ASCII, told apart by the size that the triangle count asks for, then by the first words.
 /// Vertices are welded by bits (-0 = 0), since the format has no shared ones. Several solids in one file are
@@ -37,6 +37,10 @@ enum class MeshFormat { stl, obj, ply, off };
 /// OFF and its relatives COFF, NOFF, CNOFF, STOFF in ASCII, line by line or as numbers in a row; colours and
 /// comments skipped.
 [[nodiscard]] Result<Mesh> read_off(Bytes file);
+
+/// An object from measurements, as shape_text.h has it, in mm: closed parts, whose volumes count twice where
+/// they overlap.
+[[nodiscard]] Result<Mesh> read_shape(Bytes file);
 
 /// What to do with a file of a kind that is known and not read here, such as STEP; none for any other. The
 /// first bytes suffice.

@@ -35,6 +35,8 @@ Result<Mesh> read_as(MeshFormat format, bool or_cloud, Bytes file) {
             return or_cloud ? read_ply_or_cloud(file) : read_ply(file);
         case MeshFormat::off:
             return or_cloud ? read_off_or_cloud(file) : read_off(file);
+        case MeshFormat::shape:
+            return read_shape(file);
     }
     return fail(ErrorKind::input, say("read.understood"));
 }
@@ -60,6 +62,7 @@ Result<MeshFormat> mesh_format(Bytes file, std::string_view name) {
     TextScan scan(file.first(std::min<std::size_t>(file.size(), 1 << 12)));
     if (off_keyword(scan.word_anywhere())) return MeshFormat::off;
     if (looks_like_obj(file)) return MeshFormat::obj;
+    if (ends_with(name, ".shape")) return MeshFormat::shape;
 
     if (ends_with(name, ".stl")) return MeshFormat::stl;
     if (ends_with(name, ".obj")) return MeshFormat::obj;

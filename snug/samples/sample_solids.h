@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "snug/mesh/loft.h"
 #include "snug/mesh/mesh.h"
 
 // What the samples are made of: closed, outward solids, in millimetres.
@@ -25,10 +26,6 @@ struct Frame {
 };
 
 using Outline = std::vector<Point2>;  ///< counter-clockwise
-
-/// Appends rings of equally many points, joined in order; the first and last are closed by fans. Each ring
-/// runs counter-clockwise seen from the next.
-void add_loft(Mesh& mesh, std::span<const std::vector<Vec3d>> rings);
 
 /// About the middle.
 [[nodiscard]] Outline rounded_rectangle(double width, double height, double corner_radius);

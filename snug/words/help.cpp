@@ -80,6 +80,26 @@ constexpr Wording kWordsOfHelp[] = {
     {"help.inspect.json", "Print it as JSON", "JSON で書き出します"},
     {"help.sample", "Write an object that Snug generates, to try things with",
      "Snug が作る、試すための対象物を書き出します"},
+    {"help.shape", "Write an object made of measured boxes, cylinders, cones and balls",
+     "測った箱、円柱、円錐、球から対象物を作って書き出します"},
+    {"help.shape.text",
+     "Its parts in mm, joined by `+`: `box XxYxZ [rRADIUS]`, `cylinder DIAMETERxLENGTH`, `cone "
+     "DIAMETERxTOPxLENGTH`, "
+     "`ball DIAMETER`; behind each, where its middle stands (`at X,Y,Z`), how it is turned (`turn "
+     "PSI,THETA,PHI`) and "
+     "where an axis points (`along x`)",
+     "mm での部分を `+` でつなぎます：`box XxYxZ [rRADIUS]`（角の半径）、`cylinder "
+     "DIAMETERxLENGTH`（直径と長さ）、"
+     "`cone DIAMETERxTOPxLENGTH`（直径、先の直径、長さ）、`ball "
+     "DIAMETER`（直径）。それぞれの後に、中心の位置（`at "
+     "X,Y,Z`）、回転（`turn PSI,THETA,PHI`）、軸の向き（`along x`）を書けます"},
+    {"help.shape.file",
+     "The file; its ending says the format: .stl .ply .obj .off, or .shape, which `snug make` reads as well "
+     "and which "
+     "keeps the measurements",
+     "ファイル。形式は名前の終わりで決まります：.stl .ply .obj .off、または寸法をそのまま残す .shape（`snug "
+     "make` "
+     "も読めます）"},
     {"help.sample.name", "{names/}", "見本の名前：{names/}"},
     {"help.sample.file", "The file; its ending says the format: .stl .ply .obj .off",
      "ファイル。形式は名前の終わりで決まります：.stl .ply .obj .off"},

@@ -99,6 +99,27 @@ constexpr Wording kWordsOfMeshes[] = {
     {"off.faces", "faces", "面"},
     {"stl.cut_off_in_facet", "the file is cut off within its last facet; copy or export it again",
      "ファイルが最後の面の途中で切れています。もう一度コピーまたは書き出しをしてください。"},
+    {"shape.empty", "write what it is made of, such as `box 143x87x40 r5 + cylinder 63x60 at 0,0,50`",
+     "何からできているかを書いてください。例：`box 143x87x40 r5 + cylinder 63x60 at 0,0,50`"},
+    {"shape.many", "more than 100 parts: an object from measurements is made of fewer",
+     "100 個を超えています。寸法から作る対象物は、もっと少ない形で書いてください。"},
+    {"shape.kind", "part {number}: {word} is none of `box`, `cylinder`, `cone` and `ball`",
+     "{number} 番目の形：{word} は `box`、`cylinder`、`cone`、`ball` のどれでもありません。"},
+    {"shape.size", "part {number}: its size in mm is missing or not understood; write it as in `{form}`",
+     "{number} 番目の形：大きさ（mm）がないか、読み取れません。`{form}` のように書いてください。"},
+    {"shape.range", "part {number}: sizes run from 0.1 to 10,000 mm, not {value}",
+     "{number} 番目の形：大きさは 0.1 ～ 10,000 mm です（{value} は不可）。"},
+    {"shape.far", "part {number}: {value} is beyond {most}",
+     "{number} 番目の形：{value} は {most} を超えています。"},
+    {"shape.radius", "part {number}: a radius of {radius} mm does not fit; up to {most} mm does",
+     "{number} 番目の形：半径 {radius} mm は合いません。{most} mm までです。"},
+    {"shape.rest",
+     "part {number}: {word} is not understood; behind its size may stand `at X,Y,Z`, `turn A,B,C`, for a box "
+     "its "
+     "radius as `r5`, for a cylinder or cone `along x`, and `+` before the next part",
+     "{number} 番目の形：{word} が読み取れません。大きさの後には `at X,Y,Z`、`turn A,B,C`、箱なら半径を `r5` "
+     "のよう"
+     "に、円柱と円錐なら `along x` を書けます。次の形の前には `+` を置きます。"},
     {"read.understood",
      "Snug reads STL, OBJ, PLY, OFF, glTF, 3MF and points as PLY, XYZ or PTS: export it as one of these",
      "Snug が読めるのは STL、OBJ、PLY、OFF、glTF、3MF と、PLY、XYZ、PTS の点群です。そのどれかで書き出して"

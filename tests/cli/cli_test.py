@@ -225,9 +225,33 @@ class CliTest(unittest.TestCase):
             self.assertEqual([f for f in report["findings"] if f["severity"] == "danger"], [])
         self.assertEqual(json.loads(snug("inspect", "--json", self.work / "torus.stl").stdout)["vertices"], 7200)
 
+    def test_an_object_from_measurements_is_packed(self):
+        text = "box 143x87x40 r5 + cylinder 63x60 at 0,0,50"
+        for ending in ("stl", "ply", "obj", "off", "shape"):
+            path = self.work / f"measured.{ending}"
+            done = snug("shape", text, "-o", path)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            done = snug("make", path, "--blocks", "auto", "--json", "-o", self.work / ending)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            report = json.loads(done.stdout)
+            self.assertTrue(report["object"]["watertight"], ending)
+            self.assertEqual((self.work / ending / "depths.csv").read_text(), (self.work / "stl" / "depths.csv").read_text())
+        self.assertEqual(path.read_text(), text + "\n")
+        self.assertEqual(snug("shape", *text.split(), "-o", path).returncode, 0)
+        self.assertEqual(path.read_text(), text + "\n")
+        for wrong, status, said in (("box 143x87", 1, "part 1"), ("egg 7", 1, "cylinder"), ("", 1, "such as")):
+            done = snug("shape", wrong, "-o", self.work / "none.stl")
+            self.assertEqual(done.returncode, status, wrong)
+            self.assertIn(said, done.stderr)
+        self.assertEqual(snug("shape", text, "-o", self.work / "none.txt").returncode, 1)
+        (self.work / "torn.shape").write_text("ball 7 + box 1x2")
+        done = snug("make", self.work / "torn.shape", "-o", self.work / "torn")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("part 2", done.stderr)
+
     def test_version_help_and_presets(self):
         self.assertRegex(snug("--version").stdout, r"^snug \d+\.\d+\.\d+\n$")
-        for command in [[], ["make"], ["inspect"], ["sample"], ["presets"]]:
+        for command in [[], ["make"], ["inspect"], ["sample"], ["shape"], ["presets"]]:
             done = snug(*command, "--help")
             self.assertEqual(done.returncode, 0)
             self.assertIn("Example", done.stdout)
