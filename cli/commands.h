@@ -24,6 +24,7 @@ struct CommandSpec;  // arguments.h
 
 // Each describes its command, which prints in the language.
 [[nodiscard]] CommandSpec make_command(Language language);
+[[nodiscard]] CommandSpec plan_command(Language language);
 [[nodiscard]] CommandSpec inspect_command(Language language);
 [[nodiscard]] CommandSpec sample_command(Language language);
 [[nodiscard]] CommandSpec shape_command(Language language);

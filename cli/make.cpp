@@ -23,6 +23,7 @@
 #include "cli/interrupt.h"
 #include "cli/make_object.h"
 #include "cli/make_search.h"
+#include "cli/make_task.h"
 #include "cli/make_workshop.h"
 #include "cli/object_file.h"
 #include "cli/summary.h"
@@ -38,14 +39,12 @@ namespace fs = std::filesystem;
 /// What was typed.
 struct MakeArguments {
     Language language;
-    std::vector<std::string> objects;
+    TaskArguments task;
     std::string folder;
-    std::vector<TypedFlag> design;
-    std::optional<std::string> replacement_object, font;
+    std::optional<std::string> font;
     SearchArguments search;
     bool protecting_walls = false;  ///< --wall protect
     bool dry_run = false, quiet = false, json = false;
-    bool stream = false, no_stream = false;
     int threads = 0;
 };
 
@@ -56,10 +55,12 @@ constexpr const char* kExample =
 std::vector<Argument> arguments_of(MakeArguments& a) {
     const auto help = [&](const char* code) { return text(say(code), a.language); };
     std::vector<Argument> all{
-        {"OBJECT", "", text(say("help.make.object", {{"example", kExample}}), a.language), &a.objects, true},
+        {"OBJECT", "", text(say("help.make.object", {{"example", kExample}}), a.language), &a.task.objects,
+         true},
         {"-o,--output", "DIR", help("help.make.output"), &a.folder, true}};
     for (const Flag& flag : design_flags(a.language))
-        all.push_back({flag.name, flag.takes, flag.help, DesignFlag{&a.design, flag.many, flag.repeats}});
+        all.push_back(
+            {flag.name, flag.takes, flag.help, DesignFlag{&a.task.design, flag.many, flag.repeats}});
     const std::vector<Argument> rest{
         {"--optimize", "", help("help.make.optimize"), &a.search.optimize},
         {"--fit-case", "", help("help.make.fit_case"), &a.search.fit_case},
@@ -81,9 +82,9 @@ std::vector<Argument> arguments_of(MakeArguments& a) {
          {},
          {"--no-arrange", "--case"}},
         {"--search-seconds", "S", help("help.make.seconds"), &a.search.seconds, false, {{0.01, 86400}}},
-        {"--no-stream", "", help("help.make.no_stream"), &a.no_stream},
-        {"--stream", "", help("help.make.stream"), &a.stream, false, {}, {}, {"--no-stream"}},
-        {"--object", "FILE", help("help.project_object"), &a.replacement_object},
+        {"--no-stream", "", help("help.make.no_stream"), &a.task.no_stream},
+        {"--stream", "", help("help.make.stream"), &a.task.stream, false, {}, {}, {"--no-stream"}},
+        {"--object", "FILE", help("help.project_object"), &a.task.replacement_object},
         {"--font", "FILE", help("help.make.font"), &a.font},
         {"--dry-run", "", help("help.make.dry_run"), &a.dry_run},
         {"--threads", "N", help("help.make.threads"), &a.threads, false, {{1, 1024}}},
@@ -93,49 +94,12 @@ std::vector<Argument> arguments_of(MakeArguments& a) {
     return all;
 }
 
-/// The design with what was typed; unless it is a project's it is not checked before its items are known.
-Result<Design> design_from(const MakeArguments& a, Design design, bool from_project) {
-    auto typed = with_flags(a.design, std::move(design), from_project,
-                            {known_presets, [&] { return known_cases(a.language); }, known_foams});
-    return typed && from_project ? checked(std::move(*typed)) : typed;
-}
-
 /// "--wall protect" is no wall but asks for some.
 void take_protecting_walls(MakeArguments& a) {
     const auto asks = [](const TypedFlag& typed) {
         return typed.flag == "--wall" && typed.text == "protect";
     };
-    a.protecting_walls = std::erase_if(a.design, asks) > 0;
-}
-
-Result<Task> task_from(const MakeArguments& arguments) {
-    auto source = find_objects(arguments.objects, arguments.replacement_object);
-    if (!source) return tl::unexpected(source.error());
-    Task task;
-    if (arguments.stream || arguments.no_stream) task.stream = arguments.stream;
-    task.units_typed = was_typed(arguments.design, "--units");
-    const bool from_project = source->project.has_value();
-    if (from_project) {
-        task.project = std::move(*source->project);
-        take_over_one_item(task.project);
-        task.expected = task.project.objects;
-        task.paths = std::move(source->paths);
-    }
-    auto design = design_from(arguments, task.project.design, from_project);
-    if (!design) return tl::unexpected(design.error());
-    task.project.design = std::move(*design);
-    if (from_project) return task;
-
-    std::vector<std::string> files;
-    auto project = with_objects(source->typed, std::move(task.project.design), files);
-    if (!project) return tl::unexpected(project.error());
-    task.project = std::move(*project);
-    task.paths.assign(files.begin(), files.end());
-    auto all = checked(std::move(task.project.design));
-    if (!all) return tl::unexpected(all.error());
-    task.project.design = std::move(*all);
-    take_over_one_item(task.project);
-    return task;
+    a.protecting_walls = std::erase_if(a.task.design, asks) > 0;
 }
 
 /// Writes everything, the report last, since it tells how long the rest took and what of earlier runs stays.
@@ -178,13 +142,6 @@ Result<std::string> write_outputs(std::span<const Object> objects, const Project
 
 Message in_its_file(const Task& task, const Error& error) {
     return task.paths.size() == 1 ? in_file(task.paths.front().string(), error.message) : error.message;
-}
-
-/// Files that were read, and stay.
-std::vector<fs::path> inputs_of(const MakeArguments& arguments, const Task& task) {
-    std::vector<fs::path> inputs = task.paths;
-    if (!task.expected.empty()) inputs.emplace_back(arguments.objects.front());
-    return inputs;
 }
 
 /// What this program has, and the status line that long work moves.
@@ -237,7 +194,7 @@ std::optional<Error> search_lacking(const MakeArguments& arguments, const Task& 
     const Design& design = task.project.design;
     if (arguments.protecting_walls && arguments.search.fit_case)
         return Error{ErrorKind::usage, say("protect.fit_case", {{"option", "--fit-case"}})};
-    if (!was_typed(arguments.design, "--objective") || arguments.search.searches(design) ||
+    if (!was_typed(arguments.task.design, "--objective") || arguments.search.searches(design) ||
         arguments.search.arranges(design, task.expected.empty()))
         return {};
     return Error{ErrorKind::usage,
@@ -251,7 +208,7 @@ int make(const MakeArguments& arguments) {
         limit.emplace(tbb::global_control::max_allowed_parallelism,
                       static_cast<std::size_t>(arguments.threads));
     const Language language = arguments.language;
-    auto task = task_from(arguments);
+    auto task = task_from(arguments.task, language);
     if (!task) return report(task.error(), language);
     if (const auto error = search_lacking(arguments, *task)) return report(*error, language);
     if (arguments.search.known_case && task->project.design.items.size() == 1)
@@ -287,7 +244,7 @@ int make(const MakeArguments& arguments) {
     const auto report_text =
         dry ? Result<std::string>(report_json(objects, project, *made))
             : write_outputs(objects, project, *made, {language, arguments.font},
-                            {arguments.folder, workshop_folders(), inputs_of(arguments, *task)});
+                            {arguments.folder, workshop_folders(), inputs_of(arguments.task, *task)});
     status.reset();
     if (!report_text) return report(report_text.error(), language);
     if (arguments.json) {
@@ -315,7 +272,7 @@ CommandSpec make_command(Language language) {
         "  snug make scan-foam/project.snug.json --object scan.ply --rotate 0,90,0 -o turned",
         arguments_of(*a), [a] {
             take_protecting_walls(*a);
-            return within_memory(a->objects.front(), a->language, [&] { return make(*a); });
+            return within_memory(a->task.objects.front(), a->language, [&] { return make(*a); });
         }};
 }
 

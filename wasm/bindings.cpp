@@ -135,6 +135,7 @@ EMSCRIPTEN_BINDINGS(snug) {
         .function("drops", &bound::Session::drops)
         .function("contacts", &bound::Session::contacts)
         .function("protectingWalls", &bound::Session::protecting_walls)
+        .function("plan", &bound::Session::plan)
         .function("zones", &bound::Session::zones)
         .function("distances", &bound::Session::distances)
         .function("startSearch", &bound::Session::start_search)

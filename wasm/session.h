@@ -51,6 +51,11 @@ class Session {
     [[nodiscard]] val contacts(const val& side);
     /// {design}: with the walls that the design asks for (protecting_walls.h).
     val protecting_walls(const std::string& design, const val& objects, const val& progress);
+    /// Three whole proposals (plan.h): {plan, designs, previews}, the first plan_json() as a text, the others
+    /// of each a JSON text and an SVG. `wishes`: {carrier, ways, cases, own_blocks}, the words of the command
+    /// line.
+    val plan(const std::string& design, const val& objects, const val& wishes, const std::string& language,
+             const val& progress);
     /// Of the last packing: what becomes of the zones of its items, {zones, findings} (zone_values.h).
     [[nodiscard]] val zones();
     /// Of points (x, y, z after each other, design coordinates) from the surface of the last packing's

@@ -3,8 +3,10 @@
 #include <utility>
 
 #include "snug/base/stopwatch.h"
+#include "snug/design/known_foams.h"
 #include "snug/make.h"
 #include "snug/object/prepare.h"
+#include "snug/plan.h"
 #include "snug/search/search_design.h"
 #include "snug/search/searched_zones.h"
 
@@ -21,6 +23,22 @@ constexpr std::uint64_t kSearchSeed = 1;
 /// Between two looks at what the page says.
 constexpr double kStepMs = 60;
 constexpr std::size_t kMostDistinct = 6;
+
+/// Words that none of the page's choices has are passed over.
+PlanWishes wishes_from(const val& wishes) {
+    PlanWishes result;
+    result.carrier = value_named<Carrier>(wishes["carrier"].as<std::string>()).value_or(result.carrier);
+    result.ways.clear();
+    for (const std::string& word : emscripten::vecFromJSArray<std::string>(wishes["ways"]))
+        if (const auto way = value_named<Workshop>(word); way && *way != Workshop::none)
+            result.ways.push_back(*way);
+    if (result.ways.empty()) result.ways = PlanWishes().ways;
+    const auto choice = value_named<CaseChoice>(wishes["cases"].as<std::string>());
+    result.cases = cases_to_choose(built_in_cases(), choice.value_or(CaseChoice::none));
+    result.own_blocks = wishes["own_blocks"].as<bool>();
+    result.foams = built_in_foams();
+    return result;
+}
 
 }  // namespace
 
@@ -73,6 +91,27 @@ val Session::distinct() const {
         for (const FoundPlacement& placement : search_->distinct(kMostDistinct))
             list.call<void>("push", to_val(placement));
     return list;
+}
+
+val Session::plan(const std::string& design_text, const val& objects, const val& wishes,
+                  const std::string& language, const val& progress) {
+    const auto project = lay_out(design_text, objects);
+    if (!project) return to_val(project.error());
+    for (Object& object : store_.objects()) prepare_for_many(object);
+    Tools tools;
+    tools.language = language_of(language);
+    const auto proposals =
+        snug::plan(store_.objects(), *project, wishes_from(wishes), tools, progress_from(progress));
+    if (!proposals) return to_val(proposals.error());
+    val result = val::object(), designs = val::array(), previews = val::array();
+    for (const Proposal& proposal : *proposals) {
+        designs.call<void>("push", design_json(proposal.project.design));
+        previews.call<void>("push", proposal.preview_svg);
+    }
+    result.set("plan", plan_json(*proposals, tools.language));
+    result.set("designs", designs);
+    result.set("previews", previews);
+    return result;
 }
 
 val Session::start_map(const std::string& design_text, const val& objects) {

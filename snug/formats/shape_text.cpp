@@ -130,6 +130,7 @@ class ShapeReader {
                                          [&](const Written& each) { return same_word(word, each.word); });
         if (found == std::end(kWritten)) {
             scan_ = before;
+            if (scan_.at_end()) return refuse(say("shape.missing", {{"number", std::to_string(number_)}}));
             return refuse(unknown("shape.kind"));
         }
         solid_.kind = found->kind;

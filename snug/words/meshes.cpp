@@ -105,6 +105,7 @@ constexpr Wording kWordsOfMeshes[] = {
      "100 個を超えています。寸法から作る対象物は、もっと少ない形で書いてください。"},
     {"shape.kind", "part {number}: {word} is none of `box`, `cylinder`, `cone` and `ball`",
      "{number} 番目の形：{word} は `box`、`cylinder`、`cone`、`ball` のどれでもありません。"},
+    {"shape.missing", "part {number} is missing behind the +", "{number} 番目の形が + の後にありません。"},
     {"shape.size", "part {number}: its size in mm is missing or not understood; write it as in `{form}`",
      "{number} 番目の形：大きさ（mm）がないか、読み取れません。`{form}` のように書いてください。"},
     {"shape.range", "part {number}: sizes run from 0.1 to 10,000 mm, not {value}",

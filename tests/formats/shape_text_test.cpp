@@ -107,7 +107,7 @@ TEST(ShapeText, RandomShapesAreClosedAndReadBack) {
 
 TEST(ShapeText, WhatIsWrongIsSaidWithItsPart) {
     expect_holds(wrong("box"), "part 1: its size in mm");
-    expect_holds(wrong("# nothing\n"), "such as box 143x87x40");
+    expect_holds(wrong("# nothing\n"), "such as `box 143x87x40");
     expect_holds(wrong("box 10x20"), "box 143x87x40");
     expect_holds(wrong("ball 7 + cylinder 3,5x8"), "part 2: its size");
     expect_holds(wrong("ball 0"), "0.1 to 10,000 mm, not 0");
@@ -118,7 +118,7 @@ TEST(ShapeText, WhatIsWrongIsSaidWithItsPart) {
     expect_holds(wrong("ball 7 at 0,0,10001"), "10001 is beyond 10000");
     expect_holds(wrong("ball 7 along x"), "\"along\" is not understood");
     expect_holds(wrong("ball 7 ball 8"), "\"ball\" is not understood");
-    expect_holds(wrong("ball 7 +"), "part 2: \"\" is no box");
+    expect_holds(wrong("ball 7 +"), "part 2 is missing behind the +");
     expect_holds(wrong("ball 7 at 0,0"), "\"at\" is not understood");
     std::string many = "ball 1";
     for (int i = 0; i < 100; ++i) many += "+ball 1";

@@ -70,6 +70,23 @@ std::string depths_csv(const Foams& foams, const Grid<Run>& available, int nx) {
     return text;
 }
 
+std::string preview_of(std::span<const Object> objects, const Project& project, const Made& made) {
+    const Packing& packing = made.packing;
+    const std::deque<PlacedMesh> meshes = placed_layers(objects, packing.items, packing.foams->layers());
+    std::vector<PreviewLayer> layers;
+    for (std::size_t i = 0; i < meshes.size(); ++i)
+        layers.push_back({meshes[i].mesh(), meshes[i].placement(),
+                          made.fit.gap ? &made.fit.layer_gaps[i] : nullptr,
+                          numbered_places(packing.items, static_cast<int>(i) + 1)});
+    const auto& drops = packing.protection;
+    const auto falls = drops && drops->drop_mm && drops->foam
+                           ? std::optional(PreviewFalls{*drops, text(drop_text(*drops), made.language)})
+                           : std::nullopt;
+    return preview_svg(*packing.foams, packing.space, layers,
+                       text(caption(packing, names_of_items(project)), made.language), made.language,
+                       falls ? &*falls : nullptr);
+}
+
 Result<void> make_output_files(std::span<const Object> objects, const Project& project, Made& made,
                                const TakeFile& take) {
     Packing& packing = made.packing;
@@ -87,20 +104,7 @@ Result<void> make_output_files(std::span<const Object> objects, const Project& p
             take(text_file("depths.csv", depths_csv(foams, packing.available, packing.space.blocks.x)));
         !done)
         return done;
-    const std::deque<PlacedMesh> meshes = placed_layers(objects, packing.items, foams.layers());
-    std::vector<PreviewLayer> layers;
-    for (std::size_t i = 0; i < meshes.size(); ++i)
-        layers.push_back({meshes[i].mesh(), meshes[i].placement(),
-                          made.fit.gap ? &made.fit.layer_gaps[i] : nullptr,
-                          numbered_places(packing.items, static_cast<int>(i) + 1)});
-    const auto& drops = packing.protection;
-    const auto falls = drops && drops->drop_mm && drops->foam
-                           ? std::optional(PreviewFalls{*drops, text(drop_text(*drops), made.language)})
-                           : std::nullopt;
-    const std::string preview = preview_svg(foams, packing.space, layers,
-                                            text(caption(packing, names_of_items(project)), made.language),
-                                            made.language, falls ? &*falls : nullptr);
-    if (auto done = take(text_file("preview.svg", preview)); !done) return done;
+    if (auto done = take(text_file("preview.svg", preview_of(objects, project, made))); !done) return done;
     return take(text_file("project.snug.json", project_json(project)));
 }
 

@@ -18,6 +18,10 @@ namespace snug {
 /// -x; 0 and nx where it keeps none. Of pieces between layers `middle_1_blocks,middle_1_first` and so on.
 [[nodiscard]] std::string depths_csv(const Foams& foams, const Grid<Run>& available, int nx);
 
+/// A drawing of the foams, opened, with what lies in them, as SVG (picture/preview.h).
+[[nodiscard]] std::string preview_of(std::span<const Object> objects, const Project& project,
+                                     const Made& made);
+
 /// Takes one file after the other, so that they need not all be held at once. An error ends the making.
 using TakeFile = std::function<Result<void>(const PackFile&)>;
 

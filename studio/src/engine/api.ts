@@ -8,6 +8,7 @@ import type {Pair} from '../words/words';
 import type {ContactMap, DropChoices, Drops, KnownFoam, Pressing} from './drops';
 import type {PackedPad} from './fit';
 import type {Gap} from './gap';
+import type {PlanWishes, Proposal} from './plan';
 import type {ZoneResults} from './zones';
 
 /** A file that came with the object. */
@@ -311,6 +312,14 @@ export interface Engine {
     onProgress?: OnProgress,
     objects?: readonly ObjectUse[],
   ): Promise<{design: Design} | Failure>;
+  /** Three whole proposals: the smallest, the one with most margin, the cheapest. Cancelled by cancel(). */
+  plan(
+    design: Design,
+    wishes: PlanWishes,
+    language: string,
+    onProgress?: OnProgress,
+    objects?: readonly ObjectUse[],
+  ): Promise<Proposal[] | Failure>;
   /** What becomes of the places of the last packing that foam keeps away from. */
   zones(): Promise<ZoneResults | Failure>;
   /** How far points (x, y, z after each other, design coordinates) lie from the surface of the objects in the last

@@ -24,8 +24,9 @@ import {simplified} from './display_mesh';
 import {readChoices, readFoams, type ContactMap, type DropChoices, type Drops, type KnownFoam, type Pressing} from './drops';
 import {brokenModule, isFailure} from './failure';
 import type {Gap} from './gap';
-import {arranged, listeners, throttled} from './listeners';
+import {arranged, designOf, listeners, throttled} from './listeners';
 import type {GivenObject, Pack, SceneTools, Session, SnugModule} from './module';
+import {readProposals, type PlanWishes, type Proposal} from './plan';
 import {sha256} from './sha256';
 import type {ZoneResults} from './zones';
 
@@ -230,6 +231,12 @@ export class EngineCore {
     return designOf(guarded(() => this.#session.protectingWalls(JSON.stringify(design), given, throttled(onProgress))));
   }
 
+  async plan(design: Design, wishes: PlanWishes, language: string, onProgress?: OnProgress, objects?: Objects): Promise<Proposal[] | Failure> {
+    const given = await this.#given(objects);
+    const progress = throttled(onProgress);
+    return readProposals(guarded(() => this.#session.plan(JSON.stringify(design), given, wishes, language, progress)));
+  }
+
   async zones(): Promise<ZoneResults | Failure> {
     return guarded(() => this.#session.zones());
   }
@@ -356,10 +363,6 @@ function guarded<T>(call: () => T): T | Failure {
   } catch (reason) {
     return brokenModule(reason);
   }
-}
-
-function designOf(found: {design: string} | Failure): {design: Design} | Failure {
-  return isFailure(found) ? found : {design: JSON.parse(found.design) as Design};
 }
 
 function told<T extends object>({ended: _, ...step}: T & {ended: boolean}): T {

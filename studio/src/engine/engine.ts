@@ -24,6 +24,7 @@ import type {ContactMap, Drops, Pressing} from './drops';
 import {brokenModule, CANCELLED, failure, isFailure} from './failure';
 import type {Gap} from './gap';
 import {latest} from './latest';
+import type {PlanWishes, Proposal} from './plan';
 import {copied, loadAgain, sent, type Kept, type Objects} from './sent';
 import type {CoreHandle} from './worker_link';
 
@@ -264,6 +265,17 @@ class PageEngine implements Engine {
   protectingWalls(design: Design, onProgress?: OnProgress, objects?: Objects): Promise<{design: Design} | Failure> {
     const [plain, uses] = sent(design, objects);
     return this.#slowly('outputs', (core) => core.protectingWalls(plain, onProgress && proxy(onProgress), uses));
+  }
+
+  plan(
+    design: Design,
+    wishes: PlanWishes,
+    language: string,
+    onProgress?: OnProgress,
+    objects?: Objects,
+  ): Promise<Proposal[] | Failure> {
+    const [plain, uses] = sent(design, objects);
+    return this.#slowly('outputs', (core) => core.plan(plain, wishes, language, onProgress && proxy(onProgress), uses));
   }
 
   rankCases(design: Design, objects?: Objects): Promise<CaseRanking | Failure> {

@@ -27,6 +27,10 @@ export function listeners(onStep: (step: ArrangeStep) => void) {
   return {progress, better: (design: string) => onStep({fraction, better: JSON.parse(design) as Design})};
 }
 
+export function designOf(found: {design: string} | Failure): {design: Design} | Failure {
+  return isFailure(found) ? found : {design: JSON.parse(found.design) as Design};
+}
+
 export function arranged(answer: ArrangementText | Failure): Arrangement | Failure {
   if (isFailure(answer)) return answer;
   const read = (choice: ArrangedText): Arranged => ({...choice, design: JSON.parse(choice.design) as Design});

@@ -16,6 +16,7 @@ import type {
 } from './api';
 import type {ContactMap, DropChoicesText, Drops, FoamsText} from './drops';
 import type {Gap} from './gap';
+import type {PlanWishes, ProposalTexts} from './plan';
 import type {ZoneResults} from './zones';
 
 /** Hears how far it is, 0 to 1; false ends it. */
@@ -69,6 +70,7 @@ export interface Session {
   /** On a side, 0 to 5; null: at rest. */
   contacts(side: number | null): ContactMap | Failure;
   protectingWalls(design: string, objects: GivenObject[], progress: Progress): {design: string} | Failure;
+  plan(design: string, objects: GivenObject[], wishes: PlanWishes, language: string, progress: Progress): ProposalTexts | Failure;
   zones(): ZoneResults | Failure;
   distances(points: Float32Array): Float32Array<ArrayBuffer> | Failure;
   startSearch(design: string, objects: GivenObject[]): (SearchStep & {ended: boolean}) | Failure;
