@@ -6,6 +6,7 @@ import {CANCELLED, isFailure} from '../engine/failure';
 import {about} from '../words/words';
 import type {StoredObject} from './autosave';
 import {newId} from './claims';
+import {level} from './level';
 import type {Content, FileFacts, Given, Reading} from './on_the_page';
 import type {Studio} from './studio.svelte';
 
@@ -72,11 +73,12 @@ export class Opening {
       for (const [i, file] of files.entries()) {
         const own = objects[i]?.own ?? null;
         const load = (how: Loading) => this.#load({...file, converted: false}, own ?? design.object, how, reading);
-        let info = await load({joins: true});
+        let loaded = await load({joins: true});
         // The same file twice, with other choices.
-        if (uses.some(({id}) => !isFailure(info) && id === info.id)) info = await load({joins: true, id: newId()});
-        if (isFailure(info)) return info;
-        uses.push({id: info.id, own});
+        if (uses.some(({id}) => !isFailure(loaded) && id === loaded.info.id)) loaded = await load({joins: true, id: newId()});
+        if (isFailure(loaded)) return loaded;
+        const {info, options} = loaded;
+        uses.push({id: info.id, own: options === design.object ? null : options});
         infos.push(info);
       }
       return this.#show({design, objects: uses}, infos, 0, reading);
@@ -120,9 +122,10 @@ export class Opening {
 
   /** In place of all. `more`: others join it before it is shown. */
   async #open(given: Content, design: Design, reading: Reading, more = false): Promise<Failure | null> {
-    const info = await this.#load(given, design.object, {}, reading);
-    if (isFailure(info)) return info;
-    const moment = momentOf(design, info.id);
+    const loaded = await this.#load(given, design.object, {}, reading);
+    if (isFailure(loaded)) return loaded;
+    const {info, options} = loaded;
+    const moment = momentOf({...design, object: options}, info.id);
     if (!more) return this.#show(moment, [info], 0, reading);
     await this.#parts.switchTo(moment, [info]);
     return null;
@@ -135,23 +138,37 @@ export class Opening {
     selected = this.#studio.moment.design.items.length,
   ): Promise<Failure | null> {
     const infos: ObjectInfo[] = [];
+    const own = new Map<string, Design['object']>();
+    const {defaults} = this.#studio;
     for (const one of given) {
-      const info = await this.#load(one, this.#studio.defaults.object, {joins: true}, reading);
-      if (isFailure(info)) return info;
-      infos.push(info);
+      const loaded = await this.#load(one, defaults.object, {joins: true}, reading);
+      if (isFailure(loaded)) return loaded;
+      infos.push(loaded.info);
+      if (loaded.options !== defaults.object) own.set(loaded.info.id, loaded.options);
     }
-    const {moment, defaults, lying} = this.#studio;
-    return this.#show(withJoined(moment, infos, defaults, lying), infos, selected, reading);
+    const {moment, lying} = this.#studio;
+    const joined = withJoined(moment, infos, defaults, lying);
+    const objects = joined.objects.map((use) => ({...use, own: own.get(use.id) ?? use.own}));
+    return this.#show({...joined, objects}, infos, selected, reading);
   }
 
-  /** Content for the library, and kept for later. */
-  async #load(given: Content, options: Design['object'], how: Loading, reading: Reading): Promise<ObjectInfo | Failure> {
+  /** Content for the library, and kept for later; with the options that it has in the end. */
+  async #load(
+    given: Content,
+    options: Design['object'],
+    how: Loading,
+    reading: Reading,
+  ): Promise<{info: ObjectInfo; options: Design['object']} | Failure> {
     const {name, content, converted} = given;
     const info = await this.#studio.engine.load(name, content, options, given.beside, how);
     if (reading.cancelled || isFailure(info)) return isFailure(info) ? named(name, info) : CANCELLED;
     const beside = given.beside?.filter((file) => info.beside.includes(file.name)) ?? [];
     this.#objects.set(info.id, {id: info.id, name, content, converted, beside});
-    return info;
+    if (level === 'usual' || !info.sizeProblem) return {info, options};
+    // Nothing is asked.
+    const inMm = {...options, units: 'mm' as const};
+    const prepared = await this.#studio.engine.reprepare({...this.#studio.defaults, object: inMm}, info.id);
+    return isFailure(prepared) ? prepared : {info: prepared, options: inMm};
   }
 
   async #show(moment: Moment, infos: readonly ObjectInfo[], selected: number, reading: Reading): Promise<Failure | null> {
