@@ -1,7 +1,7 @@
-import type {Page} from '@playwright/test';
 import {violations} from './support/axe';
 import {sample} from './support/command_line';
 import {expect, gapsMeasured, open, test} from './support/studio';
+import {tabbed} from './support/tabbed';
 
 test('axe finds nothing, empty or full, light or dark, English or Japanese', async ({studio: page}) => {
   expect(await violations(page)).toEqual([]);
@@ -21,25 +21,6 @@ test('axe finds nothing, empty or full, light or dark, English or Japanese', asy
   await page.setViewportSize({width: 820, height: 1180});
   expect(await violations(page)).toEqual([]);
 });
-
-/** What Tab reaches from the top of the page, by role and name, until it starts again. */
-async function tabbed(page: Page): Promise<string[]> {
-  const names: string[] = [];
-  await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
-  for (let i = 0; i < 150; i++) {
-    await page.keyboard.press('Tab');
-    const name = await page.evaluate(() => {
-      const element = document.activeElement;
-      if (!element || element === document.body) return null;
-      const text = element.getAttribute('aria-label') ?? (element as HTMLInputElement).labels?.[0]?.textContent ?? element.textContent;
-      const visible = getComputedStyle(element).outlineStyle !== 'none' || element.closest('.number') !== null;
-      return `${(text ?? '').trim()}${visible ? '' : ' (focus not visible)'}`;
-    });
-    if (name === null) break;
-    names.push(name);
-  }
-  return names;
-}
 
 test('every control is reached and used by keyboard', async ({studio: page}) => {
   await open(page, sample('torus'));

@@ -2,14 +2,14 @@ import {readFileSync} from 'node:fs';
 import type {BrowserContext, Page} from '@playwright/test';
 import {made, sample} from './support/command_line';
 import {kept} from './support/kept';
-import {expect, foamsShown, open, set, test} from './support/studio';
+import {EVERYTHING, expect, foamsShown, open, set, test} from './support/studio';
 
 const slider = (page: Page, name: string) => page.getByRole('slider', {name, exact: true});
 const empty = (page: Page) => page.getByRole('heading', {name: 'What are you packing?'});
 
 async function another(context: BrowserContext): Promise<Page> {
   const page = await context.newPage();
-  await page.goto('./');
+  await page.goto(EVERYTHING);
   await expect(empty(page)).toBeVisible();
   return page;
 }
@@ -113,7 +113,7 @@ test('the work that an earlier version kept is offered, too', async ({page}) => 
     },
     {design, base64: readFileSync(torus, 'base64')},
   );
-  await page.goto('./');
+  await page.goto(EVERYTHING);
   await page.getByRole('button', {name: /^Continue ring.stl/}).click();
   await expect(page.getByTitle('ring.stl')).toBeVisible();
   await foamsShown(page);

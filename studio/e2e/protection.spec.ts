@@ -45,7 +45,6 @@ test('a drop is asked for, told side by side, and held by walls that Snug choose
   await commandSays(page, '--wall=');
   await page.getByRole('button', {name: /^Show force against travel/}).first().click();
   await expect(page.getByRole('img', {name: /^Force against travel: Stops at/})).toBeVisible();
-  await page.getByText('What is not computed').click();
   await expect(check(page)).toContainText('the object\'s own resonance');
   expect(await violations(page)).toEqual([]);
 
@@ -171,7 +170,6 @@ test('pressure is shown in colours, with a legend, and says so where nothing is 
 
 test('a foam of one\'s own is entered, kept, opened from a file, and refused with the library\'s words', async ({studio: page}) => {
   await open(page, RING);
-  await page.getByText('Foams of your own').click();
   await page.getByLabel('Name', {exact: true}).fill('bench-foam');
   await page.getByLabel('Source', {exact: true}).fill('own bench, 2024');
   await page.getByLabel('A point a line: strain (0 to 1), kPa').fill('0.1 20');
@@ -196,7 +194,6 @@ test('a foam of one\'s own is entered, kept, opened from a file, and refused wit
   await page.reload();
   await foamsShown(page);
   await expect(page.getByLabel('Foam material', {exact: true})).toHaveValue('from-file');
-  await page.getByText('Foams of your own').last().click();
   await page.getByRole('button', {name: 'Remove bench-foam'}).click();
   await expect(page.getByLabel('Foam material', {exact: true}).getByRole('option', {name: 'bench-foam'})).toHaveCount(0);
 });

@@ -2,7 +2,7 @@ import {sample} from './support/command_line';
 import {hold, holdReads, letGo} from './support/hold_reads';
 import {inTheMoment} from './support/in_the_moment';
 import {kept} from './support/kept';
-import {expect, foamsShown, gapsMeasured, open, set, status, test} from './support/studio';
+import {EVERYTHING, expect, foamsShown, gapsMeasured, open, PLAIN, set, status, test} from './support/studio';
 import {torusStl} from './support/torus';
 import {WEDGE_IN_METRES} from './support/wedge';
 
@@ -27,7 +27,7 @@ for (const viewport of [PHONE, {width: 1280, height: 800}])
 
 test('what is read is named from the first moment, and Cancel leaves the work before', async ({page}) => {
   await holdReads(page);
-  await page.goto('./');
+  await page.goto(EVERYTHING);
   await open(page, sample('torus'));
   await set(page, 'slider', 'Rotation ψ', 20);
   await hold(page);
@@ -53,7 +53,7 @@ test('what is read is named from the first moment, and Cancel leaves the work be
 
 test('another file ends the reading of the one before', async ({page}) => {
   await holdReads(page, true);
-  await page.goto('./');
+  await page.goto(EVERYTHING);
   await page.getByLabel('Open object', {exact: true}).setInputFiles(sample('vase'));
   await expect(page.getByText('Reading vase.stl')).toBeVisible();
   await page.evaluate(() => {
@@ -67,7 +67,7 @@ test('another file ends the reading of the one before', async ({page}) => {
 });
 
 test('the page is there before the object that comes back, which can be left for later', async ({page}) => {
-  await page.goto('./');
+  await page.goto(EVERYTHING);
   await open(page, sample('torus'));
   await set(page, 'slider', 'Rotation ψ', 20);
   await kept(page, '"rotation_deg":[20,0,0]');
@@ -83,40 +83,43 @@ test('the page is there before the object that comes back, which can be left for
   await expect(page.getByRole('slider', {name: 'Rotation ψ'})).toHaveValue('20');
 });
 
-test('the question for the unit can be left, found again, moved, and answered by a length', async ({studio: page}) => {
-  await page.getByLabel('Open object', {exact: true}).setInputFiles(file('wedge.off', WEDGE_IN_METRES));
-  const question = page.getByRole('dialog', {name: 'Which unit does this file use?'});
-  await expect(question).toBeVisible();
-  const before = await question.boundingBox();
-  await page.getByRole('heading', {name: 'Which unit does this file use?'}).hover();
-  await page.mouse.down();
-  await page.mouse.move(300, 400, {steps: 3});
-  await page.mouse.up();
-  expect((await question.boundingBox())?.y).not.toBe(before?.y);
-  await page.keyboard.press('Escape');
-  await expect(question).toBeHidden();
-  // In the step Check it is said as well.
-  await expect(page.locator('span', {hasText: 'There are no foams yet'})).toBeInViewport();
-  await page.getByRole('button', {name: 'Choose the unit'}).first().click();
-  await question.getByRole('spinbutton', {name: 'Or: its longest side is'}).fill('300');
-  await question.getByRole('button', {name: 'Set', exact: true}).click();
-  await expect(question).toBeHidden();
-  await expect(page.getByText('There are no foams yet')).toHaveCount(0);
-  await expect(page.getByText('300 × 225 × 150 mm')).toBeVisible();
-  await expect(page.getByLabel('Unit of the file').locator('option:checked')).toHaveText('by a known length');
-  // The length is of this object alone.
-  await page.getByLabel('Open object', {exact: true}).setInputFiles(file('other.off', WEDGE_IN_METRES.replace('0.15', '0.16')));
-  await expect(page.getByTitle('other.off')).toBeVisible();
-  await expect(question.getByRole('spinbutton', {name: 'Or: its longest side is'})).toHaveValue('0');
-  await question.getByRole('button', {name: /^Metres/}).click();
-  await foamsShown(page);
+test.describe('where something is asked', () => {
+  test.use({address: PLAIN});
+
+  test('the question for the unit can be left, found again, moved, and answered by a length', async ({studio: page}) => {
+    await page.getByLabel('Open object', {exact: true}).setInputFiles(file('wedge.off', WEDGE_IN_METRES));
+    const question = page.getByRole('dialog', {name: 'Which unit does this file use?'});
+    await expect(question).toBeVisible();
+    const before = await question.boundingBox();
+    await page.getByRole('heading', {name: 'Which unit does this file use?'}).hover();
+    await page.mouse.down();
+    await page.mouse.move(300, 400, {steps: 3});
+    await page.mouse.up();
+    expect((await question.boundingBox())?.y).not.toBe(before?.y);
+    await page.keyboard.press('Escape');
+    await expect(question).toBeHidden();
+    // In the step Check it is said as well.
+    await expect(page.locator('span', {hasText: 'There are no foams yet'})).toBeInViewport();
+    await page.getByRole('button', {name: 'Choose the unit'}).first().click();
+    await question.getByRole('spinbutton', {name: 'Or: its longest side is'}).fill('300');
+    await question.getByRole('button', {name: 'Set', exact: true}).click();
+    await expect(question).toBeHidden();
+    await expect(page.getByText('There are no foams yet')).toHaveCount(0);
+    await expect(page.getByText('300 × 225 × 150 mm')).toBeVisible();
+    await expect(page.getByLabel('Unit of the file').locator('option:checked')).toHaveText('by a known length');
+    // The length is of this object alone.
+    await page.getByLabel('Open object', {exact: true}).setInputFiles(file('other.off', WEDGE_IN_METRES.replace('0.15', '0.16')));
+    await expect(page.getByTitle('other.off')).toBeVisible();
+    await expect(question.getByRole('spinbutton', {name: 'Or: its longest side is'})).toHaveValue('0');
+    await question.getByRole('button', {name: /^Metres/}).click();
+    await foamsShown(page);
+  });
 });
 
 test('a part that must stay keeps its tick', async ({studio: page}) => {
   const corners = (at: number) => `0 0 ${at}\n60 0 ${at}\n0 50 ${at}\n0 0 ${at + 40}\n`;
   const faces = (i: number) => [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]].map((face) => `3 ${face.map((corner) => corner + i).join(' ')}\n`).join('');
   await open(page, {name: 'two.off', buffer: Buffer.from(`OFF\n8 8 0\n${corners(0)}${corners(80)}${faces(0)}${faces(4)}`)});
-  await page.getByText('Parts: 2').click();
   const part = (number: number) => page.getByRole('checkbox', {name: `Part ${number}:`});
   await part(1).click();
   await expect(page.locator('#step-object dl')).toContainText('60 × 50 × 40 mm');

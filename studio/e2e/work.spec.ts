@@ -4,7 +4,7 @@ import {sample} from './support/command_line';
 import {atRest} from './support/at_rest';
 import {inTheMoment} from './support/in_the_moment';
 import {kept} from './support/kept';
-import {expect, foamsShown, gapsMeasured, open, set, status, test} from './support/studio';
+import {EVERYTHING, expect, foamsShown, gapsMeasured, open, PLAIN, set, status, test} from './support/studio';
 import {torusStl} from './support/torus';
 import {WEDGE_IN_METRES} from './support/wedge';
 
@@ -115,19 +115,31 @@ test('another object opened meanwhile ends an Optimize, and starts anew', async 
   await expect(page.getByRole('button', {name: 'Optimize', exact: true})).toBeEnabled();
 });
 
-test('a file in metres asks for its unit', async ({studio: page}) => {
-  await page.getByLabel('Open object', {exact: true}).setInputFiles({name: 'wedge.off', mimeType: '', buffer: Buffer.from(WEDGE_IN_METRES)});
-  const dialog = page.getByRole('dialog', {name: 'Which unit does this file use?'});
-  await dialog.getByRole('button', {name: /^Metres/}).click();
-  await expect(dialog).toBeHidden();
-  await expect(page.getByText('200 × 150 × 100 mm')).toBeVisible();
-  await foamsShown(page);
+test.describe('where something is asked', () => {
+  test.use({address: PLAIN});
 
-  // And a length that is known scales it.
-  await page.getByText('Set a length').click();
-  await page.getByRole('spinbutton', {name: 'This length is'}).fill('300');
-  await page.getByRole('button', {name: 'Set', exact: true}).click();
-  await expect(page.getByText('300 × 225 × 150 mm')).toBeVisible();
+  test('a file in metres asks for its unit', async ({studio: page}) => {
+    await page.getByLabel('Open object', {exact: true}).setInputFiles({name: 'wedge.off', mimeType: '', buffer: Buffer.from(WEDGE_IN_METRES)});
+    const dialog = page.getByRole('dialog', {name: 'Which unit does this file use?'});
+    await dialog.getByRole('button', {name: /^Metres/}).click();
+    await expect(dialog).toBeHidden();
+    await expect(page.getByText('200 × 150 × 100 mm')).toBeVisible();
+    await foamsShown(page);
+
+    // And a length that is known scales it.
+    await page.getByText('Set a length').click();
+    await page.getByRole('spinbutton', {name: 'This length is'}).fill('300');
+    await page.getByRole('button', {name: 'Set', exact: true}).click();
+    await expect(page.getByText('300 × 225 × 150 mm')).toBeVisible();
+
+    // Where everything is open nothing is asked.
+    await page.goto(EVERYTHING);
+    await page.getByLabel('Open object', {exact: true}).setInputFiles({name: 'unasked.off', mimeType: '', buffer: Buffer.from(`${WEDGE_IN_METRES}\n`)});
+    await expect(page.getByTitle('unasked.off')).toBeVisible();
+    await foamsShown(page);
+    await expect(page.getByLabel('Unit of the file')).toHaveValue('mm');
+    await expect(page.getByRole('dialog')).toHaveCount(0);
+  });
 });
 
 test('a lost graphics context says so and comes back', async ({studio: page}) => {

@@ -28,8 +28,6 @@ async function drag(page: Page, from: [number, number], to: [number, number], bu
 }
 
 async function begin(page: Page) {
-  const fold = page.getByText('Places to keep off', {exact: true});
-  await fold.click();
   await page.getByRole('button', {name: 'Add a place'}).click();
   await expect(page.getByRole('group', {name: 'Paint on the object'})).toBeVisible();
 }

@@ -2,9 +2,14 @@ import {readFileSync} from 'node:fs';
 import {expect, test as base, type Page} from '@playwright/test';
 import {unzipSync} from 'fflate';
 
+/** Every field is open and nothing is asked. */
+export const EVERYTHING = './?level=all';
+/** As somebody sees it who opens it for the first time. */
+export const PLAIN = './';
+
 /** A page whose console stays silent: any error on it fails the test. */
 export const test = base.extend<{address: string; studio: Page}>({
-  address: ['./', {option: true}],
+  address: [EVERYTHING, {option: true}],
   studio: async ({page, address}, use) => {
     const errors: string[] = [];
     page.on('console', (message) => message.type() === 'error' && errors.push(message.text()));

@@ -48,6 +48,8 @@ export interface OptionRow {
   /** What a project says for no value, where that is not null. */
   none?: string;
   default?: unknown;
+  /** What the command line calls it. */
+  flag?: string;
 }
 
 export type Schema = Readonly<Record<OptionPath, OptionRow>>;

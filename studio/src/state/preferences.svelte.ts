@@ -1,9 +1,12 @@
+import type {PanelName} from '../design/panel_fields';
 import {remember, remembered} from '../words/remembered';
+import {level} from './level';
 
 export type Theme = 'system' | 'light' | 'dark';
 
 const KEY = 'snug-theme';
-const FINE_TURN = 'snug-fine-turn';
+const MORE = 'snug-more';
+const EVERYTHING = 'snug-everything';
 
 class Preferences {
   theme: Theme = $state(stored());
@@ -11,8 +14,10 @@ class Preferences {
   #systemDark = $state(this.#system.matches);
   dark = $derived(this.theme === 'system' ? this.#systemDark : this.theme === 'dark');
 
-  /** The three angles stand open until they are put away. */
-  fineTurn = $state(remembered(FINE_TURN) !== 'closed');
+  #more: readonly string[] = $state.raw((remembered(MORE) ?? '').split(' '));
+  /** Every field of every step at once, for those who want it so. */
+  wantsAll = $state(remembered(EVERYTHING) === 'yes');
+  showsAll = $derived(level === 'all' || this.wantsAll);
 
   constructor() {
     this.#system.addEventListener('change', ({matches}) => (this.#systemDark = matches));
@@ -23,9 +28,20 @@ class Preferences {
     remember(KEY, theme);
   }
 
-  openFineTurn(open: boolean) {
-    this.fineTurn = open;
-    remember(FINE_TURN, open ? 'open' : 'closed');
+  showAll(all: boolean) {
+    this.wantsAll = all;
+    remember(EVERYTHING, all ? 'yes' : 'no');
+  }
+
+  /** Whether the More of a panel is open. */
+  opens(panel: PanelName): boolean {
+    return this.showsAll || this.#more.includes(panel);
+  }
+
+  openMore(panel: PanelName, open: boolean) {
+    const others = this.#more.filter((name) => name !== panel && name !== '');
+    this.#more = open ? [...others, panel] : others;
+    remember(MORE, this.#more.join(' '));
   }
 }
 

@@ -116,7 +116,7 @@ export class Studio {
     this.defaults = facts.defaults;
     this.presets = facts.presets;
     this.bricks = facts.bricks;
-    this.options = new Options(facts.rows, () => this.design);
+    this.options = new Options(facts, () => this.design);
     this.drops = new DropsOnScreen(this, facts.drops);
     this.samples = facts.samples;
     this.version = facts.version;

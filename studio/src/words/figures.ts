@@ -24,6 +24,9 @@ export const ratio = (value: number): string => value.toFixed(4);
 /** As a field has it: no more digits than there are, and none behind the last one that counts. */
 export const plain = (value: number, digits: number): string => String(Number(value.toFixed(digits)));
 
+/** A unit of the table of options as it stands behind a number. */
+export const symbol = (unit = ''): string => ({degrees: '°', newtons: 'N'})[unit] ?? unit;
+
 /** A sentence of the library, which writes for terminals, in the page's style. */
 export function ofLibrary(sentence: string): string {
   return sentence.replace(/(\d) x (?=\d)/g, '$1 × ').replace(/\b([cm]m)([23])\b/g, (_, unit: string, power: string) => unit + (power === '2' ? '²' : '³'));

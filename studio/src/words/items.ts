@@ -18,7 +18,6 @@ export const items = words({
     duplicateNamed: (name: string) => [`Duplicate ${name}`, `${name} を複製`],
     remove: (name: string) => [`Take ${name} out`, `${name} を取り出す`],
     fields: (name: string) => [`Of ${name}`, `${name} について`],
-    asForAll: ['Clearance as for all', 'クリアランスを全体と同じに'],
     placing: (name: string) => [`Turns and shifts ${name}.`, `${name} を回して動かします。`],
     locked: (name: string) => [`${name} is locked.`, `${name} は固定されています。`],
     arrange: ['Arrange', '並べる'],

@@ -26,7 +26,6 @@ export const placement = words({
       `空間の中心からの移動：${axis}`,
     ],
     offsetAxes: {x: ['up', '上へ'], y: ['to the front', '前へ'], z: ['to the right', '右へ']},
-    centre: ['Back to the middle', '中心に戻す'],
     objective: ['Look for', '重視するもの'],
     objectiveTip: ['What Optimize makes small or large', '最適化で小さく、または大きくするもの'],
     objectives: byName({

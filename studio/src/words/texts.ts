@@ -2,6 +2,7 @@ import {check} from './check';
 import {drops} from './drops';
 import {failures} from './failures';
 import {fields} from './fields';
+import {fieldsOf} from './fields_of';
 import {files} from './files';
 import {foam} from './foam';
 import {items} from './items';
@@ -16,7 +17,7 @@ import {workshop} from './workshop';
 import {zones} from './zones';
 
 /** Every text of the studio. Sentences of the library come from the library. */
-export const ALL = words({...page, ...object, ...items, ...foam, ...pieces, ...workshop, ...placement, ...check, ...drops, ...make, ...views, ...files, ...failures, ...fields, ...zones});
+export const ALL = words({...page, ...object, ...items, ...foam, ...pieces, ...workshop, ...placement, ...check, ...drops, ...make, ...views, ...files, ...failures, ...fields, ...fieldsOf, ...zones});
 
 export const en = spoken(ALL, 0);
 export const ja = spoken(ALL, 1);

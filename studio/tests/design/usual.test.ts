@@ -1,0 +1,64 @@
+import {beforeAll, expect, test} from 'vitest';
+import type {Design} from '../../src/design/design';
+import {firstDesign, withFit, withPreset, withTray, withWorkshop} from '../../src/design/edit';
+import {usualGroup, withValue} from '../../src/design/options';
+import {isOther, usualValue, withUsual, type Beginning} from '../../src/design/usual';
+import {startCore} from '../support/snug';
+
+let beginning: Beginning;
+let first: Design;
+beforeAll(async () => {
+  const core = await startCore();
+  const [rows, defaults, presets] = await Promise.all([core.options(), core.defaultDesign(), core.presets()]);
+  beginning = {rows, defaults, presets};
+  first = firstDesign(defaults);
+});
+
+const presetOf = (name: string) => beginning.presets.find((preset) => preset.name === name)!;
+
+test('nothing is other than usual at the beginning', () => {
+  for (const path of Object.keys(beginning.rows) as (keyof typeof beginning.rows)[])
+    if (path !== 'items') expect(isOther(first, path, beginning), path).toBe(false);
+});
+
+test('a number that was chosen is other, and goes back by itself', () => {
+  const chosen = withValue(withValue(first, 'cut.liner_mm', 2), 'fit.least_rib_mm', 25);
+  expect(isOther(chosen, 'cut.liner_mm', beginning)).toBe(true);
+  const back = withUsual(chosen, 'cut.liner_mm', beginning);
+  expect(back).toEqual(withValue(first, 'fit.least_rib_mm', 25));
+});
+
+test('what a foam brings is usual with it, and a way of working makes its foam usual', () => {
+  const slit = withPreset(first, presetOf('slit-10'));
+  expect(isOther(slit, 'space.preset', beginning)).toBe(true);
+  expect(isOther(slit, 'space.block_mm', beginning)).toBe(false);
+  expect(isOther(slit, 'cut.clearance_mm', beginning)).toBe(false);
+  const finer = withValue(slit, 'space.block_mm', [5, 5, 5]);
+  expect(withUsual(finer, 'space.block_mm', beginning).space.block_mm).toEqual(presetOf('slit-10').block_mm);
+  expect(withUsual(slit, 'space.preset', beginning)).toEqual(withPreset(first, presetOf('paper')));
+  const sheets = withWorkshop(slit, {for: 'sheets'});
+  expect(presetOf(String(usualValue(sheets, 'space.preset', beginning))).usual_for).toContain('sheets');
+});
+
+test('a group that is there is other; within it, what was changed', () => {
+  const notches = usualGroup(beginning.rows, 'fit.notches') as unknown as Design['fit']['notches'];
+  const held = withFit(first, {notches});
+  expect(isOther(first, 'fit.notches.width_mm', beginning)).toBe(false);
+  expect(isOther(held, 'fit.notches', beginning)).toBe(true);
+  expect(isOther(held, 'fit.notches.width_mm', beginning)).toBe(false);
+  expect(isOther(withValue(held, 'fit.notches.width_mm', 50), 'fit.notches.width_mm', beginning)).toBe(true);
+  expect(withUsual(held, 'fit.notches', beginning)).toEqual(first);
+});
+
+test('a case and a tray go with what came with them', () => {
+  const inCase = {...first, case: {...first.case, name: 'Box', inside_mm: [200, 300, 400] as [number, number, number], lid_mm: 40}};
+  expect(withUsual(inCase, 'case.inside_mm', beginning)).toEqual(first);
+  expect(withUsual(withTray(first, 0.6), 'space.open', beginning)).toEqual(first);
+});
+
+test('of an item, too', () => {
+  const second = {...first, items: [first.items[0]!, {...first.items[0]!, layer: 3}]};
+  expect(isOther(second, 'items.0.layer', beginning)).toBe(false);
+  expect(isOther(second, 'items.1.layer' as 'items.0.layer', beginning)).toBe(true);
+  expect(withUsual(second, 'items.1.layer' as 'items.0.layer', beginning).items[1]!.layer).toBe(1);
+});
