@@ -11,10 +11,11 @@ test.use({address: PLAIN});
 const step = (page: Page, name: string) => page.getByRole('navigation', {name: 'Steps'}).getByRole('link', {name});
 const more = (page: Page) => page.getByRole('button', {name: /^(More \(\d+\)|Fewer)$/});
 const sections = (page: Page) => page.locator('section[id^=step-]:visible');
+const find = (page: Page) => page.getByRole('combobox', {name: 'Find a field'});
 /** Of the panel alone: the picture and the slices have theirs. */
 const stops = async (page: Page) => {
   const names = await tabbed(page);
-  return names.slice(names.findIndex((name) => name.endsWith('Make')) + 1, names.findIndex((name) => name.startsWith('Next: ') || name === 'Export') + 1).length;
+  return names.slice(names.indexOf('Find a field') + 1, names.findIndex((name) => name.startsWith('Next: ') || name === 'Export') + 1).length;
 };
 
 test('one step at a time: few stops of the Tab key in each, Next to the last, and a link past them', async ({studio: page}) => {
@@ -42,13 +43,19 @@ test('one step at a time: few stops of the Tab key in each, Next to the last, an
   await expect(page.getByRole('region', {name: 'Check'})).toContainText('Thin below');
 });
 
-test('a field behind More stays in view once it differs, and goes back by itself', async ({studio: page}) => {
+test('a field behind More is found by a word, stays in view once it differs, and goes back by itself', async ({studio: page}) => {
   await open(page, sample('torus'));
   const rib = page.getByRole('spinbutton', {name: 'Least rib'});
   await step(page, 'Foam').click();
   await expect(rib).toHaveCount(0);
-  await more(page).click();
-  await rib.fill('20');
+  await page.keyboard.press('/');
+  await expect(find(page)).toBeFocused();
+  await page.keyboard.type('rib');
+  await expect(page.getByRole('option', {name: 'Least rib Foam', selected: true})).toBeVisible();
+  await page.keyboard.press('Enter');
+  await expect(rib).toBeFocused();
+  await page.keyboard.type('20');
+  await expect(rib).toHaveValue('20');
   const folded = await more(page).textContent();
   await more(page).click();
   await expect(page.getByRole('slider', {name: 'Clearance'})).toHaveCount(0);
@@ -69,4 +76,18 @@ test('a field behind More stays in view once it differs, and goes back by itself
   await foamsShown(page);
   await step(page, 'Placement').click();
   await expect(angle).toBeVisible();
+
+  // What comes with a way of working says so, and leads there.
+  await find(page).fill('切り幅');
+  await page.getByRole('option', {name: /^Kerf/}).click();
+  await expect(page.getByText('“Kerf” comes with “Sheets, cut and glued”')).toBeVisible();
+  await page.getByRole('radio', {name: /Sheets, cut/}).check();
+  await find(page).fill('kerf');
+  await find(page).press('Enter');
+  await expect(page.getByRole('spinbutton', {name: 'Kerf'})).toBeFocused();
+  // For those who want it so: everything, always.
+  await page.getByRole('button', {name: 'All', exact: true}).click();
+  await expect(sections(page)).toHaveCount(5);
+  await expect(page.getByRole('slider', {name: 'Rotation θ'})).toBeVisible();
+  await expect(more(page)).toHaveCount(0);
 });
