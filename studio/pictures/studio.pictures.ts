@@ -1,12 +1,17 @@
 import {fileURLToPath} from 'node:url';
 import type {Page} from '@playwright/test';
 import {sample} from '../e2e/support/command_line';
-import {expect, gapsMeasured, set, status, test} from '../e2e/support/studio';
+import {expect, gapsMeasured, PLAIN, set, status, test} from '../e2e/support/studio';
 
 // Every step in both colours, in Japanese and on a tablet, into build/pictures; the two of the README into docs/.
 
 const to = (path: string) => fileURLToPath(new URL(`../../${path}`, import.meta.url));
+test.use({address: PLAIN});
+
 const STEPS = ['Object', 'Foam', 'Placement', 'Check', 'Make'];
+
+/** Every field of every step. */
+const showAll = (page: Page) => page.getByRole('button', {name: 'All', exact: true}).click();
 
 async function shoot(page: Page, name: string) {
   await page.mouse.move(2, 2);
@@ -33,6 +38,7 @@ test('each step, light and dark', async ({studio: page}) => {
 
 test('the ways of working with tools of their own', async ({studio: page}) => {
   await withSample(page, 'Ring');
+  await showAll(page);
   await page.setViewportSize({width: 1280, height: 1350});
   for (const work of ['bricks', 'mill', 'mould']) {
     await page.locator(`input[type=radio][value=${work}]`).check();
@@ -50,6 +56,7 @@ test('the ways of working with tools of their own', async ({studio: page}) => {
 test('three layers, and a tray', async ({studio: page}) => {
   const samples = ['camera', 'torus', 'vase'].map((name) => sample(name));
   await page.getByLabel('Open object', {exact: true}).setInputFiles(samples);
+  await showAll(page);
   for (const [i, name] of ['torus', 'vase'].entries()) {
     await page.getByRole('button', {name: `${i + 2}. ${name}.stl`, exact: true}).click();
     await set(page, 'spinbutton', 'Layer', i + 2);
@@ -94,6 +101,7 @@ test('the README’s two', async ({studio: page}) => {
   await shoot(page, 'docs/studio-light');
   await page.getByLabel('Colours').selectOption('dark');
   await page.getByRole('navigation').getByText('Check').click();
+  await page.locator('#step-check .more').last().click();
   await page.getByLabel('Colour the foam').check();
   await page.getByRole('button', {name: 'Lid: shown'}).click();
   await page.getByRole('tab', {name: 'Section'}).click();

@@ -15,6 +15,7 @@ export function usualText(studio: Studio, path: OptionPath, text: Texts): string
   if (path === 'search.weights') return text.placement.objectives[objective({search: {weights: usual}} as Design)] ?? '';
   if (usual === 'auto' && row.kind !== 'word') return t.automatic;
   if (row.kind === 'switch') return usual ? t.on : t.off;
+  if (path === 'protection.foam') return t.none;
   if (row.kind === 'group' || path === 'case.inside_mm' || path === 'space.open') return t.off;
   if (row.words) return text.fields[rowPath(path)]?.words?.[String(usual ?? 'none')] ?? (usual === null ? t.none : String(usual));
   const numbers = [usual].flat().filter((one): one is number => typeof one === 'number');
