@@ -83,6 +83,8 @@ test('a field behind More is found by a word, stays in view once it differs, and
   await expect(page.getByText('“Kerf” comes with “Sheets, cut and glued”')).toBeVisible();
   await page.getByRole('radio', {name: /Sheets, cut/}).check();
   await find(page).fill('kerf');
+  await expect(page.getByRole('option', {name: /^Kerf/})).toBeVisible();
+  expect(await violations(page)).toEqual([]);
   await find(page).press('Enter');
   await expect(page.getByRole('spinbutton', {name: 'Kerf'})).toBeFocused();
   // For those who want it so: everything, always.

@@ -24,6 +24,7 @@ test('snug studio OBJECT opens the object, under its own policy', async ({studio
     await page.goto(address);
     await expect(page.getByTitle('vase.stl')).toBeVisible();
     await foamsShown(page);
+    await page.getByRole('link', {name: 'Make'}).click();
     await expect(page.getByRole('button', {name: 'Export', exact: true})).toBeEnabled();
   });
 });
@@ -33,6 +34,7 @@ test('a thinned copy says how far it is off, and is never exported', async ({stu
     await page.goto(address);
     await expect(page.getByText('This is a thinned copy, nowhere more than')).toBeVisible();
     await foamsShown(page);
+    await page.getByRole('link', {name: 'Make'}).click();
     await expect(page.getByRole('button', {name: 'Export', exact: true})).toBeDisabled();
     await expect(page.getByText('snug make vase.stl').first()).toBeVisible();
     await expect(page.getByRole('button', {name: 'Save project'})).toBeDisabled();

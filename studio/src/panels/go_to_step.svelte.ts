@@ -24,7 +24,8 @@ export async function goToStep(step: Step, event?: Event, part?: string): Promis
 function scrollTo(section: HTMLElement, place: HTMLElement) {
   const panel = section.parentElement!;
   if (panel.scrollHeight > panel.clientHeight) panel.scrollTop += place.getBoundingClientRect().top - panel.getBoundingClientRect().top;
-  else place.scrollIntoView();
+  // Alone, a step begins with the way to the others.
+  else (place === section && !preferences.showsAll ? panel.closest('[data-column]')! : place).scrollIntoView();
 }
 
 const FOCUSABLE = ':is(input, select, textarea, button, summary):not(:disabled, .reset)';
