@@ -140,10 +140,6 @@ Result<std::string> write_outputs(std::span<const Object> objects, const Project
     return report;
 }
 
-Message in_its_file(const Task& task, const Error& error) {
-    return task.paths.size() == 1 ? in_file(task.paths.front().string(), error.message) : error.message;
-}
-
 /// What this program has, and the status line that long work moves.
 Tools tools_for(const Task& task, const MakeArguments& arguments, StatusLine& status) {
     const SearchArguments& searched = arguments.search;

@@ -58,4 +58,8 @@ std::vector<fs::path> inputs_of(const TaskArguments& arguments, const Task& task
     return inputs;
 }
 
+Message in_its_file(const Task& task, const Error& error) {
+    return task.paths.size() == 1 ? in_file(task.paths.front().string(), error.message) : error.message;
+}
+
 }  // namespace snug::cli

@@ -25,6 +25,9 @@ struct TaskArguments {
 /// items are known. Fails with kind `usage`, and with kind `input` for a project that cannot be read.
 [[nodiscard]] Result<Task> task_from(const TaskArguments& arguments, Language language);
 
+/// With the name of the file where there is one alone.
+[[nodiscard]] Message in_its_file(const Task& task, const Error& error);
+
 /// Files that were read, and stay.
 [[nodiscard]] std::vector<std::filesystem::path> inputs_of(const TaskArguments& arguments, const Task& task);
 

@@ -151,7 +151,11 @@ int plan(const PlanArguments& a) {
     tools.language = a.language;
     const auto proposals =
         snug::plan(read->objects, task->project, *wishes, tools, status->progress(say("status.planning")));
-    if (!proposals) return give_up(proposals.error());
+    if (!proposals) {
+        const Error& error = proposals.error();
+        const bool of_object = error.kind == ErrorKind::input || error.kind == ErrorKind::does_not_fit;
+        return give_up(of_object ? Error{error.kind, in_its_file(*task, error)} : error);
+    }
     const std::string json = plan_json(*proposals, a.language);
     if (a.folder)
         if (auto done = write_proposals(*proposals, json, {*a.folder, {}, inputs_of(a.task, *task)}); !done)

@@ -79,7 +79,7 @@ class Planner {
         return all;
     }
 
-    [[nodiscard]] Design started(Workshop work, const std::optional<FoamMaterial>& foam) const {
+    [[nodiscard]] Result<Design> started(Workshop work, const std::optional<FoamMaterial>& foam) const {
         Design design = given_;
         design.workshop.work = work;
         design.protection.foam = foam;
@@ -90,11 +90,13 @@ class Planner {
                 apply(*preset, design);
                 if (clearance != Clearance()) design.cut.clearance_mm = clearance;
             }
-        return design;
+        return checked(std::move(design));  // what follows from the way of working, too
     }
 
     Result<void> add(Workshop work, const std::optional<FoamMaterial>& foam, const Progress& progress) {
-        PlannedDesign planned{started(work, foam)};
+        auto begun = started(work, foam);
+        if (!begun) return tl::unexpected(begun.error());
+        PlannedDesign planned{std::move(*begun)};
         Design& design = planned.design;
         const bool walls_given = design.space.wall_mm.has_value();
         if (!walls_given) design.space.wall_mm = equal_walls(usual_wall_mm(work, wishes_.carrier));

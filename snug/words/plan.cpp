@@ -34,7 +34,6 @@ constexpr Wording kWordsOfPlan[] = {
     {"plan.drop_no_data", "not known: nothing is known of how this foam pushes back",
      "不明：この緩衝材の押し返し方のデータがありません"},
     {"plan.drop_none", "nothing is claimed: it stays where it is kept", "評価なし：保管場所から動かしません"},
-    {"plan.walls", "Foam", "緩衝材の厚さ"},
     {"plan.walls_of", "{thinnest} to {thickest} mm around it", "周囲に {thinnest}～{thickest} mm"},
     {"plan.walls_same", "{mm} mm all around it", "周囲に {mm} mm"},
     {"plan.work", "Work", "作業"},
@@ -55,7 +54,8 @@ constexpr Wording kWordsOfPlan[] = {
      "Who moves it, which says how high it may fall: {names}; a store claims nothing about drops, by hand it "
      "is 760 mm, "
      "else ISTA 2A",
-     "だれが運ぶか（落下高さが決まります）：{names}。store（保管）では落下を評価せず、hand（手持ち）は 760 "
+     "だれが運ぶか（落下高さが決まります）：{names}。`store`（保管）では落下を評価せず、`hand`（手持ち）は "
+     "760 "
      "mm、ほかは ISTA "
      "2A です"},
     {"help.plan.ways", "Ways of working that may be chosen, where `--for` names none: {names}",

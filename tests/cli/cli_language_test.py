@@ -61,7 +61,7 @@ class LanguageTest(unittest.TestCase):
         self.assertEqual(sum(1 for line in presets.splitlines()[1:13] if JAPANESE.search(line)), 12, presets)
 
     def test_every_help_is_japanese(self):
-        for command in ((), ("make",), ("inspect",), ("sample",), ("shape",), ("presets",), ("cases",), ("studio",), ("generate",)):
+        for command in ((), ("make",), ("plan",), ("inspect",), ("sample",), ("shape",), ("presets",), ("cases",), ("studio",), ("generate",)):
             said = snug(*command, "--help", "--language", "ja").stdout
             lines = said.split("例：")[0].splitlines()
             for line in lines:

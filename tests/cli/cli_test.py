@@ -251,7 +251,7 @@ class CliTest(unittest.TestCase):
 
     def test_version_help_and_presets(self):
         self.assertRegex(snug("--version").stdout, r"^snug \d+\.\d+\.\d+\n$")
-        for command in [[], ["make"], ["inspect"], ["sample"], ["shape"], ["presets"]]:
+        for command in [[], ["make"], ["plan"], ["inspect"], ["sample"], ["shape"], ["presets"]]:
             done = snug(*command, "--help")
             self.assertEqual(done.returncode, 0)
             self.assertIn("Example", done.stdout)
