@@ -11,7 +11,7 @@ export type Opened = 'above' | 'book';
 /** The map of a piece, its cavity facing the reader: the lower one and trays from above, the lid from below, and one
  *  between two layers, by its number, from either side. */
 export type PieceMap = 'lower' | `middle-${number}-${'above' | 'below'}` | 'lid';
-export type Drawing = 'slice' | PieceMap;
+export type Drawing = 'upright' | 'slice' | PieceMap;
 /** What a place belongs to, which is drawn elsewhere while the foams are open: an item, or a piece of foam from the lowest. */
 export type SpotOwner = {item: number} | {piece: number};
 
@@ -43,10 +43,13 @@ export class View {
   opened: Opened = $state(remembered(OPENED) === 'book' ? 'book' : 'above');
   looks: Record<Part, Look> = $state({object: 'shown', lower: 'shown', middle: 'shown', upper: 'shown', space: 'shown'});
   handles: Handles = $state('none');
-  drawing: Drawing = $state('slice');
+  /** Null until a person chooses: the upright section of one item, the plan of several. */
+  drawing: Drawing | null = $state(null);
   /** Where the section lies, mm along x from the middle of the space: the layer of blocks there is shown, however
    *  thick and many they are. */
   slice_mm = $state(0);
+  /** And the upright one, mm along y. */
+  upright_mm = $state(0);
   hovered: Cell | null = $state.raw(null);
   gapColours = $state(false);
   /** The two clicks on the object, in its own mm, while a length is being shown to Snug. */
@@ -59,6 +62,8 @@ export class View {
   menu: {x: number; y: number} | null = $state.raw(null);
   /** What lies over the edges of the 3D view, px. */
   covered = $state.raw({top: 0, bottom: 0});
+  /** Of them what a hand paints with. */
+  paintBar = $state(0);
   /** Places to keep off, by hand. */
   readonly painting = new Painting();
   /** A pointer or a key is moving something just now: draw less, but at once. */

@@ -76,6 +76,13 @@ export const views = words({
       },
       closed: (length: string) => [`${length} when closed`, `閉じた状態で ${length}`],
     },
+    picture: {
+      save: ['Save as a picture', '画像として保存'],
+      tip: ['Saves what is seen as a picture on white, with name, size and date below', '見えているものを白地の画像（名前・寸法・日付つき）として保存します'],
+      object: (size: string) => [`Object ${size}`, `対象物 ${size}`],
+      foam: (size: string) => [`Foam ${size}`, `緩衝材 ${size}`],
+      between: [' · ', '・'],
+    },
     up: ['UP', '上'],
     lost: [
       'The graphics of this browser stopped. They come back by themselves; nothing is lost.',
@@ -91,7 +98,8 @@ export const views = words({
   view2d: {
     label: ['Drawings', '図面'],
     tabs: {
-      slice: ['Section', '断面図'],
+      upright: ['Upright', '縦断面'],
+      slice: ['Section', '横断面'],
       lower: ['Lower', '下'],
       middle: {
         above: (number: number) => [`Middle ${number}, above`, `中間 ${number} の上`],
@@ -110,6 +118,10 @@ export const views = words({
       '下から数えた1層のブロック。PageUp／PageDownで5層ずつ動きます。',
     ],
     sliceValue: ['Layer from below', '下からの層'],
+    upright: ['Depth', '奥行き'],
+    uprightTip: ['One row of columns, counted from the back. Page Up and Page Down move five.', '奥から数えた1列。PageUp／PageDownで5列ずつ動きます。'],
+    uprightValue: ['Row from the back', '奥からの列'],
+    uprightAt: (mm: string) => [`seen from the front, at ${mm}`, `前から見た図、奥行き ${mm}`],
     sliceAt: (mm: string) => [`seen from above, at ${mm}`, `上から見た図、高さ ${mm}`],
     notes: {
       lower: [
@@ -153,6 +165,7 @@ export const views = words({
       object: ['object', '対象物'],
     },
     canvas: {
+      upright: (n: number) => [`Upright section through row ${n}`, `奥から ${n} 列目の縦断面`],
       section: (n: number) => [`Section through layer ${n}`, `${n} 層目の断面`],
       lower: ['Map of the lower foam: blocks to remove in each column', '下の緩衝材の図：各列で取り除くブロック数'],
       middle: {
