@@ -7,6 +7,8 @@ export interface CameraMoves {
   all(): void;
   /** `layer`: of the item that the place belongs to, which is drawn elsewhere while the foams are open. */
   lookAt(place: Triple, layer?: number): void;
+  /** What is seen, as it can be kept. */
+  picture(): HTMLCanvasElement | null;
 }
 
 /** How the world is turned to who looks, as CSS has it: x to the right, y downward, z to the reader. */
@@ -22,6 +24,7 @@ export class Camera implements CameraMoves {
   view = (side: Side) => this.#moves?.view(side);
   all = () => this.#moves?.all();
   lookAt = (place: Triple, layer?: number) => this.#moves?.lookAt(place, layer);
+  picture = () => this.#moves?.picture() ?? null;
 
   /** Tells of each picture how it is turned, until what is returned is called. */
   follow(follower: (turned: Turned) => void): () => void {

@@ -16,10 +16,9 @@ export class ColumnMarks {
   }
 
   show(cell: Cell | null, packing: Packing | null, apart: Apart | null) {
-    this.group.visible = cell !== null;
-    if (!cell || !packing || !apart) return;
-    const levels = levelsOf(packing);
+    const levels = packing && cell ? levelsOf(packing) : [];
     this.#count(levels.length);
+    if (!cell || !packing || !apart) return;
     const {middle, size} = columnOf(packing, cell);
     levels.forEach(([low, high], piece) => {
       const {matrix} = this.#boxes[piece]!;

@@ -200,6 +200,16 @@ export class FoamScene {
     this.#place();
   }
 
+  /** Without frames, marks and knobs. */
+  get bare(): boolean {
+    return !this.#frames.group.visible;
+  }
+
+  set bare(value: boolean) {
+    for (const {group} of [this.#frames, this.#column]) group.visible = !value;
+    this.#cut.bare = value;
+  }
+
   /** What is taken away before a plane; null: nothing. */
   set section(section: Section | null) {
     this.#section = section;

@@ -31,6 +31,12 @@ export class SectionPlane {
     this.group.visible = false;
   }
 
+  /** Without its frame and knob. */
+  set bare(value: boolean) {
+    this.#frame.visible = !value;
+    if (this.#knob) this.#knob.visible = !value;
+  }
+
   colour(value: string) {
     this.#frame.material.color.set(value);
     this.#knob?.material.color.set(value);

@@ -41,6 +41,8 @@ const VIEWS: Record<Side, [number, number]> = {
  *  the machine draws so fast that nobody notices. */
 const STILL_RATIO = 2;
 const FAST_FRAME_MS = 8;
+/** Of a picture to keep, the longer side. */
+const PICTURE_PX = 2400;
 /** Pixels are what a software renderer's time goes to. */
 const MOVING_RATIO = 0.5;
 
@@ -276,6 +278,28 @@ export class Stage {
     this.#renderer.render(this.#content.scene, this.camera);
     gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
     this.#fast = performance.now() - start < FAST_FRAME_MS;
+  }
+
+  /** What is seen between the bars, without what stands there for a hand; clear where nothing is. */
+  picture(): HTMLCanvasElement {
+    const {width, height} = this.#size;
+    const {top, bottom} = this.#covered;
+    const scale = PICTURE_PX / Math.max(width, height);
+    const helper = this.#handles.getHelper();
+    const [before, handled] = [this.#content.bare, helper.visible];
+    this.#content.bare = true;
+    helper.visible = false;
+    this.#renderer.setPixelRatio(scale);
+    this.#renderer.render(this.#content.scene, this.camera);
+    const canvas = document.createElement('canvas');
+    [canvas.width, canvas.height] = [Math.round(width * scale), Math.round((height - top - bottom) * scale)];
+    // Before the browser takes it.
+    canvas.getContext('2d')?.drawImage(this.#canvas, 0, -Math.round(top * scale));
+    this.#content.bare = before;
+    helper.visible = handled;
+    this.#resolve();
+    this.draw();
+    return canvas;
   }
 
   #resolve() {
