@@ -62,7 +62,8 @@ export class View {
   menu: {x: number; y: number} | null = $state.raw(null);
   /** What lies over the edges of the 3D view, px. */
   covered = $state.raw({top: 0, bottom: 0});
-  /** Of them what a hand paints with. */
+  /** Of them what is said while a person measures, and what a hand paints with. */
+  helpHeight = $state(0);
   paintBar = $state(0);
   /** Places to keep off, by hand. */
   readonly painting = new Painting();

@@ -23,7 +23,6 @@ export function asksForMenu(canvas: HTMLElement, asked: (at: Place) => void): ()
     if (fingers > 1) return void (pressed = null);
     resting = setTimeout(() => {
       pressed = null;
-      navigator.vibrate?.(10);
       asked({x, y});
     }, LONG_PRESS_MS);
   }

@@ -18,6 +18,11 @@ export class CapMeshes {
   readonly group = new Group();
   #meshes: Mesh<BufferGeometry, ShaderMaterial>[] = [];
 
+  /** Those that are seen; in the order of the pieces. */
+  get meshes(): readonly Mesh[] {
+    return this.#meshes;
+  }
+
   /** `plane`: in design coordinates as everything is drawn, facing what is left; null: none cuts. */
   show(packing: Packing | null, plane: Plane | null, pieces: readonly CutPiece[]) {
     const wanted = packing && plane ? pieces.length : 0;

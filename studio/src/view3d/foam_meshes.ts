@@ -39,9 +39,9 @@ export class FoamMeshes {
     this.group.add(this.#pads.group, this.#caps.group);
   }
 
-  /** Those pieces that are seen. */
+  /** Those pieces that are seen, and where they are cut open. */
   get visible(): readonly Mesh[] {
-    return this.#meshes.filter(({visible}) => visible);
+    return [...this.#meshes, ...this.#caps.meshes].filter(({visible}) => visible);
   }
 
   paint(colours: Record<PieceKind, string>, edge: string) {
@@ -101,7 +101,7 @@ export class FoamMeshes {
 
   /** Which one it is, from the lowest. */
   pieceOf(mesh: Mesh): number {
-    return this.#meshes.indexOf(mesh as FoamMesh);
+    return Math.max(this.#meshes.indexOf(mesh as FoamMesh), this.#caps.meshes.indexOf(mesh));
   }
 
   /** `at`: where a piece is drawn, from where it lies. */

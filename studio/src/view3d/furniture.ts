@@ -98,9 +98,8 @@ export function ruler(): {group: Group; show(points: readonly Triple[], size: nu
         end.scale.setScalar(size);
       });
       line.visible = points.length === 2;
-      if (points.length === 2) {
-        line.geometry.setAttribute('position', new BufferAttribute(new Float32Array(points.flat()), 3));
-      }
+      const placed = line.geometry.getAttribute('position') as BufferAttribute;
+      if (points.length === 2) placed.copyArray(points.flat()).needsUpdate = true;
     },
   };
 }

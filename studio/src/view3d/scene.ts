@@ -18,6 +18,9 @@ import type {SeenPressure} from './seen_pressure';
 import {GLASS} from './shading';
 import type {PaintHint, SeenZones} from './zone_paint';
 
+/** Of the space's height. */
+const UP_LENGTH = 0.32;
+
 export interface Colours {
   background: string;
   object: string;
@@ -81,8 +84,8 @@ export class FoamScene {
   /** Corners of boxes around all that is seen, as far apart as it is: of an object by itself where it has no space or is
    *  shown alone. World coordinates. */
   get corners(): Vector3[] {
-    const own = this.#packing && !this.#alone ? this.#apart?.corners : this.#ownCorners();
-    return (own ?? []).map((corner) => corner.clone().applyMatrix4(this.#root.matrix));
+    const all = this.#packing && !this.#alone ? [...(this.#apart?.corners ?? []), this.#upEnd()] : this.#ownCorners();
+    return all.map((corner) => corner.clone().applyMatrix4(this.#root.matrix));
   }
 
   /** Of the item that is selected. */
@@ -157,7 +160,7 @@ export class FoamScene {
     const [x, y, z] = this.#size();
     this.#space.scale.set(x, y, z);
     this.#placeUpArrow();
-    this.#up.group.scale.setScalar(Math.max(x, 1) * 0.32);
+    this.#up.group.scale.setScalar(Math.max(x, 1) * UP_LENGTH);
     this.#up.group.visible = packing !== null && !this.#alone;
     this.#foams.show(packing, colours);
     this.#place();
@@ -264,12 +267,16 @@ export class FoamScene {
     const bodies = this.#bodies.all;
     const targets = [...bodies.map(({mesh}) => mesh).filter(({visible}) => visible), ...this.#foams.visible];
     const left = ({point}: {point: Vector3}) => !this.#section || this.#cut.plane.distanceToPoint(point) >= 0;
-    const hit = ray.intersectObjects<Mesh>(targets, false).find(left);
+    const hits = ray.intersectObjects<Mesh>(targets, false).filter(left);
+    const [hit] = hits;
     if (!hit) return NOTHING;
     const item = bodies.findIndex(({mesh}) => mesh === hit.object);
-    const own = bodies[item]?.group.worldToLocal(hit.point.clone()).toArray() ?? null;
+    // Where an item is cut open, its inside is seen: an odd number of its faces lies behind.
+    const inside = this.#section && item >= 0 && hits.filter(({object}) => object === hit.object).length % 2 === 1;
+    const point = (inside && ray.ray.intersectPlane(this.#cut.plane, new Vector3())) || hit.point;
+    const own = bodies[item]?.group.worldToLocal(point.clone()).toArray() ?? null;
     // As it lies in the space, wherever it is drawn.
-    const design = (bodies[item]?.lift ?? hit.object).worldToLocal(hit.point.clone());
+    const design = (bodies[item]?.lift ?? hit.object).worldToLocal(point.clone());
     const part = (own && hit.face && hit.object.geometry.getAttribute('part')?.getX(hit.face.a)) || 0;
     const spot: Spot = {on: own ? {item} : {piece: this.#foams.pieceOf(hit.object)}, at: design.toArray()};
     return {own, cell: this.#cellAt(design), item: own ? item : null, part, spot};
@@ -293,6 +300,12 @@ export class FoamScene {
   /** Of the item that is selected. */
   #objectSize(): number {
     return (this.#bodies.sphere?.radius ?? 0) * 2;
+  }
+
+  /** Beside the word at its end, design coordinates. */
+  #upEnd(): Vector3 {
+    const [x, y, z] = this.#size();
+    return new Vector3(-x / 2, y / 2, -z / 2).addScaledVector(new Vector3(1.3, 0, -0.35), x * UP_LENGTH);
   }
 
   /** At a lower corner of the space, in the world. */

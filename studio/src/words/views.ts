@@ -5,8 +5,8 @@ import {words} from './words';
 export const views = words({
   view3d: {
     label: [
-      '3D view of the object in its foams. Drag to orbit; arrow keys orbit, plus and minus zoom, F or a double click shows all.',
-      '緩衝材に収まった対象物の3D表示。ドラッグか矢印キーで回転、プラスとマイナスで拡大・縮小、Fかダブルクリックで全体を表示。',
+      '3D view of the object in its foams. Drag to orbit; arrow keys orbit, with Shift they shift the view, plus and minus zoom, F or a double click shows all, the right button or a long press opens a menu.',
+      '緩衝材に収まった対象物の3D表示。ドラッグか矢印キーで回転、Shiftと矢印キーで移動、プラスとマイナスで拡大・縮小、Fかダブルクリックで全体を表示、右ボタンか長押しでメニュー。',
     ],
     opening: ['Open foams', '緩衝材を開く'],
     openingTip: [
@@ -60,7 +60,7 @@ export const views = words({
       name: ['Section', '断面で切る'],
       start: ['Cut open by a plane', '平面で切って見る'],
       axis: ['Cut', '切る向き'],
-      axes: {x: ['flat', '水平'], y: ['upright, from the front', '垂直（前から）'], z: ['upright, from the side', '垂直（横から）']},
+      axes: {x: ['from above', '上から'], y: ['from the front', '前から'], z: ['from the side', '横から']},
       axisTip: ['Which way the plane lies that takes away what is before it', '手前を取り除く平面の向き'],
       share: ['Cut at', '切る位置'],
       shareValue: ['Cut at, in percent', '切る位置（パーセント）'],
@@ -70,6 +70,7 @@ export const views = words({
     },
     tape: {
       start: ['Measure', '長さを測る'],
+      end: ['End measuring', '測るのを終わる'],
       help: {
         first: ['Click where to measure from; Enter: at the middle. Escape ends.', '測り始める所をクリック（Enter：中央の点）。Escで終わります。'],
         second: ['Now click where to. Escape ends.', '次に測り終わる所をクリック。Escで終わります。'],
