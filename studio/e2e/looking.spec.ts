@@ -94,6 +94,15 @@ test('one row of bars at each edge, a menu by button and keys, and foams that op
   const book = page.getByRole('button', {name: 'Like a book'});
   await expect(book).toHaveAttribute('aria-pressed', 'true');
   await expect(scene(page)).toBeFocused();
+  // The cube's sides by keys, also those that are turned away.
+  const before = await scene(page).screenshot();
+  await page.getByRole('button', {name: 'Corner', exact: true}).focus();
+  for (const side of ['Front', 'Back']) {
+    await page.keyboard.press('ArrowRight');
+    await expect(page.getByRole('button', {name: side, exact: true})).toBeFocused();
+  }
+  await page.keyboard.press('Enter');
+  await expect.poll(async () => (await scene(page).screenshot()).equals(before)).toBe(false);
   await page.reload();
   await expect(book).toHaveAttribute('aria-pressed', 'true');
 });
