@@ -10,8 +10,8 @@ export const views = words({
     ],
     opening: ['Open foams', '緩衝材を開く'],
     openingTip: [
-      'Moves the pieces of foam up and down, away from each other, as things go in and out',
-      '緩衝材を上下に離します（出し入れの動き）',
+      'Moves the pieces of foam away from each other, as things go in and out',
+      '緩衝材を互いに離します（出し入れの動き）',
     ],
     openingValue: ['Opening in percent', '開き（パーセント）'],
     openedLike: ['How they open', '開き方'],
