@@ -30,7 +30,7 @@ test('every control is reached and used by keyboard', async ({studio: page}) => 
     'Open object', 'Undo', 'Save project', 'Start over', 'Colours', 'Language', 'Wall', 'Blocks x', 'Blocks y', 'Blocks z',
     'Block size x', 'Block size y', 'Block size z', 'Clearance', 'Parting level', 'Rotation ψ', 'Rotation θ', 'Rotation φ',
     'Optimize', 'This side down: +x', 'Quarter turn about x, clockwise', 'Shift x', 'Show the widest gap', 'Export', 'Copy',
-    'Turn', 'Object: shown', 'Open foams', 'Corner', 'Section', 'Print', 'Slice',
+    'Turn', 'Object: shown', 'Open foams', 'Corner', 'Upright', 'Print', 'Depth', 'Slice',
   ];
   for (const name of wanted) expect(names, name).toContain(name);
   expect(names.filter((name) => name.endsWith('(focus not visible)'))).toEqual([]);

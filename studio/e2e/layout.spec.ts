@@ -93,7 +93,7 @@ test('where colours are forced, what is chosen is seen', async ({studio: page}) 
   const ground = (element: Locator) => element.evaluate((each) => getComputedStyle(each).backgroundColor);
   const pairs = [
     [page.getByRole('button', {name: 'Look', exact: true}), page.getByRole('button', {name: 'Turn', exact: true})],
-    [page.getByRole('tab', {name: 'Section'}), page.getByRole('tab', {name: 'Lower'})],
+    [page.getByRole('tab', {name: 'Upright'}), page.getByRole('tab', {name: 'Lower'})],
     [page.getByRole('button', {name: 'This side down: -x'}), page.getByRole('button', {name: 'This side down: +x'})],
     [page.getByRole('link', {name: 'Object'}), page.getByRole('link', {name: 'Make'})],
   ] as const;

@@ -45,11 +45,11 @@ async function withObjects(studio: Studio, files: OutputFile[]): Promise<OutputF
 }
 
 /** What files are called after: the first object. */
-function stem(studio: Studio): string {
+export function stem(studio: Studio): string {
   return (studio.objects[0]?.file.name ?? 'snug').replace(/\.[^.]+$/, '');
 }
 
-function download(name: string, parts: Uint8Array<ArrayBuffer>[]) {
+export function download(name: string, parts: Uint8Array<ArrayBuffer>[]) {
   const address = URL.createObjectURL(new Blob(parts, {type: 'application/octet-stream'}));
   const link = document.createElement('a');
   link.href = address;

@@ -49,6 +49,37 @@ export function drawSlice(pen: Pen, page: Page, packing: Packing, layer: number,
   frame(pen, page, ink);
 }
 
+/** One row of columns, seen from the front: lid, object, lower foam and walls at once. */
+export function drawUpright(pen: Pen, page: Page, packing: Packing, row: number, items: readonly Placed[], ink: Ink) {
+  const {pieces, blocks, block_mm} = packing;
+  const [, ny, nz] = blocks;
+  fillCells(pen, page, (level, k) => {
+    const column = row * nz + k;
+    if (pieces.length === 0) return ink.cut;
+    if (!isThere(packing, column, level)) return ink.paper;
+    const piece = pieceAt(packing, column, level);
+    return piece < 0 ? ink.cut : ink[kindOf(packing, piece)];
+  });
+  lines(pen, page, ink);
+  const y = (row + 0.5 - ny / 2) * block_mm[1];
+  for (const {mesh, placement} of items) drawSection(pen, page, packing, section(mesh, placement, y, 1), ink);
+  frame(pen, page, ink);
+}
+
+/** Where the other section cuts this one, mm. */
+export function drawOtherSection(pen: Pen, page: Page, packing: Packing, mm: number, ink: Ink) {
+  const [, y] = toPage(page, packing)(mm, 0);
+  pen.save();
+  pen.strokeStyle = ink.text;
+  pen.globalAlpha = 0.55;
+  pen.setLineDash([7, 3, 1.5, 3]);
+  pen.beginPath();
+  pen.moveTo(page.left - 8, y);
+  pen.lineTo(page.left + page.width + 8, y);
+  pen.stroke();
+  pen.restore();
+}
+
 /** How many blocks to take out of each column of a piece, as shades. */
 export function drawMap(pen: Pen, page: Page, packing: Packing, map: PieceMap, ink: Ink) {
   const {piece, kind, from} = shownBy(map, packing);
@@ -122,8 +153,8 @@ export function drawMarks(pen: Pen, page: Page, text: {back: string}, ink: Ink) 
 /** A frame around an item, a little wider than it is. */
 export function drawItemFrame(pen: Pen, page: Page, packing: Packing, {bounds}: PackedItem, colour: string, thick: boolean) {
   const place = toPage(page, packing);
-  const [ax, ay] = place(bounds.min[1], bounds.min[2]);
-  const [bx, by] = place(bounds.max[1], bounds.max[2]);
+  const [ax, ay] = place(bounds.min[page.down], bounds.min[2]);
+  const [bx, by] = place(bounds.max[page.down], bounds.max[2]);
   pen.strokeStyle = colour;
   pen.lineWidth = thick ? 3 : 1.5;
   pen.strokeRect(Math.min(ax, bx) - 3, Math.min(ay, by) - 3, Math.abs(bx - ax) + 6, Math.abs(by - ay) + 6);
@@ -138,7 +169,7 @@ export function drawItemNumbers(pen: Pen, page: Page, packing: Packing, among: r
   pen.textBaseline = 'middle';
   for (const i of among) {
     const {min, max} = packing.items[i]!.bounds;
-    const [x, y] = place((min[1] + max[1]) / 2, (min[2] + max[2]) / 2);
+    const [x, y] = place((min[page.down] + max[page.down]) / 2, (min[2] + max[2]) / 2);
     pen.fillStyle = ink.text;
     pen.beginPath();
     pen.arc(x, y, size, 0, 2 * Math.PI);
@@ -150,9 +181,17 @@ export function drawItemNumbers(pen: Pen, page: Page, packing: Packing, among: r
 
 export function drawHovered(pen: Pen, page: Page, cell: Cell, ink: Ink) {
   const {x, y} = cellCorner(page, cell.j, cell.k);
+  // A column is as high as the space.
+  if (page.down === 0) return hoveredColumn(pen, page, x, ink);
   pen.strokeStyle = ink.mark;
   pen.lineWidth = 2;
   pen.strokeRect(x, y, Math.max(page.cellWidth, 2), Math.max(page.cellHeight, 2));
+}
+
+function hoveredColumn(pen: Pen, page: Page, x: number, ink: Ink) {
+  pen.strokeStyle = ink.mark;
+  pen.lineWidth = 2;
+  pen.strokeRect(x, page.top, Math.max(page.cellWidth, 2), page.height);
 }
 
 function fillCells(pen: Pen, page: Page, colour: (j: number, k: number) => string) {

@@ -5,7 +5,8 @@ import type {Cell, Drawing, PieceMap} from '../state/view.svelte';
 
 // Which way round (the same on every picture and sheet): the lower foam and slices are seen from +x, k to the
 // right and j downward; the lid is seen from -x with its cavity to the reader, k to the right and j upward, and so is
-// whatever else is seen from below. The edge at -y is BACK.
+// whatever else is seen from below. The edge at -y is BACK. An upright section is seen from the front, k to the right and
+// levels upward.
 
 /** The space on a canvas, at true proportions. Pixels. */
 export interface Page {
@@ -15,15 +16,18 @@ export interface Page {
   height: number;
   cellWidth: number;
   cellHeight: number;
-  /** j runs upward. */
+  /** The axis whose cells are the rows, first to last downward: y, or x in an upright section. */
+  down: 0 | 1;
+  /** They run upward. */
   flipped: boolean;
   ny: number;
   nz: number;
 }
 
 export function layOut(packing: Packing, drawing: Drawing, width: number, height: number, margin: number): Page {
-  const [, ny, nz] = packing.blocks;
-  const [, sy, sz] = packing.block_mm;
+  const down = drawing === 'upright' ? 0 : 1;
+  const [ny, nz] = [packing.blocks[down], packing.blocks[2]];
+  const [sy, sz] = [packing.block_mm[down], packing.block_mm[2]];
   const scale = Math.max(Math.min((width - 2 * margin) / (nz * sz), (height - 2 * margin) / (ny * sy)), 1e-6);
   const [pageWidth, pageHeight] = [nz * sz * scale, ny * sy * scale];
   return {
@@ -33,7 +37,8 @@ export function layOut(packing: Packing, drawing: Drawing, width: number, height
     height: pageHeight,
     cellWidth: sz * scale,
     cellHeight: sy * scale,
-    flipped: drawing === 'lid' || drawing.endsWith('-below'),
+    down,
+    flipped: down === 0 || drawing === 'lid' || drawing.endsWith('-below'),
     ny,
     nz,
   };
@@ -52,17 +57,17 @@ export function cellAt(page: Page, x: number, y: number): Cell | null {
   return {j: page.flipped ? page.ny - 1 - row : row, k};
 }
 
-/** From design coordinates (y, z) in mm to the page. */
+/** From design coordinates (y, z) in mm to the page; (x, z) of an upright section. */
 export function toPage(page: Page, packing: Packing): (y: number, z: number) => [number, number] {
-  const [, sy, sz] = packing.block_mm;
+  const [sy, sz] = [packing.block_mm[page.down], packing.block_mm[2]];
   const [right, down] = [page.cellWidth / sz, page.cellHeight / sy];
   const middle = {x: page.left + page.width / 2, y: page.top + page.height / 2};
   return (y, z) => [middle.x + z * right, middle.y + (page.flipped ? -y : y) * down];
 }
 
-/** Back from the page to design coordinates (y, z) in mm. */
+/** Back from the page to design coordinates in mm. */
 export function fromPage(page: Page, packing: Packing, x: number, y: number): [number, number] {
-  const [, sy, sz] = packing.block_mm;
+  const [sy, sz] = [packing.block_mm[page.down], packing.block_mm[2]];
   const down = (y - page.top - page.height / 2) * (sy / page.cellHeight);
   return [page.flipped ? -down : down, (x - page.left - page.width / 2) * (sz / page.cellWidth)];
 }
@@ -70,24 +75,25 @@ export function fromPage(page: Page, packing: Packing, x: number, y: number): [n
 /** The page of another packing whose items stay where they were on this one, at the same scale: all were shifted by
  *  `by`, since a space that follows its items is centred anew. */
 export function held(page: Page, from: Packing, to: Packing, by: Triple): Page {
-  const [, ny, nz] = to.blocks;
-  const [down, right] = [page.cellHeight / from.block_mm[1], page.cellWidth / from.block_mm[2]];
-  const [cellWidth, cellHeight] = [to.block_mm[2] * right, to.block_mm[1] * down];
+  const [ny, nz] = [to.blocks[page.down], to.blocks[2]];
+  const [down, right] = [page.cellHeight / from.block_mm[page.down], page.cellWidth / from.block_mm[2]];
+  const [cellWidth, cellHeight] = [to.block_mm[2] * right, to.block_mm[page.down] * down];
   const [width, height] = [nz * cellWidth, ny * cellHeight];
   return {
     ...page,
     ...{cellWidth, cellHeight, width, height, ny, nz},
     left: page.left + (page.width - width) / 2 - by[2] * right,
-    top: page.top + (page.height - height) / 2 - (page.flipped ? -by[1] : by[1]) * down,
+    top: page.top + (page.height - height) / 2 - (page.flipped ? -by[page.down] : by[page.down]) * down,
   };
 }
 
-/** The item whose box lies there, the smallest where there are several; none. `among`: by their numbers. */
-export function itemAt(packing: Packing, y: number, z: number, among: readonly number[]): number | null {
-  const area = ({bounds: {min, max}}: Packing['items'][number]) => (max[1] - min[1]) * (max[2] - min[2]);
+/** The item whose box lies there, the smallest where there are several; none. `among`: by their numbers; `down`: the axis of
+ *  the page's rows. */
+export function itemAt(packing: Packing, y: number, z: number, among: readonly number[], down: Page['down'] = 1): number | null {
+  const area = ({bounds: {min, max}}: Packing['items'][number]) => (max[down] - min[down]) * (max[2] - min[2]);
   const there = among
     .map((i) => ({item: packing.items[i]!, i}))
-    .filter(({item: {bounds: {min, max}}}) => y >= min[1] && y <= max[1] && z >= min[2] && z <= max[2])
+    .filter(({item: {bounds: {min, max}}}) => y >= min[down] && y <= max[down] && z >= min[2] && z <= max[2])
     .sort((a, b) => area(a.item) - area(b.item));
   return there[0]?.i ?? null;
 }
@@ -153,11 +159,13 @@ function wholePiece({first, end}: Runs, kind: PieceKind, nx: number): [low: numb
   return [kind === 'lower' ? 0 : low, kind === 'upper' ? nx : high];
 }
 
-/** The items that a drawing tells of, by their numbers: of a map those that lie against what is seen, and in a section
- *  those of the layer that is nearest to it. */
-export function itemsIn(packing: Packing, drawing: Drawing, slice_mm: number): number[] {
+/** The items that a drawing tells of, by their numbers: of a map those that lie against what is seen, in a section those of
+ *  the layer that is nearest to it, and in an upright one those that it cuts. */
+export function itemsIn(packing: Packing, drawing: Drawing, section_mm: number): number[] {
   const {items} = packing;
-  const layers = drawing === 'slice' ? nearestLayers(packing, slice_mm) : [layerSeen(packing, drawing)];
+  const cut = ({bounds: {min, max}}: Packing['items'][number]) => min[1] <= section_mm && section_mm <= max[1];
+  if (drawing === 'upright') return [...items.keys()].filter((i) => cut(items[i]!));
+  const layers = drawing === 'slice' ? nearestLayers(packing, section_mm) : [layerSeen(packing, drawing)];
   return [...items.keys()].filter((i) => layers.includes(items[i]!.layer));
 }
 
@@ -174,12 +182,15 @@ function nearestLayers({items}: Packing, x: number): number[] {
   return [...away.keys()].filter((layer) => away.get(layer) === least);
 }
 
-/** The layer of blocks, from -x, in which a height (mm along x from the middle of the space) lies, or the nearest. */
-export function layerAt(mm: number, {blocks: [layers], block_mm: [thick]}: Pick<Packing, 'blocks' | 'block_mm'>): number {
-  return Math.min(Math.max(Math.floor(mm / thick + layers / 2), 0), layers - 1);
+type Blocks = Pick<Packing, 'blocks' | 'block_mm'>;
+
+/** The layer of blocks, from the lower end of an axis, in which a place lies (mm from the middle of the space), or the
+ *  nearest. */
+export function layerAt(mm: number, {blocks, block_mm}: Blocks, axis: 0 | 1 = 0): number {
+  return Math.min(Math.max(Math.floor(mm / block_mm[axis] + blocks[axis] / 2), 0), blocks[axis] - 1);
 }
 
-/** The height of a layer's middle. */
-export function middleOf(layer: number, {blocks: [layers], block_mm: [thick]}: Pick<Packing, 'blocks' | 'block_mm'>): number {
-  return (layer + 0.5 - layers / 2) * thick;
+/** Where a layer's middle is. */
+export function middleOf(layer: number, {blocks, block_mm}: Blocks, axis: 0 | 1 = 0): number {
+  return (layer + 0.5 - blocks[axis] / 2) * block_mm[axis];
 }

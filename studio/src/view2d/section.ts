@@ -1,12 +1,13 @@
 import type {DisplayMesh} from '../engine/api';
 
-/** Where the placed mesh meets the plane at `x`: segments (y, z, y, z) after each other, design coordinates.
- *  `placement`: column-major 4 x 4. */
-export function section(mesh: DisplayMesh, placement: readonly number[], x: number): Float64Array {
+/** Where the placed mesh meets the plane at `x`: segments (y, z, y, z) after each other, design coordinates; across y
+ *  (x, z, x, z). `placement`: column-major 4 x 4. */
+export function section(mesh: DisplayMesh, placement: readonly number[], x: number, across: 0 | 1 = 0): Float64Array {
   const placed = placedCoordinates(mesh, placement);
   const segments: number[] = [];
   const {indices} = mesh;
-  const side = (corner: number) => ((placed[(indices[corner] ?? 0) * 3] ?? 0) < x ? 1 : 0);
+  const others = across === 0 ? [1, 2] : [0, 2];
+  const side = (corner: number) => ((placed[(indices[corner] ?? 0) * 3 + across] ?? 0) < x ? 1 : 0);
   for (let i = 0; i < indices.length; i += 3) {
     // Half-open, so that a vertex on the plane belongs to one side only.
     const below = side(i) + side(i + 1) + side(i + 2);
@@ -14,10 +15,10 @@ export function section(mesh: DisplayMesh, placement: readonly number[], x: numb
     for (let edge = 0; edge < 3; edge++) {
       const a = (indices[i + edge] ?? 0) * 3;
       const b = (indices[i + ((edge + 1) % 3)] ?? 0) * 3;
-      const [xa, xb] = [placed[a] ?? 0, placed[b] ?? 0];
+      const [xa, xb] = [placed[a + across] ?? 0, placed[b + across] ?? 0];
       if (xa < x === xb < x) continue;
       const t = (x - xa) / (xb - xa);
-      for (const axis of [1, 2]) {
+      for (const axis of others) {
         const from = placed[a + axis] ?? 0;
         segments.push(from + t * ((placed[b + axis] ?? 0) - from));
       }

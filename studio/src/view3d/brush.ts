@@ -1,6 +1,6 @@
 import type {Triple} from '../design/design';
 import type {Painted, Painting} from '../state/painting.svelte';
-import type {Picked} from './scene';
+import type {Picked} from './picked';
 
 /** Of a hand that paints. */
 export interface Easel {

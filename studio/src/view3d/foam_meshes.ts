@@ -1,7 +1,8 @@
-import {BufferAttribute, BufferGeometry, Group, Mesh, type ShaderMaterial} from 'three';
+import {BufferAttribute, BufferGeometry, Group, Mesh, type Matrix4, type Plane, type ShaderMaterial} from 'three';
 import type {Packing} from '../engine/api';
 import {kindOf, type PieceKind} from '../engine/pieces';
 import type {Look} from '../state/view.svelte';
+import {CapMeshes} from './cap_meshes';
 import {foamQuads, type Quads} from './foam_geometry';
 import {PadPlates} from './pad_plates';
 import type {PressureGrid} from './pressure_grid';
@@ -26,6 +27,7 @@ export class FoamMeshes {
   readonly #shades: Record<PieceKind, Shading> = {lower: foamShading(), middle: foamShading(), upper: foamShading()};
   readonly #pressure = new PressurePaint();
   readonly #pads = new PadPlates();
+  readonly #caps = new CapMeshes();
   #meshes: FoamMesh[] = [];
   #quads: Quads[] = [];
   #packing: Packing | null = null;
@@ -34,12 +36,12 @@ export class FoamMeshes {
   #looks: Record<PieceKind, Look> = {lower: 'shown', middle: 'shown', upper: 'shown'};
 
   constructor() {
-    this.group.add(this.#pads.group);
+    this.group.add(this.#pads.group, this.#caps.group);
   }
 
-  /** Those pieces that are seen. */
+  /** Those pieces that are seen, and where they are cut open. */
   get visible(): readonly Mesh[] {
-    return this.#meshes.filter(({visible}) => visible);
+    return [...this.#meshes, ...this.#caps.meshes].filter(({visible}) => visible);
   }
 
   paint(colours: Record<PieceKind, string>, edge: string) {
@@ -86,9 +88,28 @@ export class FoamMeshes {
     this.#dress();
   }
 
-  /** `at`: how far along x a piece is drawn from where it lies. */
-  place(at: (piece: number) => number) {
-    this.#meshes.forEach((mesh, piece) => mesh.position.setX(at(piece)));
+  /** What lies behind these is seen, world coordinates. */
+  clip(planes: Plane[] | null) {
+    for (const [, {material}] of this.#kinds()) material.clippingPlanes = planes;
+    this.#pads.clip(planes);
+  }
+
+  /** Fills what a plane cuts open. `plane`: in design coordinates as everything is drawn; null: none cuts. */
+  cap(plane: Plane | null) {
+    this.#caps.show(this.#packing, plane, this.#meshes);
+  }
+
+  /** Which one it is, from the lowest. */
+  pieceOf(mesh: Mesh): number {
+    return Math.max(this.#meshes.indexOf(mesh as FoamMesh), this.#caps.meshes.indexOf(mesh));
+  }
+
+  /** `at`: where a piece is drawn, from where it lies. */
+  place(at: (piece: number) => Matrix4) {
+    this.#meshes.forEach((mesh, piece) => {
+      mesh.matrix.copy(at(piece));
+      mesh.matrixWorldNeedsUpdate = true;
+    });
     this.#pads.place(at);
   }
 
@@ -104,6 +125,7 @@ export class FoamMeshes {
     const mesh = new Mesh(new BufferGeometry(), this.#shades.lower.material);
     // Glass over the objects, not under them.
     mesh.renderOrder = 2;
+    mesh.matrixAutoUpdate = false;
     this.group.add(mesh);
     return mesh;
   }
@@ -132,6 +154,7 @@ export class FoamMeshes {
     mesh.geometry = new BufferGeometry();
     mesh.geometry.setAttribute('position', new BufferAttribute(quads.positions, 3));
     mesh.geometry.setAttribute('normal', new BufferAttribute(quads.normals, 3, true));
+    mesh.geometry.setAttribute('inner', new BufferAttribute(quads.inner, 1));
     mesh.geometry.setIndex(new BufferAttribute(quads.indices, 1));
     const {uniforms} = mesh.material;
     const {blocks, block_mm} = this.#packing;

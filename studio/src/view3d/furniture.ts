@@ -16,7 +16,6 @@ import {
   SpriteMaterial,
 } from 'three';
 import type {Triple} from '../design/design';
-import type {Packing} from '../engine/api';
 
 // What stands around the foams: the space, arrows, words, the column under the pointer.
 
@@ -99,16 +98,8 @@ export function ruler(): {group: Group; show(points: readonly Triple[], size: nu
         end.scale.setScalar(size);
       });
       line.visible = points.length === 2;
-      if (points.length === 2) {
-        line.geometry.setAttribute('position', new BufferAttribute(new Float32Array(points.flat()), 3));
-      }
+      const placed = line.geometry.getAttribute('position') as BufferAttribute;
+      if (points.length === 2) placed.copyArray(points.flat()).needsUpdate = true;
     },
   };
-}
-
-/** Centre and size of a column's box, design coordinates. */
-export function columnBox(packing: Packing, j: number, k: number): {centre: Triple; size: Triple} {
-  const [nx, ny, nz] = packing.blocks;
-  const [sx, sy, sz] = packing.block_mm;
-  return {centre: [0, (j + 0.5 - ny / 2) * sy, (k + 0.5 - nz / 2) * sz], size: [nx * sx, sy, sz]};
 }

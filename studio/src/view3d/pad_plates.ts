@@ -1,4 +1,4 @@
-import {BoxGeometry, Color, Group, Matrix4, Mesh, MeshBasicMaterial, PlaneGeometry, Vector3, type ShaderMaterial} from 'three';
+import {BoxGeometry, Color, Group, Matrix4, Mesh, MeshBasicMaterial, PlaneGeometry, Vector3, type Plane, type ShaderMaterial} from 'three';
 import type {PackedPad} from '../engine/fit';
 import type {PieceKind} from '../engine/pieces';
 import type {Look} from '../state/view.svelte';
@@ -29,6 +29,7 @@ export class PadPlates {
   readonly #box = new BoxGeometry(1, 1, 1);
   readonly #face = new PlaneGeometry(1, 1);
   #plates: Plate[] = [];
+  #planes: Plane[] | null = null;
   #looks: Record<PieceKind, Look> = {lower: 'shown', middle: 'shown', upper: 'shown'};
 
   paint(colours: Record<PieceKind, string>, edge: string) {
@@ -53,9 +54,19 @@ export class PadPlates {
     this.#dress();
   }
 
-  /** `at`: how far along x a piece is drawn from where it lies. */
-  place(at: (piece: number) => number) {
-    for (const {lift, piece} of this.#plates) lift.position.setX(at(piece));
+  /** What lies behind these is seen, world coordinates. */
+  clip(planes: Plane[] | null) {
+    this.#planes = planes;
+    for (const [, {material}] of this.#kinds()) material.clippingPlanes = planes;
+    for (const {number} of this.#plates) number.material.clippingPlanes = planes;
+  }
+
+  /** `at`: where a piece is drawn, from where it lies. */
+  place(at: (piece: number) => Matrix4) {
+    for (const {lift, piece} of this.#plates) {
+      lift.matrix.copy(at(piece));
+      lift.matrixWorldNeedsUpdate = true;
+    }
   }
 
   #plate({piece, above, box}: PackedPad, number: number, kind: PieceKind): Plate {
@@ -68,6 +79,7 @@ export class PadPlates {
     const written = this.#number(number, Math.min(NUMBER_SHARE * Math.min(size.y, size.z), NUMBER_MM), above);
     written.position.copy(mesh.position).setX(above ? low.x - NUMBER_BEFORE : high.x + NUMBER_BEFORE);
     const lift = new Group();
+    lift.matrixAutoUpdate = false;
     lift.add(mesh, written);
     this.group.add(lift);
     return {lift, mesh, number: written, kind, piece};
@@ -76,7 +88,7 @@ export class PadPlates {
   /** To be read from the side of the item, as maps are: z to the right, -y up below it and y up above it. */
   #number(number: number, high: number, above: boolean) {
     const {texture, aspect} = writing(String(number), '#223');
-    const material = new MeshBasicMaterial({map: texture, transparent: true, depthWrite: false});
+    const material = new MeshBasicMaterial({map: texture, transparent: true, depthWrite: false, clippingPlanes: this.#planes});
     const mesh = new Mesh(this.#face, material);
     const up = above ? 1 : -1;
     mesh.setRotationFromMatrix(new Matrix4().makeBasis(new Vector3(0, 0, 1), new Vector3(0, up, 0), new Vector3(-up, 0, 0)));

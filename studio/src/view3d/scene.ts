@@ -1,31 +1,25 @@
-import {
-  BufferGeometry,
-  Group,
-  Matrix4,
-  Mesh,
-  Raycaster,
-  Scene,
-  Vector3,
-  type ShaderMaterial,
-} from 'three';
+import {Box3, Group, Matrix4, Raycaster, Scene, Sphere, Vector3, type Mesh} from 'three';
 import type {Triple} from '../design/design';
-import type {DisplayMesh, PackedItem, Packing} from '../engine/api';
+import type {PackedItem, Packing} from '../engine/api';
 import type {PlacedItem} from '../state/on_the_page';
-import type {Cell, Look, Part} from '../state/view.svelte';
-import {apart, type Apart} from './apart';
+import type {Cell, Look, Opened, Part, Section, Spot} from '../state/view.svelte';
+import {apart, cornersOf, type Apart} from './apart';
 import {CentreMarks, type SeenCentre} from './centre_marks';
+import {ColumnMarks} from './column_marks';
+import {ContactShadow} from './contact_shadow';
 import {FoamMeshes, type PieceColours} from './foam_meshes';
-import {arrow, boxEdges, columnBox, ruler} from './furniture';
-import {objectGeometry} from './object_geometry';
-import {PressurePaint} from './pressure_paint';
+import {arrow, boxEdges, ruler} from './furniture';
+import {ItemBodies} from './item_bodies';
+import {ItemCaps} from './item_caps';
+import {ItemFrames} from './item_frames';
+import {NOTHING, type Picked} from './picked';
+import {SectionPlane} from './section_plane';
 import type {SeenPressure} from './seen_pressure';
-import {GLASS, objectShading} from './shading';
-import {ZonePaint, type PaintHint, type SeenZones} from './zone_paint';
+import {GLASS} from './shading';
+import type {PaintHint, SeenZones} from './zone_paint';
 
-/** Around an item. */
-const FRAME_MM = 1;
-/** Of a stack's height, so that it ends below and above the controls. */
-const STACK_CLEAR = 0.66;
+/** Of the space's height. */
+const UP_LENGTH = 0.32;
 
 export interface Colours {
   background: string;
@@ -35,7 +29,6 @@ export interface Colours {
   upper: string;
   edge: string;
   space: string;
-  own: string;
   mark: string;
   zone: string;
   /** Around the item that is selected, and around items that are too near each other. */
@@ -46,77 +39,63 @@ export interface Colours {
 /** Design coordinates to the world of three.js: x up, y to the reader, z to the right. */
 export const TO_WORLD = new Matrix4().makeBasis(new Vector3(0, 1, 0), new Vector3(0, 0, 1), new Vector3(1, 0, 0));
 
-/** What lies under a pointer; of the object its part, 0 where it is one alone. */
-export interface Picked {
-  own: Triple | null;
-  cell: Cell | null;
-  item: number | null;
-  part: number;
-}
-
-interface Body {
-  /** Where its layer is drawn, and in it where the object lies in the space. */
-  lift: Group;
-  group: Group;
-  mesh: Mesh<BufferGeometry, ShaderMaterial>;
-  geometries: Geometries;
-  paint: ZonePaint;
-  pressure: PressurePaint;
-  /** How far what is drawn lies from the object at most, mm. */
-  deviation: number;
-}
-type Geometries = {moving: BufferGeometry; still: BufferGeometry};
-
 /** What is in the 3D view, without how it is looked at. */
 export class FoamScene {
   readonly scene = new Scene();
   readonly #root = new Group();
-  #bodies: Body[] = [];
+  readonly #bodies = new ItemBodies();
   #selected = 0;
-  readonly #frames = new Group();
-  readonly #objectShade = objectShading();
+  readonly #frames = new ItemFrames();
   readonly #foams = new FoamMeshes();
   readonly #space = boxEdges();
-  readonly #column = boxEdges();
+  readonly #column = new ColumnMarks();
   readonly #up = arrow();
-  readonly #own = arrow();
+  /** On the object, and between any two places. */
   readonly #ruler = ruler();
+  readonly #tape = ruler();
+  #spots: readonly Spot[] = [];
+  readonly #shadow = new ContactShadow();
+  readonly #cut = new SectionPlane();
+  readonly #itemCaps = new ItemCaps();
+  #section: Section | null = null;
   readonly #centres = new CentreMarks();
-  /** By the copy that was drawn. */
-  #geometries = new Map<DisplayMesh, BufferGeometry>();
   #colours: Colours | null = null;
   #packing: Packing | null = null;
   #detailed = false;
   #opening = 0;
+  #opened: Opened = 'above';
   /** None while there is no space. */
   #apart: Apart | null = null;
   #shift: Triple = [0, 0, 0];
-  #objectLook: Look = 'shown';
   #alone = false;
+  #marked: Cell | null = null;
+  #looks: Record<Part, Look> = {object: 'shown', lower: 'shown', middle: 'shown', upper: 'shown', space: 'shown'};
 
   constructor() {
     this.#root.matrixAutoUpdate = false;
     this.#root.matrix.copy(TO_WORLD);
-    this.#root.add(this.#frames, this.#foams.group, this.#space, this.#column, this.#centres.group);
-    this.scene.add(this.#root, this.#up.group);
-    this.#column.visible = false;
-    this.#column.material.depthTest = false;
-    this.#column.renderOrder = 9;
-    this.#objectShade.material.polygonOffset = false;
+    const {group: bodies} = this.#bodies;
+    this.#root.add(bodies, this.#frames.group, this.#foams.group, this.#space, this.#column.group, this.#centres.group);
+    this.#root.add(this.#tape.group, this.#shadow.group, this.#cut.group);
+    this.scene.add(this.#root, this.#up.group, this.#itemCaps.group);
     this.show(null, null);
   }
 
-  /** Of the space with its pieces as far apart as they are, or of an object that has none or is shown alone; world
-   *  coordinates. */
-  get extent(): {centre: Vector3; radius: number} {
-    const alone = this.#packing ? null : this.#sphere();
-    if (alone) return {centre: alone.center.clone().applyMatrix4(this.#root.matrix), radius: alone.radius};
-    if (this.#alone) return {centre: this.objectCentre, radius: Math.max(this.#objectSize() / 2, 1)};
-    const [x, y, z] = this.#size();
-    const {low, high} = this.#apart ?? {low: -x / 2, high: x / 2};
-    const centre = new Vector3((low + high) / 2, 0, 0).applyMatrix4(TO_WORLD);
-    const clear = (this.#packing?.partingLevels.length ?? 1) > 1 ? STACK_CLEAR * (high - low) : 0;
-    return {centre, radius: Math.max(Math.hypot(high - low, y, z) / 2, clear, 1)};
+  /** Corners of boxes around all that is seen, as far apart as it is: of an object by itself where it has no space or is
+   *  shown alone. World coordinates. */
+  get corners(): Vector3[] {
+    const all = this.#packing && !this.#alone ? [...(this.#apart?.corners ?? []), this.#upEnd()] : this.#ownCorners();
+    return all.map((corner) => corner.clone().applyMatrix4(this.#root.matrix));
+  }
+
+  /** Of the item that is selected. */
+  #ownCorners(): Vector3[] {
+    const {selected: body, box} = this.#bodies;
+    if (!body || !box) return [];
+    const item = this.#packing?.items[this.#selected];
+    if (!item) return cornersOf(box, body.group.matrix);
+    const [low, high] = [new Vector3(...item.bounds.min), new Vector3(...item.bounds.max)];
+    return cornersOf(new Box3(low, high), new Matrix4().makeTranslation(body.lift.position));
   }
 
   /** The middle of the item that is selected, world coordinates. */
@@ -130,85 +109,37 @@ export class FoamScene {
 
   /** Where a place of a layer is drawn, design coordinates. */
   drawnAt(place: Vector3, layer: number): Vector3 {
-    return place.setX(place.x + (this.#apart?.layer(layer) ?? 0));
+    return this.#apart ? place.add(this.#apart.layer(layer)) : place;
   }
 
-  paint(colours: Colours, words: {up: string; own: string}) {
+  paint(colours: Colours, words: {up: string}) {
     this.#colours = colours;
-    this.#objectShade.colour(colours.object, colours.edge, colours.zone);
+    this.#bodies.colour(colours.object, colours.edge, colours.zone);
     this.#foams.paint(colours, colours.edge);
     this.#space.material.color.set(colours.space);
-    this.#column.material.color.set(colours.mark);
+    this.#column.colour(colours.mark);
     this.#up.colour(colours.space);
     this.#up.say(words.up);
-    this.#own.colour(colours.own);
-    this.#own.say(words.own);
+    this.#cut.colour(colours.selected);
+    this.#itemCaps.colour(colours.object);
   }
 
   /** The items, each where it lies, and which of them is selected. */
   setItems(placed: readonly PlacedItem[], selected: number) {
-    const meshes = new Set(placed.flatMap(({meshes: {moving, still}}) => [moving, still]));
-    for (const [mesh, geometry] of this.#geometries)
-      if (!meshes.has(mesh)) {
-        geometry.dispose();
-        this.#geometries.delete(mesh);
-      }
-    while (this.#bodies.length > placed.length) {
-      const {lift, paint, pressure} = this.#bodies.pop()!;
-      this.#root.remove(lift);
-      paint.dispose();
-      pressure.dispose();
-    }
-    placed.forEach(({meshes: {moving, still}, placement}, i) => {
-      const body = (this.#bodies[i] ??= this.#body());
-      body.geometries = {moving: this.#geometry(moving), still: this.#geometry(still)};
-      body.deviation = Math.max(moving.deviation, still.deviation);
-      body.group.matrix.fromArray([...placement]);
-      body.group.matrixWorldNeedsUpdate = true;
-    });
     this.#selected = selected;
-    this.#uncover();
-    const {group} = this.#bodies[selected] ?? this.#bodies[0] ?? {group: this.#root};
-    group.add(this.#own.group, this.#ruler.group);
+    this.#bodies.show(placed, selected);
+    (this.#bodies.selected?.group ?? this.#root).add(this.#ruler.group);
     this.#place();
-    this.#dress();
-  }
-
-  #body(): Body {
-    const mesh = new Mesh(new BufferGeometry(), this.#objectShade.material);
-    const [lift, group] = [new Group(), new Group()];
-    group.matrixAutoUpdate = false;
-    lift.add(group.add(mesh));
-    this.#root.add(lift);
-    const geometries = {moving: mesh.geometry, still: mesh.geometry};
-    const body = {lift, group, mesh, geometries, paint: new ZonePaint(), pressure: new PressurePaint(), deviation: 0};
-    mesh.onBeforeRender = () => {
-      body.paint.apply(mesh.material);
-      body.pressure.apply(mesh.material, group.matrix, body.deviation);
-      mesh.material.uniformsNeedUpdate = true;
-    };
-    return body;
-  }
-
-  #geometry(mesh: DisplayMesh): BufferGeometry {
-    const known = this.#geometries.get(mesh);
-    if (known) return known;
-    const made = objectGeometry(mesh);
-    this.#geometries.set(mesh, made);
-    return made;
   }
 
   /** Of each item its places to keep off, and what a hand is about to paint on the one that is selected. */
   setZones(seen: readonly SeenZones[], hint: PaintHint | null) {
-    this.#bodies.forEach(({paint}, i) => {
-      paint.see(seen[i]);
-      paint.hint = i === this.#selected ? hint : null;
-    });
+    this.#bodies.setZones(seen, hint);
   }
 
   /** What squeezes what; null: not to be seen. */
   set pressure(seen: SeenPressure | null) {
-    this.#bodies.forEach(({pressure}, i) => pressure.see(seen?.items[i] ?? null));
+    this.#bodies.pressure = seen;
     this.#foams.pressure = seen?.foam ?? null;
   }
 
@@ -219,21 +150,7 @@ export class FoamScene {
 
   /** Frames around items: the one that is selected among several, and those that are too near each other. */
   frame(items: readonly PackedItem[], selected: number, near: ReadonlySet<number>) {
-    const framed = items.length < 2 ? [] : [...items.keys()].filter((i) => i === selected || near.has(i));
-    while (this.#frames.children.length > framed.length) this.#frames.remove(this.#frames.children.at(-1)!);
-    for (const [at, i] of framed.entries()) {
-      if (!this.#colours) return;
-      const {bounds, layer} = items[i]!;
-      const known = this.#frames.children[at] as ReturnType<typeof boxEdges> | undefined;
-      const frame = known ?? boxEdges();
-      frame.material.color.set(near.has(i) ? this.#colours.near : this.#colours.selected);
-      const [low, high] = [new Vector3(...bounds.min), new Vector3(...bounds.max)];
-      frame.userData = {layer, middle: low.clone().add(high).multiplyScalar(0.5)};
-      frame.scale.copy(high.sub(low)).addScalar(2 * FRAME_MM);
-      frame.material.depthTest = false;
-      frame.renderOrder = 8;
-      if (!known) this.#frames.add(frame);
-    }
+    if (this.#colours) this.#frames.show(items, selected, near, this.#colours);
     this.#place();
   }
 
@@ -241,22 +158,20 @@ export class FoamScene {
   show(packing: Packing | null, colours: readonly PieceColours[] | null) {
     this.#packing = packing;
     const [x, y, z] = this.#size();
-    // An object by itself lies wherever its file has it, in no space.
-    this.#space.scale.set(x, y, z).multiplyScalar(packing ? 1 : 0);
+    this.#space.scale.set(x, y, z);
     this.#placeUpArrow();
-    this.#up.group.scale.setScalar(Math.max(x, 1) * 0.32);
+    this.#up.group.scale.setScalar(Math.max(x, 1) * UP_LENGTH);
     this.#up.group.visible = packing !== null && !this.#alone;
     this.#foams.show(packing, colours);
     this.#place();
-    this.#placeOwnArrow();
   }
 
   /** Fewer triangles while something moves. */
   set detailed(value: boolean) {
     if (value === this.#detailed) return;
     this.#detailed = value;
-    this.#dress();
-    this.#foams.detailed = value;
+    this.#bodies.detailed = this.#foams.detailed = value;
+    this.#cutOpen();
   }
 
   /** Draws everything so much further, design coordinates. */
@@ -267,58 +182,104 @@ export class FoamScene {
     this.#root.matrixWorldNeedsUpdate = true;
   }
 
-  set opening(value: number) {
-    this.#opening = value;
+  open(opened: Opened, opening: number) {
+    [this.#opened, this.#opening] = [opened, opening];
     this.#place();
   }
 
   set looks(looks: Record<Part, Look>) {
-    this.#objectLook = looks.object;
-    this.#uncover();
-    this.#objectShade.look(looks.object);
+    this.#looks = looks;
+    this.#bodies.look = looks.object;
     this.#foams.looks = looks;
-    this.#space.visible = looks.space !== 'hidden';
     this.#space.material.transparent = looks.space === 'glass';
     this.#space.material.opacity = looks.space === 'glass' ? GLASS : 1;
-    this.#placeOwnArrow();
+    this.#place();
   }
 
   /** Nothing but the item that is selected. */
   set alone(value: boolean) {
-    this.#alone = value;
+    this.#alone = this.#bodies.alone = value;
     this.#up.group.visible = this.#packing !== null && !value;
-    this.#uncover();
+    this.#place();
   }
 
-  #uncover() {
-    const selected = this.#selectedBody();
-    for (const body of this.#bodies) body.mesh.visible = this.#objectLook !== 'hidden' && (!this.#alone || body === selected);
+  /** Without frames, marks and knobs. */
+  get bare(): boolean {
+    return !this.#frames.group.visible;
+  }
+
+  set bare(value: boolean) {
+    for (const {group} of [this.#frames, this.#column]) group.visible = !value;
+    this.#cut.bare = value;
+  }
+
+  /** What is taken away before a plane; null: nothing. */
+  set section(section: Section | null) {
+    this.#section = section;
+    const planes = section && [this.#cut.plane];
+    this.#bodies.clip(planes);
+    this.#foams.clip(planes);
+    this.#shadow.clip(planes);
+    this.#place();
+  }
+
+  /** Where its knob is, and a mm further along its way; world coordinates. */
+  get knob(): {at: Vector3; further: Vector3} | null {
+    if (!this.#cut.group.visible) return null;
+    const {knob, along} = this.#cut;
+    return {at: knob.clone().applyMatrix4(this.#root.matrix), further: knob.clone().add(along).applyMatrix4(this.#root.matrix)};
+  }
+
+  /** The share of its way that lies so many mm further. */
+  sectionAfter(share: number, mm: number): number {
+    return this.#cut.further(share, mm);
   }
 
   mark(cell: Cell | null) {
-    this.#column.visible = cell !== null && this.#packing !== null;
-    if (!cell || !this.#packing || !this.#apart) return;
-    const {low, high} = this.#apart;
-    const {centre, size} = columnBox(this.#packing, cell.j, cell.k);
-    this.#column.position.set((low + high) / 2, centre[1], centre[2]);
-    this.#column.scale.set(high - low, size[1], size[2]);
+    this.#marked = cell;
+    this.#column.show(cell, this.#packing, this.#apart);
   }
 
   measure(points: readonly Triple[]) {
     this.#ruler.show(points, this.#objectSize() * 0.012);
   }
 
+  /** Between places on whatever is seen. */
+  set spots(spots: readonly Spot[]) {
+    this.#spots = spots;
+    const [x, y, z] = this.#size();
+    this.#tape.show(spots.map((spot) => this.#spotAt(spot).toArray()), Math.max(x, y, z) * 0.01);
+  }
+
+  /** Where a place on something is drawn, world coordinates. */
+  drawnSpot(spot: Spot): Vector3 {
+    return this.#spotAt(spot).applyMatrix4(this.#root.matrix);
+  }
+
+  #spotAt({on, at}: Spot): Vector3 {
+    const place = new Vector3(...at);
+    if ('item' in on) return this.drawnAt(place, this.#packing?.items[on.item]?.layer ?? 1);
+    return this.#apart ? place.applyMatrix4(this.#apart.piece(on.piece)) : place;
+  }
+
   /** What lies under a point of the picture (-1 to 1): on the object in its own mm, and the column of the space. */
   pick(ray: Raycaster): Picked {
-    const bodies = this.#bodies.map(({mesh}) => mesh);
-    const targets = [...bodies.filter(({visible}) => visible), ...this.#foams.visible];
-    const hit = ray.intersectObjects<Mesh>(targets, false)[0];
-    if (!hit) return {own: null, cell: null, item: null, part: 0};
-    const item = bodies.findIndex((mesh) => mesh === hit.object);
-    const own = item < 0 ? null : this.#bodies[item]!.group.worldToLocal(hit.point.clone());
-    const design = this.#root.worldToLocal(hit.point.clone());
-    const part = (item >= 0 && hit.face && hit.object.geometry.getAttribute('part')?.getX(hit.face.a)) || 0;
-    return {own: own && [own.x, own.y, own.z], cell: this.#cellAt(design), item: item < 0 ? null : item, part};
+    const bodies = this.#bodies.all;
+    const targets = [...bodies.map(({mesh}) => mesh).filter(({visible}) => visible), ...this.#foams.visible];
+    const left = ({point}: {point: Vector3}) => !this.#section || this.#cut.plane.distanceToPoint(point) >= 0;
+    const hits = ray.intersectObjects<Mesh>(targets, false).filter(left);
+    const [hit] = hits;
+    if (!hit) return NOTHING;
+    const item = bodies.findIndex(({mesh}) => mesh === hit.object);
+    // Where an item is cut open, its inside is seen: an odd number of its faces lies behind.
+    const inside = this.#section && item >= 0 && hits.filter(({object}) => object === hit.object).length % 2 === 1;
+    const point = (inside && ray.ray.intersectPlane(this.#cut.plane, new Vector3())) || hit.point;
+    const own = bodies[item]?.group.worldToLocal(point.clone()).toArray() ?? null;
+    // As it lies in the space, wherever it is drawn.
+    const design = (bodies[item]?.lift ?? hit.object).worldToLocal(point.clone());
+    const part = (own && hit.face && hit.object.geometry.getAttribute('part')?.getX(hit.face.a)) || 0;
+    const spot: Spot = {on: own ? {item} : {piece: this.#foams.pieceOf(hit.object)}, at: design.toArray()};
+    return {own, cell: this.#cellAt(design), item: own ? item : null, part, spot};
   }
 
   #cellAt({y, z}: Vector3): Cell | null {
@@ -338,24 +299,13 @@ export class FoamScene {
 
   /** Of the item that is selected. */
   #objectSize(): number {
-    return (this.#sphere()?.radius ?? 0) * 2;
+    return (this.#bodies.sphere?.radius ?? 0) * 2;
   }
 
-  /** Around it, in its object's own coordinates. */
-  #sphere() {
-    const geometry = this.#selectedBody()?.mesh.geometry;
-    if (!geometry?.getAttribute('position')) return null;
-    if (!geometry.boundingSphere) geometry.computeBoundingSphere();
-    return geometry.boundingSphere;
-  }
-
-  #selectedBody(): Body | undefined {
-    return this.#bodies[this.#selected] ?? this.#bodies[0];
-  }
-
-  #dress() {
-    for (const {mesh, geometries} of this.#bodies) mesh.geometry = geometries[this.#detailed ? 'still' : 'moving'];
-    this.#placeOwnArrow();
+  /** Beside the word at its end, design coordinates. */
+  #upEnd(): Vector3 {
+    const [x, y, z] = this.#size();
+    return new Vector3(-x / 2, y / 2, -z / 2).addScaledVector(new Vector3(1.3, 0, -0.35), x * UP_LENGTH);
   }
 
   /** At a lower corner of the space, in the world. */
@@ -365,31 +315,32 @@ export class FoamScene {
     this.#up.group.position.copy(corner.applyMatrix4(TO_WORLD));
   }
 
-  /** At the end of the object's own z, so that a person sees how it has been turned. */
-  #placeOwnArrow() {
-    const box = this.#packing && this.#bodyBox();
-    this.#own.group.visible = box !== null && this.#objectLook !== 'hidden';
-    if (!box) return;
-    const size = this.#objectSize();
-    this.#own.group.position.set((box.min.x + box.max.x) / 2, (box.min.y + box.max.y) / 2, box.max.z);
-    this.#own.group.rotation.set(Math.PI / 2, 0, 0);
-    this.#own.group.scale.setScalar(size * 0.2);
-  }
-
-  #bodyBox() {
-    const geometry = this.#selectedBody()?.mesh.geometry;
-    if (!geometry?.getAttribute('position')) return null;
-    if (!geometry.boundingBox) geometry.computeBoundingBox();
-    return geometry.boundingBox;
-  }
-
   #place() {
-    this.#apart = this.#packing && apart(this.#packing, this.#opening);
+    this.#apart = this.#packing && apart(this.#packing, this.#opened, this.#opening);
     const layer = (item: number) => this.#packing?.items[item]?.layer ?? 1;
-    this.#foams.place((piece) => this.#apart?.piece(piece) ?? 0);
-    this.#bodies.forEach(({lift}, item) => lift.position.copy(this.drawnAt(new Vector3(), layer(item))));
-    this.#centres.place((place, layer) => this.drawnAt(place, layer));
-    for (const {position, userData} of this.#frames.children)
-      position.copy(this.drawnAt((userData.middle as Vector3).clone(), userData.layer as number));
+    const drawnAt = (place: Vector3, of: number) => this.drawnAt(place, of);
+    this.#foams.place((piece) => this.#apart?.piece(piece) ?? new Matrix4());
+    this.#bodies.all.forEach(({lift}, item) => lift.position.copy(this.drawnAt(new Vector3(), layer(item))));
+    this.#centres.place(drawnAt);
+    this.#frames.place(drawnAt);
+    this.#column.show(this.#marked, this.#packing, this.#apart);
+    this.spots = this.#spots;
+    // An object by itself lies wherever its file has it, in no space, and nor do pieces that lie beside each other.
+    this.#space.visible = this.#looks.space !== 'hidden' && this.#packing !== null && (this.#opened === 'above' || this.#opening === 0);
+    this.#shadow.group.visible = this.#apart !== null && !this.#alone;
+    if (this.#apart) this.#shadow.place(this.#apart.corners);
+    this.#cutOpen();
+  }
+
+  #cutOpen() {
+    const corners = this.#section && this.#apart ? this.#apart.corners : null;
+    this.#cut.group.visible = corners !== null;
+    if (this.#section && corners) this.#cut.place(this.#section, corners);
+    this.#foams.cap(corners && this.#cut.own);
+    this.#cut.plane.copy(this.#cut.own).applyMatrix4(this.#root.matrix);
+    const all = new Sphere().setFromPoints(corners ? [...corners] : []).applyMatrix4(this.#root.matrix);
+    // Glass is not filled.
+    const filled = this.#looks.object === 'shown' ? this.#bodies.visible : [];
+    this.#itemCaps.show(filled, corners && this.#cut.plane, all.center, all.radius);
   }
 }

@@ -7,12 +7,15 @@ import {ZONE_FRAGMENT, ZONE_VERTEX, zoneUniforms} from './zone_paint';
 // design coordinates (so that they cost no triangles), the colours of the gaps, and of what is pressed.
 
 const VERTEX = /* glsl */ `
+#include <clipping_planes_pars_vertex>
 varying vec3 vDesign;
 varying vec3 vOwnNormal;
 varying vec3 vNormal;
 #ifdef FOAM
 attribute float gap;
+attribute float inner;
 varying float vGap;
+varying float vInner;
 #else
 ${ZONE_VERTEX}
 #endif
@@ -22,13 +25,17 @@ void main() {
   vNormal = normalMatrix * normal;
   #ifdef FOAM
   vGap = gap;
+  vInner = inner;
   #else
   vPart = part;
   #endif
-  gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0);
+  vec4 mvPosition = modelViewMatrix * vec4(position, 1.0);
+  gl_Position = projectionMatrix * mvPosition;
+  #include <clipping_planes_vertex>
 }`;
 
 const FRAGMENT = /* glsl */ `
+#include <clipping_planes_pars_fragment>
 uniform vec3 color;
 uniform vec3 edgeColor;
 uniform float opacity;
@@ -40,6 +47,7 @@ varying vec3 vOwnNormal;
 varying vec3 vNormal;
 #ifdef FOAM
 varying float vGap;
+varying float vInner;
 vec3 ramp(float t) {
   vec3 near = vec3(0.16, 0.36, 0.78);
   vec3 middle = vec3(0.98, 0.85, 0.36);
@@ -71,9 +79,12 @@ ${ZONE_FRAGMENT}
 ${ITEM_PRESSURE}
 #endif
 void main() {
+  #include <clipping_planes_fragment>
   vec3 normal = normalize(vNormal) * (gl_FrontFacing ? 1.0 : FLIP);
   float key = max(dot(normal, normalize(vec3(-0.35, 0.8, 0.55))), 0.0);
   float fill = max(dot(normal, normalize(vec3(0.7, 0.1, 0.6))), 0.0);
+  // From the sky more than from the ground, wherever one looks from.
+  float sky = 0.5 + 0.5 * dot(normal, viewMatrix[1].xyz);
   vec3 shaded = color;
   #ifdef FOAM
   if (showGaps > 0.5 && vGap >= 0.0) shaded = ramp(min(vGap, 1.0));
@@ -83,10 +94,20 @@ void main() {
   #endif
   #ifdef FOAM
   // Light goes some way into foam: its faces differ little.
-  shaded *= 0.60 + 0.30 * key + 0.13 * fill + 0.10 * pores();
+  shaded *= 0.52 + 0.28 * key + 0.12 * fill + 0.14 * sky + 0.10 * pores();
+  // Less of it comes into a cavity.
+  shaded *= 1.0 - 0.16 * vInner;
   shaded = mix(shaded, edgeColor, edges());
   #else
-  shaded *= 0.50 + 0.42 * key + 0.20 * fill;
+  shaded *= 0.42 + 0.40 * key + 0.18 * fill + 0.14 * sky;
+  #endif
+  #if NUM_CLIPPING_PLANES > 0
+  // What is cut open shows the inside of its far side: in one tone it looks filled.
+  #ifdef FOAM
+  if (dot(vNormal, vClipPosition) < 0.0) shaded = mix(color, vec3(1.0), 0.22);
+  #else
+  if (!gl_FrontFacing) shaded = color * 0.62;
+  #endif
   #endif
   gl_FragColor = vec4(shaded, opacity);
   #include <colorspace_fragment>
@@ -118,6 +139,7 @@ function shading(defines: Record<string, string>): Shading {
     fragmentShader: FRAGMENT,
     uniforms,
     defines,
+    clipping: true,
     side: DoubleSide,
     polygonOffset: true,
     polygonOffsetFactor: 1,

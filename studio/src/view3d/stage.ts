@@ -1,6 +1,7 @@
 import CameraControls from 'camera-controls';
 import {
   Box3,
+  MathUtils,
   Matrix4,
   Object3D,
   PerspectiveCamera,
@@ -17,6 +18,7 @@ import type * as THREE from 'three';
 import {TransformControls} from 'three/addons/controls/TransformControls.js';
 import type {Triple} from '../design/design';
 import type {Handles} from '../state/view.svelte';
+import {fitCamera, freeReach, type Covered} from './fit_camera';
 import {TO_WORLD, type FoamScene} from './scene';
 
 CameraControls.install({
@@ -39,6 +41,8 @@ const VIEWS: Record<Side, [number, number]> = {
  *  the machine draws so fast that nobody notices. */
 const STILL_RATIO = 2;
 const FAST_FRAME_MS = 8;
+/** Of a picture to keep, the longer side. */
+const PICTURE_PX = 2400;
 /** Pixels are what a software renderer's time goes to. */
 const MOVING_RATIO = 0.5;
 
@@ -74,19 +78,27 @@ export class Stage {
   #fast = false;
   #measured = false;
   #painting = false;
+  #covered: Covered = {top: 0, bottom: 0};
+  #size = {width: 1, height: 1};
+  /** All is seen, and stays so until a person looks elsewhere. */
+  #framed = true;
+  #radius = 1;
 
   /** Throws where there is no WebGL 2. */
   constructor(canvas: HTMLCanvasElement, content: FoamScene, events: StageEvents) {
     this.#canvas = canvas;
     this.#content = content;
     this.#events = events;
-    this.#renderer = new WebGLRenderer({canvas, antialias: false, alpha: true, powerPreference: 'high-performance'});
+    this.#renderer = new WebGLRenderer({canvas, antialias: false, alpha: true, stencil: true, powerPreference: 'high-performance'});
+    this.#renderer.localClippingEnabled = true;
     canvas.addEventListener('webglcontextlost', this.#onLost);
     canvas.addEventListener('webglcontextrestored', this.#onRestored);
     this.#controls = new CameraControls(this.camera, canvas);
     this.#controls.smoothTime = matchMedia('(prefers-reduced-motion: reduce)').matches ? 0 : 0.18;
     this.#controls.draggingSmoothTime = 0.04;
     this.#controls.dollyToCursor = true;
+    // One finger turns; so do two, which zoom as well.
+    this.#controls.touches.two = CameraControls.ACTION.TOUCH_DOLLY_ROTATE;
     this.#controls.addEventListener('control', () => this.#look());
     this.#handles = new TransformControls(this.camera, canvas);
     content.scene.add(this.#proxy, this.#handles.getHelper());
@@ -113,10 +125,22 @@ export class Stage {
 
   resize(width: number, height: number) {
     if (width < 1 || height < 1) return;
-    this.camera.aspect = width / height;
-    this.camera.updateProjectionMatrix();
+    this.#size = {width, height};
     this.#renderer.setSize(width, height, false);
-    this.draw();
+    this.#lay();
+  }
+
+  /** The middle of what is free of the bars becomes the picture's. */
+  set covered(covered: Covered) {
+    this.#covered = covered;
+    this.#lay();
+  }
+
+  #lay() {
+    const {width, height} = this.#size;
+    const {top, bottom} = this.#covered;
+    this.camera.setViewOffset(width, height, 0, Math.round((bottom - top) / 2), width, height);
+    this.refit();
   }
 
   set still(value: boolean) {
@@ -135,16 +159,15 @@ export class Stage {
     this.draw();
   }
 
-  /** Where the first button or one finger paints, the second button or two fingers turn. */
+  /** Where the first button paints, the second one turns. */
   get painting(): boolean {
     return this.#painting;
   }
 
   set painting(value: boolean) {
     this.#painting = value;
-    const {ROTATE, TRUCK, TOUCH_DOLLY_ROTATE, TOUCH_DOLLY_TRUCK} = CameraControls.ACTION;
+    const {ROTATE, TRUCK} = CameraControls.ACTION;
     this.#controls.mouseButtons.right = value ? ROTATE : TRUCK;
-    this.#controls.touches.two = value ? TOUCH_DOLLY_ROTATE : TOUCH_DOLLY_TRUCK;
   }
 
   paintHandles(x: string, y: string, z: string, active: string) {
@@ -166,12 +189,23 @@ export class Stage {
     this.showAll(smoothly);
   }
 
+  /** From where the camera looks, as near as all is seen beside the bars. */
   showAll(smoothly = true) {
-    const {centre, radius} = this.#content.extent;
-    this.#limits(radius);
-    // The controls lie over the lower edge of the picture.
-    void this.#controls.setFocalOffset(0, radius * 0.18, 0, false);
-    void this.#controls.fitToSphere(new Sphere(centre, radius * 0.92), smoothly);
+    const {theta: azimuth, phi: polar} = this.#controls.getSpherical(new Spherical());
+    const {corners} = this.#content;
+    const fit = fitCamera(corners, {azimuth, polar}, freeReach(this.camera.fov, this.#size, this.#covered));
+    if (fit) {
+      this.#limits(new Sphere().setFromPoints(corners).radius, fit.distance);
+      void this.#controls.moveTo(fit.target.x, fit.target.y, fit.target.z, smoothly);
+      void this.#controls.dollyTo(fit.distance, smoothly);
+    }
+    this.#framed = true;
+    this.draw();
+  }
+
+  /** What is seen grew, or there is room for more of it: still all of it, if all was seen. */
+  refit(smoothly = false) {
+    if (this.#framed && !this.#grabbed) this.showAll(smoothly);
     this.draw();
   }
 
@@ -179,9 +213,9 @@ export class Stage {
   lookAt(place: Triple, layer?: number) {
     const lies = new Vector3(...place);
     const point = (layer === undefined ? lies : this.#content.drawnAt(lies, layer)).applyMatrix4(TO_WORLD);
-    const {radius} = this.#content.extent;
+    this.#framed = false;
     void this.#controls.moveTo(point.x, point.y, point.z, true);
-    void this.#controls.dollyTo(radius * 1.6, true);
+    void this.#controls.dollyTo(this.#radius * 1.6, true);
     this.draw();
   }
 
@@ -196,8 +230,28 @@ export class Stage {
   }
 
   #look() {
+    this.#framed = false;
     this.#events.looked();
     this.draw();
+  }
+
+  /** Moves what is seen by shares of the picture. */
+  truck(right: number, up: number) {
+    const high = 2 * this.#controls.distance * Math.tan(MathUtils.degToRad(this.camera.fov) / 2);
+    void this.#controls.truck(-right * high, up * high, true);
+    this.#look();
+  }
+
+  /** A place of the world, px of the picture. */
+  onPicture(place: Vector3): Vector2 {
+    const {x, y} = place.clone().project(this.camera);
+    return new Vector2(((x + 1) / 2) * this.#size.width, ((1 - y) / 2) * this.#size.height);
+  }
+
+  /** The middle of what is free of the bars, px of the picture. */
+  get middle(): {x: number; y: number} {
+    const {width, height} = this.#size;
+    return {x: width / 2, y: (this.#covered.top + height - this.#covered.bottom) / 2};
   }
 
   ray(at: Vector2): Raycaster {
@@ -226,16 +280,39 @@ export class Stage {
     this.#fast = performance.now() - start < FAST_FRAME_MS;
   }
 
+  /** What is seen between the bars, without what stands there for a hand; clear where nothing is. */
+  picture(): HTMLCanvasElement {
+    const {width, height} = this.#size;
+    const {top, bottom} = this.#covered;
+    const scale = PICTURE_PX / Math.max(width, height);
+    const helper = this.#handles.getHelper();
+    const [before, handled] = [this.#content.bare, helper.visible];
+    this.#content.bare = true;
+    helper.visible = false;
+    this.#renderer.setPixelRatio(scale);
+    this.#renderer.render(this.#content.scene, this.camera);
+    const canvas = document.createElement('canvas');
+    [canvas.width, canvas.height] = [Math.round(width * scale), Math.round((height - top - bottom) * scale)];
+    // Before the browser takes it.
+    canvas.getContext('2d')?.drawImage(this.#canvas, 0, -Math.round(top * scale));
+    this.#content.bare = before;
+    helper.visible = handled;
+    this.#resolve();
+    this.draw();
+    return canvas;
+  }
+
   #resolve() {
     const sharp = Math.max(window.devicePixelRatio, STILL_RATIO);
     this.#renderer.setPixelRatio(this.#still || this.#fast ? sharp : MOVING_RATIO);
   }
 
-  #limits(radius: number) {
+  #limits(radius: number, distance: number) {
+    this.#radius = radius;
     this.#controls.minDistance = radius * 0.15;
-    this.#controls.maxDistance = radius * 8;
+    this.#controls.maxDistance = Math.max(radius * 8, distance * 2);
     this.camera.near = radius * 0.02;
-    this.camera.far = radius * 20;
+    this.camera.far = this.#controls.maxDistance + radius * 12;
     this.camera.updateProjectionMatrix();
   }
 

@@ -3,6 +3,8 @@
 // Lengths have no comma, as in the fields where they are typed.
 
 export const mm = (value: number): string => `${tidy(value)} mm`;
+/** As a tape has it. */
+export const measured = (value: number): string => `${plain(value, 1)} mm`;
 export const size = (value: readonly number[]): string => `${value.map(tidy).join(' × ')} mm`;
 /** A point by its three numbers. */
 export const place = (value: readonly number[]): string => `${value.map(tidy).join(', ')} mm`;

@@ -5,17 +5,27 @@ import {words} from './words';
 export const views = words({
   view3d: {
     label: [
-      '3D view of the object in its foams. Drag to orbit; arrow keys orbit, plus and minus zoom, F or a double click shows all.',
-      '緩衝材に収まった対象物の3D表示。ドラッグか矢印キーで回転、プラスとマイナスで拡大・縮小、Fかダブルクリックで全体を表示。',
+      '3D view of the object in its foams. Drag to orbit; arrow keys orbit, with Shift they shift the view, plus and minus zoom, F or a double click shows all, the right button or a long press opens a menu.',
+      '緩衝材に収まった対象物の3D表示。ドラッグか矢印キーで回転、Shiftと矢印キーで移動、プラスとマイナスで拡大・縮小、Fかダブルクリックで全体を表示、右ボタンか長押しでメニュー。',
     ],
     opening: ['Open foams', '緩衝材を開く'],
     openingTip: [
-      'Moves the pieces of foam up and down, away from each other, as things go in and out',
-      '緩衝材を上下に離します（出し入れの動き）',
+      'Moves the pieces of foam away from each other, as things go in and out',
+      '緩衝材を互いに離します（出し入れの動き）',
     ],
     openingValue: ['Opening in percent', '開き（パーセント）'],
+    openedLike: ['How they open', '開き方'],
+    opened: {above: ['Lid above', 'ふたを上に'], book: ['Like a book', '本のように開く']},
+    openedTips: {
+      above: ['Opened, the pieces of foam stand above each other', '開いたとき、緩衝材を上下に並べます'],
+      book: [
+        'Opened, the pieces of foam lie side by side, the lid turned over',
+        '開いたとき、緩衝材を横に並べ、ふたは裏返します',
+      ],
+    },
     play: ['Open or close, animated', '開閉のアニメーション'],
     views: ['View from', '視点'],
+    viewFrom: (name: string) => [`View from: ${name}`, `視点：${name}`],
     names: {
       corner: ['Corner', '斜め'],
       front: ['Front', '前'],
@@ -36,6 +46,8 @@ export const views = words({
     },
     looks: {shown: ['shown', '表示'], glass: ['see-through', '半透明'], hidden: ['hidden', '非表示']},
     look: (part: string, look: string) => [`${part}: ${look}`, `${part}：${look}`],
+    seen: ['Shown', '表示するもの'],
+    more: ['What the view can do', '表示のメニュー'],
     lookTip: ['Shown, see-through, hidden: click for the next', '表示・半透明・非表示をクリックで切り替え'],
     handles: ['Handles', 'ハンドル'],
     handleKinds: {none: ['Look', '見る'], turn: ['Turn', '回す'], shift: ['Shift', '動かす']},
@@ -43,6 +55,34 @@ export const views = words({
       none: ['Dragging orbits the view', 'ドラッグで視点を回します'],
       turn: ['Rings to turn the object in the view', '輪をつかんで対象物を回します'],
       shift: ['Arrows to shift the object in the view', '矢印をつかんで対象物を動かします'],
+    },
+    section: {
+      name: ['Section', '断面で切る'],
+      start: ['Cut open by a plane', '平面で切って見る'],
+      axis: ['Cut', '切る向き'],
+      axes: {x: ['from above', '上から'], y: ['from the front', '前から'], z: ['from the side', '横から']},
+      axisTip: ['Which way the plane lies that takes away what is before it', '手前を取り除く平面の向き'],
+      share: ['Cut at', '切る位置'],
+      shareValue: ['Cut at, in percent', '切る位置（パーセント）'],
+      shareTip: ['Also by the knob at the corner of the plane', '平面の角のつまみでも動かせます'],
+      flip: ['Take away the other side', '反対側を取り除く'],
+      end: ['End the cut', '断面を終わる'],
+    },
+    tape: {
+      start: ['Measure', '長さを測る'],
+      end: ['End measuring', '測るのを終わる'],
+      help: {
+        first: ['Click where to measure from; Enter: at the middle. Escape ends.', '測り始める所をクリック（Enter：中央の点）。Escで終わります。'],
+        second: ['Now click where to. Escape ends.', '次に測り終わる所をクリック。Escで終わります。'],
+      },
+      closed: (length: string) => [`${length} when closed`, `閉じた状態で ${length}`],
+    },
+    picture: {
+      save: ['Save as a picture', '画像として保存'],
+      tip: ['Saves what is seen as a picture on white, with name, size and date below', '見えているものを白地の画像（名前・寸法・日付つき）として保存します'],
+      object: (size: string) => [`Object ${size}`, `対象物 ${size}`],
+      foam: (size: string) => [`Foam ${size}`, `緩衝材 ${size}`],
+      between: [' · ', '・'],
     },
     up: ['UP', '上'],
     lost: [
@@ -59,7 +99,8 @@ export const views = words({
   view2d: {
     label: ['Drawings', '図面'],
     tabs: {
-      slice: ['Section', '断面図'],
+      upright: ['Upright', '縦断面'],
+      slice: ['Section', '横断面'],
       lower: ['Lower', '下'],
       middle: {
         above: (number: number) => [`Middle ${number}, above`, `中間 ${number} の上`],
@@ -78,6 +119,10 @@ export const views = words({
       '下から数えた1層のブロック。PageUp／PageDownで5層ずつ動きます。',
     ],
     sliceValue: ['Layer from below', '下からの層'],
+    upright: ['Depth', '奥行き'],
+    uprightTip: ['One row of columns, counted from the back. Page Up and Page Down move five.', '奥から数えた1列。PageUp／PageDownで5列ずつ動きます。'],
+    uprightValue: ['Row from the back', '奥からの列'],
+    uprightAt: (mm: string) => [`seen from the front, at ${mm}`, `前から見た図、奥行き ${mm}`],
     sliceAt: (mm: string) => [`seen from above, at ${mm}`, `上から見た図、高さ ${mm}`],
     notes: {
       lower: [
@@ -121,6 +166,7 @@ export const views = words({
       object: ['object', '対象物'],
     },
     canvas: {
+      upright: (n: number) => [`Upright section through row ${n}`, `奥から ${n} 列目の縦断面`],
       section: (n: number) => [`Section through layer ${n}`, `${n} 層目の断面`],
       lower: ['Map of the lower foam: blocks to remove in each column', '下の緩衝材の図：各列で取り除くブロック数'],
       middle: {

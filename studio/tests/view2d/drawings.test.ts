@@ -1,5 +1,5 @@
 import {describe, expect, it} from 'vitest';
-import {blocksToRemove, cellAt, cellCorner, layOut, mapsOf, shownBy, toPage} from '../../src/view2d/page';
+import {blocksToRemove, cellAt, cellCorner, fromPage, layOut, mapsOf, shownBy, toPage} from '../../src/view2d/page';
 import {section} from '../../src/view2d/section';
 import {layeredPacking} from '../support/layers';
 import {packingOf, piecesPacking} from '../support/packing';
@@ -33,6 +33,17 @@ describe('which way round', () => {
         expect(b.x).toBeCloseTo(a.x);
         expect(b.y + page.cellHeight - (page.top + page.height)).toBeCloseTo(-(a.y - lower.top));
       }
+  });
+
+  it('an upright section has k to the right and levels upward, and cuts what lies there', () => {
+    const page = layOut(packing, 'upright', 300, 400, 10);
+    const [first, right, up] = [cellCorner(page, 0, 0), cellCorner(page, 0, 1), cellCorner(page, 1, 0)];
+    expect(right.x).toBeGreaterThan(first.x);
+    expect(up.y).toBeLessThan(first.y);
+    expect(page.cellHeight / page.cellWidth).toBeCloseTo(10 / 8);
+    const [, top] = toPage(page, packing)(20, 0);
+    expect(top).toBeCloseTo(page.top);
+    expect(fromPage(page, packing, ...toPage(page, packing)(7, -3))).toEqual([expect.closeTo(7), expect.closeTo(-3)]);
   });
 
   it('a pointer finds the cell that is drawn under it, and blocks keep their proportions', () => {

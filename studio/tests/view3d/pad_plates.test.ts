@@ -1,4 +1,4 @@
-import {Box3, type Object3D, Vector3} from 'three';
+import {Box3, Matrix4, type Object3D, Vector3} from 'three';
 import {beforeEach, expect, test, vi} from 'vitest';
 import type {PackedPad} from '../../src/engine/fit';
 import {PadPlates} from '../../src/view3d/pad_plates';
@@ -29,7 +29,7 @@ function points(label: Object3D, own: [number, number, number]): number[] {
 }
 
 test('plates fill the boxes of pads and go with their piece', () => {
-  plates.place((piece) => 100 * piece);
+  plates.place((piece) => new Matrix4().makeTranslation(100 * piece, 0, 0));
   for (const [i, {min, max}] of drawn().entries()) {
     const [low, high] = [PADS[i]!.box.min, PADS[i]!.box.max];
     expect(min.toArray()).toEqual([low[0] + 100 * i, low[1], low[2]].map((mm) => expect.closeTo(mm) as number));
