@@ -36,7 +36,7 @@ struct PlanArguments {
 std::vector<Argument> arguments_of(PlanArguments& a) {
     const auto help = [&](const char* code) { return text(say(code), a.language); };
     const auto of_names = [&](const char* code, std::span<const std::string_view> names) {
-        return text(say(code, {{"names", any_of(names)}}), a.language);
+        return text(say(code, {{"names", each_as_it_is(names)}}), a.language);
     };
     std::vector<Argument> all{
         {"OBJECT", "", text(say("help.make.object", {{"example", "lens.stl:count=2,mass=0.6"}}), a.language),
@@ -59,8 +59,9 @@ std::vector<Argument> arguments_of(PlanArguments& a) {
 }
 
 Error wrong_word(const char* option, std::span<const std::string_view> names, std::string_view word) {
-    return {ErrorKind::usage,
-            say("plan.one_kind", {{"option", option}, {"names", any_of(names)}, {"word", quoted(word)}})};
+    return {
+        ErrorKind::usage,
+        say("plan.one_kind", {{"option", option}, {"names", each_as_it_is(names)}, {"word", quoted(word)}})};
 }
 
 Result<std::vector<Workshop>> ways_of(const PlanArguments& a, const Design& design) {

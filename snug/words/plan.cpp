@@ -43,25 +43,26 @@ constexpr Wording kWordsOfPlan[] = {
     {"plan.written", "In {folder}: a project and a drawing of each",
      "{folder} に：それぞれのプロジェクトと図"},
     {"plan.folder", "FOLDER", "フォルダー"},
-    {"plan.one_kind", "{option} takes {names}, not {word}",
-     "{option} に指定できるのは {names} です（{word} は不可）。"},
+    {"plan.one_kind", "{option} takes {names/}, not {word}",
+     "{option} に指定できるのは {names/} です（{word} は不可）。"},
     {"status.planning", "Planning", "計画中"},
     {"help.plan", "Three whole proposals for objects: the smallest, the one with most margin, the cheapest",
      "対象物に対する三つの提案：最も小さいもの、最も余裕があるもの、最も安いもの"},
     {"help.plan.output", "Folder for a project and a drawing of each; without it they are only told",
      "それぞれのプロジェクトと図を書き出すフォルダー。なければ表示だけします"},
     {"help.plan.carrier",
-     "Who moves it, which says how high it may fall: {names}; a store claims nothing about drops, by hand it "
+     "Who moves it, which says how high it may fall: {names/}; a store claims nothing about drops, by hand "
+     "it "
      "is 760 mm, "
      "else ISTA 2A",
-     "だれが運ぶか（落下高さが決まります）：{names}。`store`（保管）では落下を評価せず、`hand`（手持ち）は "
+     "だれが運ぶか（落下高さが決まります）：{names/}。`store`（保管）では落下を評価せず、`hand`（手持ち）は "
      "760 "
      "mm、ほかは ISTA "
      "2A です"},
-    {"help.plan.ways", "Ways of working that may be chosen, where `--for` names none: {names}",
-     "`--for` がないときに選んでよい作り方：{names}"},
-    {"help.plan.cases", "Cases that may be chosen beside one that is made to measure: {names}",
-     "寸法に合わせて作るケースのほかに選んでよいもの：{names}"},
+    {"help.plan.ways", "Ways of working that may be chosen, where `--for` names none: {names/}",
+     "`--for` がないときに選んでよい作り方：{names/}"},
+    {"help.plan.cases", "Cases that may be chosen beside one that is made to measure: {names/}",
+     "寸法に合わせて作るケースのほかに選んでよいもの：{names/}"},
     {"help.plan.seconds", "Seconds of work for each piece, where you have timed it",
      "1 個あたりの作業時間（秒）、計ったことがあるとき"},
     {"help.plan.json", "Print the proposals as JSON", "提案を JSON で表示します"},
