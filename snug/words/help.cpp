@@ -88,7 +88,7 @@ constexpr Wording kWordsOfHelp[] = {
      "`ball DIAMETER`; behind each, where its middle stands (`at X,Y,Z`), how it is turned (`turn "
      "PSI,THETA,PHI`) and "
      "where an axis points (`along x`)",
-     "mm での部分を `+` でつなぎます：`box XxYxZ [rRADIUS]`（角の半径）、`cylinder "
+     "mm での形を `+` でつなぎます：`box XxYxZ [rRADIUS]`（角の半径）、`cylinder "
      "DIAMETERxLENGTH`（直径と長さ）、"
      "`cone DIAMETERxTOPxLENGTH`（直径、先の直径、長さ）、`ball "
      "DIAMETER`（直径）。それぞれの後に、中心の位置（`at "
