@@ -66,6 +66,7 @@ Json case_json(const KnownCase& known) {
             {"price", optional_json(known.price)},
             {"most_kg", optional_json(known.most_kg)},
             {"carrier", known.carrier},
+            {"maker", known.maker},
             {"divisor", optional_json(known.divisor)},
             {"source", known.source}};
 }
@@ -98,9 +99,10 @@ std::string cases_text(const std::vector<KnownCase>& cases, Language language) {
              {said(say("list.name")), said(say("list.kind")), said(say("list.inside")), said(say("list.lid")),
               said(say("list.most_kg")), said(say("list.price")), said(say("list.carrier"))});
     for (const KnownCase& known : cases)
-        text += line(kWidths, {known.name, kind_of(known, language),
-                               dimensions(length_first(known.inside_mm)), optional_text(known.lid_mm),
-                               optional_text(known.most_kg), optional_text(known.price), known.carrier});
+        text +=
+            line(kWidths, {known.name, kind_of(known, language), dimensions(length_first(known.inside_mm)),
+                           optional_text(known.lid_mm), optional_text(known.most_kg),
+                           optional_text(known.price), known.carrier.empty() ? known.maker : known.carrier});
     return text + "\n" + said(say("list.own_cases", {{"file", user_cases_path().string()}})) + "\n";
 }
 

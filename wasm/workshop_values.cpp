@@ -21,6 +21,7 @@ val ranked_val(const RankedCase& ranked, const Design& design) {
     val result = val::object();
     result.set("name", known.name);
     result.set("kind", known.kind);
+    result.set("maker", known.maker);
     result.set("inside_mm", to_val(known.inside_mm));
     result.set("lid_mm", or_null(known.lid_mm));
     result.set("divisor", known.has_flat_rate() ? val::null() : val(known.divisor.value_or(5000)));

@@ -14,9 +14,9 @@
 namespace snug {
 namespace {
 
-constexpr std::array<std::string_view, 12> kColumns{"name",      "kind",    "length_mm", "width_mm",
-                                                    "height_mm", "lid_mm",  "tare_kg",   "price",
-                                                    "most_kg",   "carrier", "divisor",   "source"};
+constexpr std::array<std::string_view, 13> kColumns{
+    "name",  "kind",    "length_mm", "width_mm", "height_mm", "lid_mm", "tare_kg",
+    "price", "most_kg", "carrier",   "divisor",  "source",    "maker"};
 constexpr std::size_t kLongestWord = 200;  // bytes of a name or note
 constexpr std::size_t kProblemsNamed = 20;
 
@@ -138,6 +138,7 @@ KnownCase case_from(LineReader& line) {
     known.carrier = line.word("carrier");
     known.divisor = line.value("divisor", 1, 1e6);
     known.source = line.word("source");
+    known.maker = line.word("maker");
     return known;
 }
 
@@ -159,6 +160,21 @@ std::string field_text(std::string_view text) {
     std::string field = "\"";
     for (const char c : text) field += c == '"' ? std::string("\"\"") : std::string(1, c);
     return field + "\"";
+}
+
+std::string in_lower_case(std::string_view text) {
+    std::string lower(text);
+    for (char& c : lower)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return lower;
+}
+
+/// "1450", "peli 1450" and, since makers have longer names elsewhere, "pelican protector 1450".
+bool is_called(const KnownCase& known, const std::string& typed) {
+    const std::string name = in_lower_case(known.name);
+    if (typed == name) return true;
+    return !known.maker.empty() && typed.starts_with(in_lower_case(known.maker)) &&
+           typed.ends_with(" " + name);
 }
 
 std::string field_text(const std::optional<double>& value) {
@@ -225,7 +241,8 @@ std::string cases_csv(const std::vector<KnownCase>& cases) {
             field_text(known.name),        field_text(known.kind),        field_text(known.inside_mm.z),
             field_text(known.inside_mm.y), field_text(known.inside_mm.x), field_text(known.lid_mm),
             field_text(known.tare_kg),     field_text(known.price),       field_text(known.most_kg),
-            field_text(known.carrier),     field_text(known.divisor),     field_text(known.source)};
+            field_text(known.carrier),     field_text(known.divisor),     field_text(known.source),
+            field_text(known.maker)};
         for (std::size_t i = 0; i < fields.size(); ++i) text += (i ? "," : "") + fields[i];
         text += "\n";
     }
@@ -233,9 +250,13 @@ std::string cases_csv(const std::vector<KnownCase>& cases) {
 }
 
 Result<KnownCase> find_case(const std::vector<KnownCase>& known, std::string_view name) {
-    const auto found =
-        std::find_if(known.rbegin(), known.rend(), [&](const KnownCase& c) { return c.name == name; });
-    if (found != known.rend()) return *found;
+    const std::string typed = in_lower_case(name);
+    for (const bool exact : {true, false}) {
+        const auto found = std::find_if(known.rbegin(), known.rend(), [&](const KnownCase& c) {
+            return exact ? c.name == name : is_called(c, typed);
+        });
+        if (found != known.rend()) return *found;
+    }
     return fail(ErrorKind::usage, say("case.unknown", {{"name", quoted(name)}}));
 }
 

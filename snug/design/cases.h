@@ -15,6 +15,7 @@ namespace snug {
 struct KnownCase {
     std::string name;
     std::string kind;               ///< carton, hard case, parcel class
+    std::string maker;              ///< of a carton or hard case: "Peli"
     Vec3d inside_mm;                ///< height, width, length; length is the longer side of the floor
     std::optional<double> lid_mm;   ///< of the height, what belongs to the lid
     std::optional<double> tare_kg;  ///< empty
@@ -38,15 +39,16 @@ struct CaseList {
 [[nodiscard]] const std::vector<KnownCase>& built_in_cases();
 
 /// Cases from comma-separated text. The first line names the columns, in any order: name, kind, length_mm,
-/// width_mm, height_mm, lid_mm, tare_kg, price, most_kg, carrier, divisor, source; name and the three sizes
-/// are required. Empty lines and lines that begin with # are passed over; a bad line is named and the others
-/// are used.
+/// width_mm, height_mm, lid_mm, tare_kg, price, most_kg, carrier, divisor, source, maker; name and the three
+/// sizes are required. Empty lines and lines that begin with # are passed over; a bad line is named and the
+/// others are used.
 [[nodiscard]] CaseList parse_cases(std::string_view csv);
 
 /// The same as text, which parse_cases() reads back.
 [[nodiscard]] std::string cases_csv(const std::vector<KnownCase>& cases);
 
-/// The last case of that name, or an Error (kind usage) that shows names like it.
+/// The last case of that name, or of that maker and name ("Peli 1450"), capitals passed over where no name is
+/// the same to the letter; else an Error (kind usage).
 [[nodiscard]] Result<KnownCase> find_case(const std::vector<KnownCase>& known, std::string_view name);
 
 /// Sets name, inside, lid and divisor (5000 where the case does not say its own and has no flat rate); play,

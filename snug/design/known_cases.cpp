@@ -14,6 +14,7 @@ KnownCase hard_case(const char* name, double length, double width, double height
     KnownCase known;
     known.name = name;
     known.kind = "hard case";
+    known.maker = "Peli";
     known.inside_mm = {height, width, length};
     known.source = source;
     return known;

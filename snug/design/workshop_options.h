@@ -11,6 +11,7 @@
 #include "snug/design/mould_options.h"
 #include "snug/design/print_options.h"
 #include "snug/design/sheet_options.h"
+#include "snug/design/sponge_options.h"
 
 namespace snug {
 
@@ -38,6 +39,7 @@ struct WorkshopOptions {
     std::string currency;                   ///< as it stands behind the price: "EUR"; may be empty
     std::optional<double> mass_kg;          ///< of the object, above 0; none: not known
     std::optional<double> density_kg_m3;    ///< of the material, above 0; none: the preset's
+    SpongeOptions sponge;
     SheetOptions sheets;
     PrintOptions print;
     BrickOptions bricks;
@@ -101,6 +103,7 @@ void visit_options(Visit& visit, WorkshopOptions& workshop) {
                                           .label = {"the density of the foam", "緩衝材の密度"},
                                           .help = {"Density of the material", "材料の密度"},
                                           .usual = {"the preset's", "選んだ緩衝材の値"}});
+    visit.group(workshop.sponge, {.json = "sponge", .title = {"Slit sponge", "スリットスポンジ"}});
     visit.group(workshop.sheets, {.json = "sheets", .title = {"Sheets", "シート"}});
     visit.group(workshop.print, {.json = "print", .title = {"Printing", "3D プリント"}});
     visit.flag(workshop, dowel_flag());

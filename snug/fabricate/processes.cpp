@@ -15,6 +15,7 @@
 #include "snug/fabricate/bricks/bricks.h"
 #include "snug/fabricate/kit/item_labels.h"
 #include "snug/fabricate/kit/packing_sheet.h"
+#include "snug/fabricate/kit/start_here.h"
 #include "snug/fabricate/mill/mill.h"
 #include "snug/fabricate/mould/mould.h"
 #include "snug/fabricate/print/print.h"
@@ -202,6 +203,7 @@ Result<WorkshopPack> workshop_pack(std::span<const Object> objects, const Packin
     pack->documents.push_back(packing_sheet(
         {foams, packing.fit, findings, std::move(layers), packed_items(objects, packing, project),
          pack->material, project.design.workshop, packing.lift.slots, packing.pads, packing.protection}));
+    pack->files.insert(pack->files.begin(), start_here(*pack, foams.object_name, tools.language));
     return pack;
 }
 

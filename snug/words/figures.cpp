@@ -24,6 +24,8 @@ constexpr Wording kWordsOfFigures[] = {
      "{layers} 層のうち {blocks} ブロック"},
     {"figure.maps", "Maps at true size", "原寸の図"},
     {"figure.maps_on_pages", "{maps} on {pages} pages of {paper}", "{maps} 枚、{paper} で {pages} ページ"},
+    {"figure.no_maps", "none, as asked", "なし（指定による）"},
+    {"figure.maps_to_plot", "{maps}, each on a sheet of its own size", "{maps} 枚、それぞれ原寸の 1 枚に"},
     {"paper.a4", "A4", "A4"},
     {"paper.a3", "A3", "A3"},
     {"paper.letter", "Letter", "レター"},

@@ -63,7 +63,7 @@ constexpr Wording kWordsOfLists[] = {
     {"list.lid", "lid mm", "ふた mm"},
     {"list.most_kg", "most kg", "最大 kg"},
     {"list.price", "price", "価格"},
-    {"list.carrier", "carrier", "運送会社"},
+    {"list.carrier", "maker or carrier", "メーカー・運送会社"},
     {"list.fill", "fill", "充填"},
     {"list.billed", "billed kg", "請求 kg"},
     {"list.lay", "lay it with", "置き方"},

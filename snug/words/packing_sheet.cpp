@@ -231,6 +231,7 @@ constexpr Wording kWordsOfPackingSheet[] = {
     {"packing.record_condition", "Condition, damage", "状態・損傷"},
     {"packing.record_name", "Name", "氏名"},
     {"packing.record_date", "Date", "日付"},
+    {"packing.record_accession", "Accession or order number", "登録番号・注文番号"},
     {"packing.record_gross", "Gross mass with the case, kg", "総重量（ケースを含む）、kg"},
     {"packing.record_gross_of", "Gross mass with the case, kg (content {kg})",
      "総重量（ケースを含む）、kg（中身 {kg}）"},

@@ -28,6 +28,17 @@ constexpr Wording kWordsOfPages[] = {
      "テープで留めます。右上の小さな図は、その紙の位置を示します。縁の外の数字は隣の紙の番号です。何"
      "も描かれない紙は省いてあります。"},
     {"page.order_of_work", "Order of work", "作業の手順"},
+    {"start.title", "{name}: begin with 1", "{name}：1 から始めてください"},
+    {"start.document", "{file}: {title} ({pages} {pages|page|pages})", "{file}：{title}（{pages} ページ）"},
+    {"start.true_size", "{file}: {title} ({pages} {pages|page|pages}, print at 100 %)",
+     "{file}：{title}（{pages} ページ、100 % で印刷）"},
+    {"start.folder", "{folder}: {files} {files|file|files}", "{folder}：ファイル {files} 個"},
+    {"start.rest",
+     "Besides: preview.svg shows the foams, lower.stl and upper.stl are them as solids, report.json says all "
+     "figures, and "
+     "project.snug.json makes all of this again.",
+     "ほかに：preview.svg は緩衝材の図、lower.stl と upper.stl は立体データ、report.json は数値の一覧です。"
+     "project.snug.json からすべてをもう一度作れます。"},
 };
 
 }  // namespace

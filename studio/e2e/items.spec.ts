@@ -65,7 +65,7 @@ test('two files are dropped, one is moved by hand, doubled, taken back, saved an
   await page.getByRole('button', {name: 'Save project'}).click();
   const project = {name: 'kit.snug.json', buffer: readFileSync((await (await download).path())!)};
   await page.getByRole('button', {name: 'Start over'}).click();
-  await page.getByRole('button', {name: 'Forget everything'}).click();
+  await Promise.all([page.waitForEvent('load'), page.getByRole('button', {name: 'Forget everything'}).click()]);
   await expect(page.getByRole('heading', {name: 'What are you packing?'})).toBeVisible();
   await drop(page, project);
   await expect(page.getByText('Now open its object: ring.stl, small.stl')).toBeVisible();

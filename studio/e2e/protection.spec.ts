@@ -63,8 +63,9 @@ test('it comes and goes with the project, in either language, on a narrow page',
   await page.getByRole('button', {name: 'Save project'}).click();
   const project = {name: 'ring.snug.json', buffer: readFileSync((await (await download).path())!)};
   await page.getByRole('button', {name: 'Start over'}).click();
-  await page.getByRole('button', {name: 'Forget everything'}).click();
+  await Promise.all([page.waitForEvent('load'), page.getByRole('button', {name: 'Forget everything'}).click()]);
   await page.getByLabel('Open object', {exact: true}).setInputFiles({...project, mimeType: 'application/octet-stream'});
+  await expect(page.getByText('Now open its object')).toBeVisible();
   await open(page, RING);
   await expect.poll(() => sides(page).allTextContents()).toEqual(told);
   await expect(page.getByLabel('Falls from', {exact: true})).toHaveValue('handling');

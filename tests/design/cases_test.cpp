@@ -60,6 +60,22 @@ TEST(Cases, ColumnsThatAreMissingOrUnknownAreNamed) {
               std::string::npos);
 }
 
+TEST(Cases, AreFoundByMakerAndNameWhateverTheCapitals) {
+    const auto named = [](std::string_view name) {
+        const auto found = find_case(built_in_cases(), name);
+        return found ? found->name : std::string();
+    };
+    for (const char* name : {"1450", "Peli 1450", "peli 1450", "Pelican Protector 1450"})
+        EXPECT_EQ(named(name), "1450");
+    EXPECT_EQ(named("Peli Storm im2100"), "iM2100");
+    EXPECT_EQ(named("Nanuk 1450"), "");
+    EXPECT_EQ(named("Peli1450"), "");
+    std::vector<KnownCase> own = built_in_cases();
+    own.push_back({});
+    own.back().name = "PELI 1450";
+    EXPECT_EQ(find_case(own, "PELI 1450")->name, "PELI 1450");
+}
+
 TEST(Cases, RandomTextIsReadOrRefused) {
     constexpr std::string_view kPieces[] = {"name", "length_mm", "width_mm", "height_mm", ",",   "\n",
                                             "\"",   "#",         "300",      "-1",        "nan", "1e9",

@@ -113,6 +113,24 @@ TEST(WorkshopTest, ASmallCavityLeavesNoRoomForFingersAndSaysSo) {
     EXPECT_NE(words_of(packing_sheet_of(*pack)).find("ribbons"), std::string::npos);
 }
 
+TEST(WorkshopTest, TheFirstFileSaysWhichToOpenAndNamesAllOthers) {
+    for (const Workshop work : {Workshop::sponge, Workshop::sheets, Workshop::print, Workshop::mould}) {
+        Packed vase = packed(*sample("vase"), work);
+        const auto pack = workshop_pack({&vase.object, 1}, vase.packing, vase.project);
+        ASSERT_TRUE(pack);
+        const PackFile& first = pack->files.front();
+        EXPECT_EQ(first.name, "START-HERE.txt");
+        const std::string told(reinterpret_cast<const char*>(first.bytes.data()), first.bytes.size());
+        for (const DrawingDocument& document : pack->documents)
+            EXPECT_NE(told.find(document.name + ".pdf"), std::string::npos) << told;
+        for (const PackFile& file : std::span(pack->files).subspan(1))
+            EXPECT_NE(told.find(file.name.substr(0, file.name.find('/'))), std::string::npos) << told;
+        for (const PackContainer& container : pack->containers)
+            EXPECT_NE(told.find(container.name.substr(0, container.name.find('/'))), std::string::npos)
+                << told;
+    }
+}
+
 TEST(WorkshopTest, WaysOfWorkingThatAreNotThereAreRefused) {
     Packed vase = packed(*sample("vase"), Workshop::none);
     EXPECT_EQ(workshop_pack({&vase.object, 1}, vase.packing, vase.project).error().kind, ErrorKind::usage);
@@ -130,6 +148,7 @@ TEST(WorkshopTest, OptionsSurviveTheProjectFile) {
     workshop.currency = "EUR";
     workshop.mass_kg = 3.25;
     workshop.density_kg_m3 = 40.0;
+    workshop.sponge.maps = MapSheets::plotter;
     workshop.sheets.thickness_mm = 7.5;
     workshop.sheets.stock_mm = {600, 300};
     workshop.sheets.kerf_mm = 0.15;

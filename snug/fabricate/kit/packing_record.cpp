@@ -71,7 +71,8 @@ void draw_ways(PageFlow& flow, const PackingRecord& record) {
 }
 
 void draw_lines(PageFlow& flow, const PackingRecord& record) {
-    const std::array<Message, 4> lines{
+    const std::array<Message, 5> lines{
+        say("packing.record_accession"),
         record.content_kg ? say("packing.record_gross_of", {{"kg", number(*record.content_kg, 3)}})
                           : say("packing.record_gross"),
         say("packing.record_parts"), say("packing.record_carrier"), say("packing.record_spare")};

@@ -41,11 +41,22 @@ struct Maps {
     bool too_many = false;
 };
 
+/// On what maps are drawn.
+struct MapPaper {
+    MapSheets sheets;
+    Vec2d size_mm;
+};
+
+Result<std::vector<Drawing>> pages_of(const Drawing& map, const MapPaper& paper) {
+    if (paper.sheets == MapSheets::plotter) return std::vector{map};
+    return tiled(map, paper.size_mm);
+}
+
 /// Adds a map as a file and, while there is room for its pages, to the document.
-Result<void> add_map(const Drawing& map, std::string name, Vec2d paper, Maps& maps) {
+Result<void> add_map(const Drawing& map, std::string name, const MapPaper& paper, Maps& maps) {
     maps.files.push_back(svg_file(std::move(name), map));
     if (maps.too_many) return {};
-    auto pages = tiled(map, paper);
+    auto pages = pages_of(map, paper);
     if (!pages) return tl::unexpected(pages.error());
     auto& all = maps.document.pages;
     maps.too_many = all.size() + pages->size() > kMostMapPages;
@@ -54,10 +65,11 @@ Result<void> add_map(const Drawing& map, std::string name, Vec2d paper, Maps& ma
     return {};
 }
 
-Result<Maps> true_size_maps(const FoamDesign& design, const SpongeWork& work, Vec2d paper) {
+Result<Maps> true_size_maps(const FoamDesign& design, const SpongeWork& work, const MapPaper& paper) {
     Maps maps;
+    if (paper.sheets == MapSheets::none) return maps;
     const std::string title = text(say("sponge.maps_title", {{"name", design.object_name}}), design.language);
-    maps.document = {"sponge-maps", title, {print_check_page(paper, title, design.language)}, true};
+    maps.document = {"sponge-maps", title, {print_check_page(paper.size_mm, title, design.language)}, true};
     std::size_t test_pages = 1;
     for (const auto& [layer, test] : work.tests) {
         const Message name = design.foams.layers() == 1
@@ -91,8 +103,17 @@ Message paper_name(std::string_view paper) {
     return paper == "a3" ? say("paper.a3") : say("paper.a4");
 }
 
+Message maps_text(const Maps& maps, const WorkshopOptions& options) {
+    if (options.sponge.maps == MapSheets::none) return say("figure.no_maps");
+    const std::string count = std::to_string(maps.files.size());
+    if (options.sponge.maps == MapSheets::plotter) return say("figure.maps_to_plot", {{"maps", count}});
+    const std::size_t pages = maps.files.empty() ? 0 : maps.document.pages.size();
+    return say("figure.maps_on_pages",
+               {{"maps", count}, {"pages", std::to_string(pages)}, {"paper", paper_name(options.paper)}});
+}
+
 void tell_figures(const FoamDesign& design, const SpongeWork& work, const Maps& maps,
-                  const std::string& paper, WorkshopPack& pack) {
+                  const WorkshopOptions& options, WorkshopPack& pack) {
     const double columns = static_cast<double>(design.available.size());
     int layers = 0;
     for (const PluckPlan& plan : work.plans) {
@@ -103,11 +124,7 @@ void tell_figures(const FoamDesign& design, const SpongeWork& work, const Maps& 
     }
     pack.material.pieces = plucked_of(work);
     pack.material.litres = layers * columns * design.space.block_volume() * 1e-6;
-    const std::size_t pages = maps.files.empty() ? 0 : maps.document.pages.size();
-    pack.figures.push_back(
-        {say("figure.maps"), say("figure.maps_on_pages", {{"maps", std::to_string(maps.files.size())},
-                                                          {"pages", std::to_string(pages)},
-                                                          {"paper", paper_name(paper)}})});
+    pack.figures.push_back({say("figure.maps"), maps_text(maps, options)});
 }
 
 }  // namespace
@@ -115,13 +132,13 @@ void tell_figures(const FoamDesign& design, const SpongeWork& work, const Maps& 
 Result<WorkshopPack> sponge_pack(const FoamDesign& design, const WorkshopOptions& options) {
     SpongeWork work{{}, fit_tests(design)};
     for (const Piece piece : design.foams.all()) work.plans.push_back(pluck_plan(design, piece));
-    auto maps = true_size_maps(design, work, paper_mm(options.paper));
+    auto maps = true_size_maps(design, work, {options.sponge.maps, paper_mm(options.paper)});
     if (!maps) return tl::unexpected(maps.error());
 
     WorkshopPack pack;
     pack.documents.push_back(
         {"sponge-plan", sponge_title(design), sponge_plan(design, work, paper_mm(options.paper)), false});
-    tell_figures(design, work, *maps, options.paper, pack);
+    tell_figures(design, work, *maps, options, pack);
     if (maps->too_many)
         pack.findings.push_back(
             {Severity::note, say("many_maps", {{"pages", std::to_string(kMostMapPages)}})});

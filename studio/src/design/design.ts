@@ -21,6 +21,8 @@ export interface KnownCase {
   lid_mm: number | null;
   divisor: number | null;
   rotation_deg: Triple;
+  /** "Peli"; may be empty. */
+  maker?: string;
 }
 
 /** A foam that is known, with its blocks. */

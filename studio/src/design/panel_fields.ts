@@ -103,6 +103,7 @@ export const PANELS = {
     ],
     more: [
       'workshop.paper',
+      'workshop.sponge.maps',
       'workshop.price_per_litre',
       'workshop.currency',
       'workshop.sheets.kerf_mm',

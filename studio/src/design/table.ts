@@ -208,6 +208,10 @@ export interface Design {
     mass_kg: number | null;
     /** Density of the material (kg/m3). */
     density_kg_m3: number | null;
+    sponge: {
+      /** Sponge: maps at true size as tiles of the paper, each on one sheet for a plotter, or none. */
+      maps: 'tiles' | 'plotter' | 'none';
+    };
     sheets: {
       /** Sheets: their thickness (mm). */
       thickness_mm: number | null;
@@ -390,6 +394,7 @@ export type OptionPath =
   | 'workshop.currency'
   | 'workshop.mass_kg'
   | 'workshop.density_kg_m3'
+  | 'workshop.sponge.maps'
   | 'workshop.sheets.thickness_mm'
   | 'workshop.sheets.stock_mm'
   | 'workshop.sheets.margin_mm'

@@ -104,6 +104,7 @@ export class Keeping {
   /** Forgets everything of this tab, on the screen and in the browser. */
   async clear(): Promise<void> {
     this.#on = false;
+    document.body.inert = true; // what came in now would be lost with the page
     await this.#studio.works?.discardOwn();
     location.reload();
   }

@@ -158,6 +158,11 @@ export const fields = {
       tip: ['Of the pages that come with the files', 'ファイルに付く印刷物の用紙'],
       words: {a4: ['A4', 'A4'], letter: ['Letter', 'レター'], a3: ['A3', 'A3']},
     },
+    'workshop.sponge.maps': {
+      name: ['Maps at true size', '原寸図'],
+      tip: ['On tiles of the paper, each on one large sheet, or none: the plan alone says all', '用紙に分けて、大きな 1 枚に、または作らない。計画図だけでも作れます。'],
+      words: {tiles: ['Tiles', '分割'], plotter: ['One sheet', '1 枚'], none: ['None', 'なし']},
+    },
     'workshop.price_per_litre': {
       name: ['Price a litre', 'リットル単価'],
       tip: ['Of the foam as you buy it; 0: the cost is not reckoned', '購入する緩衝材の価格。0 なら費用は計算しません。'],

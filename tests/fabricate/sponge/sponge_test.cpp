@@ -10,6 +10,7 @@
 
 #include "snug/base/stopwatch.h"
 #include "snug/depth/depth_map.h"
+#include "snug/drawing/drawing_svg.h"
 #include "snug/fabricate/kit/block_names.h"
 #include "snug/fabricate/kit/finger_room.h"
 #include "snug/fabricate/kit/fit_test.h"
@@ -291,6 +292,29 @@ TEST(SpongePackTest, EveryLayerThatIsPluckedHasItsFile) {
                                             "sponge/lid-01-02.svg"}));
     EXPECT_EQ(pack->material.pieces, 20);
     EXPECT_NEAR(*pack->material.litres, 8 * 3 * 4 * 15 * 15 * 22 * 1e-6, 1e-9);
+}
+
+TEST(SpongePackTest, MapsAreTiledPlottedOrLeftOut) {
+    const CutFoams foams = letter_l();
+    const auto with = [&](MapSheets maps) {
+        WorkshopOptions options;
+        options.sponge.maps = maps;
+        return sponge_pack(foams.design(), options).value();
+    };
+    const WorkshopPack tiled = with(MapSheets::tiles), plotted = with(MapSheets::plotter),
+                       none = with(MapSheets::none);
+    ASSERT_EQ(plotted.documents.size(), 2u);
+    EXPECT_EQ(tiled.files.size(), plotted.files.size());
+    // After the page that tells how to print: each map whole, as its file has it.
+    ASSERT_EQ(plotted.documents[1].pages.size(), plotted.files.size() + 1);
+    for (std::size_t i = 0; i < plotted.files.size(); ++i) {
+        const std::string svg = drawing_svg(plotted.documents[1].pages[i + 1]);
+        const auto& bytes = plotted.files[i].bytes;
+        EXPECT_EQ(svg, std::string(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+    }
+    EXPECT_EQ(none.documents.size(), 1u);
+    EXPECT_TRUE(none.files.empty());
+    EXPECT_EQ(none.material.pieces, tiled.material.pieces);
 }
 
 TEST(SpongePackTest, FoamsThatNothingTouchesNeedNoPlucking) {
