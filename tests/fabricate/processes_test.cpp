@@ -119,7 +119,7 @@ TEST(WorkshopTest, TheFirstFileSaysWhichToOpenAndNamesAllOthers) {
         const auto pack = workshop_pack({&vase.object, 1}, vase.packing, vase.project);
         ASSERT_TRUE(pack);
         const PackFile& first = pack->files.front();
-        EXPECT_EQ(first.name, "START-HERE.txt");
+        EXPECT_EQ(first.name, "start-here.txt");
         const std::string told(reinterpret_cast<const char*>(first.bytes.data()), first.bytes.size());
         for (const DrawingDocument& document : pack->documents)
             EXPECT_NE(told.find(document.name + ".pdf"), std::string::npos) << told;

@@ -59,7 +59,7 @@ PackFile start_here(const WorkshopPack& pack, const std::string& object_name, La
     for (std::size_t i = 0; i < lines.size(); ++i)
         all += std::to_string(i + 1) + ". " + text(lines[i], language) + "\n";
     all += "\n" + text(say("start.rest"), language) + "\n";
-    return text_file("START-HERE.txt", all);
+    return text_file("start-here.txt", all);
 }
 
 }  // namespace snug

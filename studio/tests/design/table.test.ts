@@ -69,7 +69,8 @@ test('an option without words of the page is called by its label in either langu
 
 test('the options of a way of working are found in their order, and none where it has none', () => {
   expect(pathsBelow(schema, 'workshop.mould')).toEqual(['workshop.mould.wall_mm', 'workshop.mould.rim_mm', 'workshop.mould.draft_deg']);
-  expect(pathsBelow(schema, 'workshop.sponge')).toEqual([]);
+  expect(pathsBelow(schema, 'workshop.sponge')).toEqual(['workshop.sponge.maps']);
+  expect(pathsBelow(schema, 'workshop.felt')).toEqual([]);
 });
 
 test('a group that is missing begins as the library has it', async () => {
