@@ -44,7 +44,7 @@ test:
 	@scripts/test
 
 soak:
-	@scripts/install-packages build studio dist test
+	@scripts/install-packages build studio dist test soak
 	@scripts/soak
 
 bench:
