@@ -94,14 +94,6 @@ std::vector<Argument> arguments_of(MakeArguments& a) {
     return all;
 }
 
-/// "--wall protect" is no wall but asks for some.
-void take_protecting_walls(MakeArguments& a) {
-    const auto asks = [](const TypedFlag& typed) {
-        return typed.flag == "--wall" && typed.text == "protect";
-    };
-    a.protecting_walls = std::erase_if(a.task.design, asks) > 0;
-}
-
 /// Writes everything, the report last, since it tells how long the rest took and what of earlier runs stays.
 Result<std::string> write_outputs(std::span<const Object> objects, const Project& project, Made& made,
                                   const PdfLetters& letters, FolderRun&& run) {
@@ -267,7 +259,7 @@ CommandSpec make_command(Language language) {
         "  snug make vase.stl:count=2,upright=z camera.stl:clearance=1x2x2,mass=0.9 --blocks auto -o kit\n"
         "  snug make scan-foam/project.snug.json --object scan.ply --rotate 0,90,0 -o turned",
         arguments_of(*a), [a] {
-            take_protecting_walls(*a);
+            a->protecting_walls = take_protecting_walls(a->task);
             return within_memory(a->task.objects.front(), a->language, [&] { return make(*a); });
         }};
 }

@@ -58,6 +58,13 @@ std::vector<fs::path> inputs_of(const TaskArguments& arguments, const Task& task
     return inputs;
 }
 
+bool take_protecting_walls(TaskArguments& arguments) {
+    const auto asks = [](const TypedFlag& typed) {
+        return typed.flag == "--wall" && typed.text == "protect";
+    };
+    return std::erase_if(arguments.design, asks) > 0;
+}
+
 Message in_its_file(const Task& task, const Error& error) {
     return task.paths.size() == 1 ? in_file(task.paths.front().string(), error.message) : error.message;
 }

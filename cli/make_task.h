@@ -25,6 +25,9 @@ struct TaskArguments {
 /// items are known. Fails with kind `usage`, and with kind `input` for a project that cannot be read.
 [[nodiscard]] Result<Task> task_from(const TaskArguments& arguments, Language language);
 
+/// "--wall protect" is no wall but asks for some: takes it away, and says whether it was typed.
+[[nodiscard]] bool take_protecting_walls(TaskArguments& arguments);
+
 /// With the name of the file where there is one alone.
 [[nodiscard]] Message in_its_file(const Task& task, const Error& error);
 

@@ -174,8 +174,10 @@ CommandSpec plan_command(Language language) {
     a->language = language;
     return {"plan", text(say("help.plan"), language),
             "snug plan camera.stl --mass 0.9 --fragility 85 --carrier parcel -o camera-plan",
-            arguments_of(*a),
-            [a] { return within_memory(a->task.objects.front(), a->language, [&] { return plan(*a); }); }};
+            arguments_of(*a), [a] {
+                (void)take_protecting_walls(a->task);  // a plan does so anyway
+                return within_memory(a->task.objects.front(), a->language, [&] { return plan(*a); });
+            }};
 }
 
 }  // namespace snug::cli
