@@ -48,14 +48,20 @@ export class Keeping {
     await this.saveNow();
   }
 
-  /** Brings back what this tab had before it was loaded anew. */
+  /** Brings back what this tab had before it was loaded anew; where a person opened something else meanwhile, that stays and the
+   *  other waits. */
   async restore(works: Works): Promise<void> {
     this.#on = false;
     this.#studio.works = works;
     const id = await works.begin();
-    if (id && !(await this.#resume(id))) await works.renew();
+    if (id && (this.#opened || !(await this.#resume(id, () => this.#opened)))) await works.renew();
     await works.look();
     this.#on = true;
+    if (this.#opened) this.saveSoon();
+  }
+
+  get #opened(): boolean {
+    return this.#studio.object !== null || this.#studio.busy?.work === 'read';
   }
 
   /** Goes on with a work that no tab has open; this tab's own stays as it was saved. */
@@ -71,7 +77,7 @@ export class Keeping {
   }
 
   /** False where nothing came back; then what was saved stays as it is. */
-  async #resume(id: string): Promise<boolean> {
+  async #resume(id: string, tooLate = () => false): Promise<boolean> {
     const saved = await this.#studio.works?.load(id);
     if (!saved) return true;
     for (const object of saved.objects) this.#objects.set(object.id, object);
@@ -88,7 +94,7 @@ export class Keeping {
       this.#studio.refuse('object', files.works.broken(checked.error));
       return false;
     }
-    if (!(await this.#parts.becomes(history))) return false;
+    if (tooLate() || !(await this.#parts.becomes(history))) return false;
     // Made again like any change, which may be refused.
     if (last && sameObjects(last.moment, present(history))) this.#studio.becomes(last.moment, '');
     return true;
