@@ -16,18 +16,27 @@ const MOST_BYTES = 1_000_000_000;
 let waiting: {project: Project; files: (File | null)[]} | null = null;
 
 /** Whatever a person drops or chooses: objects, a project, or both. Objects without a project take the place of what is
- *  open, or join it. A sentence says what went wrong; then everything stays as it was. */
-export async function openFiles(studio: Studio, files: readonly File[], {joins = false} = {}): Promise<void> {
+ *  open, or join it. A sentence says what went wrong; then everything stays as it was. Whether objects are open now for which
+ *  nobody has chosen anything. */
+export async function openFiles(studio: Studio, files: readonly File[], {joins = false} = {}): Promise<boolean> {
+  const fresh = waiting === null && !(joins && studio.object);
   const notes = files.filter(({name}) => /\.json$/i.test(name));
   const {objects, beside, leftOut} = bundled(files.filter((file) => !notes.includes(file)));
   const {project, unread, refused} = await readProject(studio, notes);
   // What is no project at all may lie beside an object; a project that cannot be read is asked for.
-  if (refused && (objects.length === 0 || refused.meant)) return studio.refuse('object', refused.sentence);
-  if (objects.length === 0) return project ? useProject(studio, project) : undefined;
+  if (refused && (objects.length === 0 || refused.meant)) {
+    studio.refuse('object', refused.sentence);
+    return false;
+  }
+  if (objects.length === 0) {
+    if (project) useProject(studio, project);
+    return false;
+  }
   const company = beside.map((file) => ({name: file.name, content: file}));
-  if (!(await openObjects(studio, objects, company, project, joins))) return;
+  if (!(await openObjects(studio, objects, company, project, joins))) return false;
   if (leftOut.length > 0) alsoSay(studio, texts.leftOut(leftOut.map(({name}) => name)));
   if (unread.length > 0) alsoSay(studio, texts.noProject(unread.map(({name}) => name)));
+  return fresh && !project;
 }
 
 /** The first of the files that is a project; else why one is not, first of all one that means to be. */
@@ -156,14 +165,15 @@ function alsoSay(studio: Studio, sentence: Pair): void {
   studio.notice = studio.notice ? joined([studio.notice, sentence], ' ') : sentence;
 }
 
-/** `joins`: beside what is open. */
-export async function openSample(studio: Studio, name: string, joins = false): Promise<void> {
+/** `joins`: beside what is open. Whether it is open now. */
+export async function openSample(studio: Studio, name: string, joins = false): Promise<boolean> {
   const make = async () => {
     const file = await studio.engine.sampleFile(name);
     return isFailure(file) ? file : {name: file.name, content: new Blob([file.bytes]), converted: true};
   };
   const failed = await studio.openObject(name, make, {joins});
-  if (failed) return;
+  if (failed) return false;
   studio.notice = waiting && texts.waitsNoMore(namesOf(waiting));
   waiting = null;
+  return true;
 }

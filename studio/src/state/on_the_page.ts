@@ -9,7 +9,7 @@ export interface Problem {
   text: Pair;
 }
 
-export type Work = 'start' | 'read' | 'gaps' | 'search' | 'arrange' | 'map' | 'walls' | 'make';
+export type Work = 'start' | 'read' | 'gaps' | 'search' | 'arrange' | 'map' | 'walls' | 'plan' | 'make';
 /** What takes long just now. `fraction`: 0 to 1 where it is known. */
 export interface Busy {
   work: Work;

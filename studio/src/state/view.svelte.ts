@@ -42,6 +42,8 @@ export class View {
   opening = $state(0);
   opened: Opened = $state(remembered(OPENED) === 'book' ? 'book' : 'above');
   looks: Record<Part, Look> = $state({object: 'shown', lower: 'shown', middle: 'shown', upper: 'shown', space: 'shown'});
+  /** The object by itself, while it is asked about. */
+  alone = $state(false);
   handles: Handles = $state('none');
   /** Null until a person chooses: the upright section of one item, the plan of several. */
   drawing: Drawing | null = $state(null);

@@ -18,6 +18,8 @@ export const kg = (value: number): string => `${amount(value)} kg`;
 export const force = (newtons: number): string => (newtons >= 1000 ? `${amount(newtons / 1000)} kN` : `${amount(newtons)} N`);
 /** A shock, as a multiple of gravity. */
 export const shock = (g: number): string => `${amount(g)} G`;
+/** Of a currency by its code; none where it is not known. */
+export const money = (value: number, currency: string | null): string => [value.toFixed(2), currency ?? ''].join(' ').trim();
 export const ms = (value: number): string => `${grouped(value, 0)} ms`;
 export const bytes = (value: number): string =>
   value < 1e6 ? `${amount(Math.max(value, 100) / 1e3)} kB` : `${amount(value / 1e6)} MB`;

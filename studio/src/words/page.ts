@@ -52,6 +52,8 @@ export const page = words({
       'スキャンや3Dモデルをここにドロップすると、まわりの緩衝材を設計します。データはこのコンピューターの外に出ません。',
     ],
     choose: ['Choose a file', 'ファイルを選ぶ'],
+    ruler: ['I have only a ruler', '定規で測った寸法だけがある'],
+    rulerTip: ['Make the object from its measurements', '測った寸法から対象物を作ります'],
     or: ['or try one of these', 'または、見本で試す'],
     samples: byName({
       torus: ['Ring', 'リング'],
@@ -91,6 +93,7 @@ export const page = words({
     arrange: ['Arranging …', '並べ方を探索中 …'],
     map: ['Looking in every direction …', 'すべての方向を調査中 …'],
     walls: ['Choosing the walls …', '壁の厚さを決めています …'],
+    plan: ['Making proposals …', '案を作成中 …'],
     make: ['Making the files …', 'ファイルを作成中 …'],
     cancel: ['Cancel', '中止'],
   },

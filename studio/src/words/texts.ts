@@ -4,9 +4,11 @@ import {failures} from './failures';
 import {fields} from './fields';
 import {fieldsOf} from './fields_of';
 import {files} from './files';
+import {first} from './first';
 import {foam} from './foam';
 import {items} from './items';
 import {make} from './make';
+import {measure} from './measure';
 import {object} from './object';
 import {page} from './page';
 import {pieces} from './pieces';
@@ -17,7 +19,7 @@ import {workshop} from './workshop';
 import {zones} from './zones';
 
 /** Every text of the studio. Sentences of the library come from the library. */
-export const ALL = words({...page, ...object, ...items, ...foam, ...pieces, ...workshop, ...placement, ...check, ...drops, ...make, ...views, ...files, ...failures, ...fields, ...fieldsOf, ...zones});
+export const ALL = words({...page, ...object, ...items, ...foam, ...pieces, ...workshop, ...placement, ...check, ...drops, ...make, ...views, ...files, ...failures, ...fields, ...fieldsOf, ...zones, ...first, ...measure});
 
 export const en = spoken(ALL, 0);
 export const ja = spoken(ALL, 1);

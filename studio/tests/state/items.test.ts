@@ -7,7 +7,7 @@ import {box} from '../support/shapes';
 import {startStudio} from '../support/studio';
 
 let studio: Studio;
-let openFiles: (studio: Studio, files: readonly File[], how?: {joins?: boolean}) => Promise<void>;
+let openFiles: (studio: Studio, files: readonly File[], how?: {joins?: boolean}) => Promise<boolean>;
 const body = () => new File([box([120, 80, 60])], 'body.stl');
 const lens = () => new File([box([50, 40, 60])], 'lens.stl');
 const cap = () => new File([box([40, 40, 10])], 'cap.stl');

@@ -9,7 +9,7 @@ import {startStudio} from '../support/studio';
 
 let studio: Studio;
 let painting: Painting;
-let openFiles: (studio: Studio, files: readonly File[], how?: {joins?: boolean}) => Promise<void>;
+let openFiles: (studio: Studio, files: readonly File[], how?: {joins?: boolean}) => Promise<boolean>;
 const ring = (name = 'ring.stl', thickness = 20) => new File([torus(24, 12, 60, thickness)], name);
 
 beforeEach(async () => {

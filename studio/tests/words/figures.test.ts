@@ -27,7 +27,7 @@ test('sentences of the library follow it, and what is typed stays as it is', () 
 });
 
 /** What is written for programs: a shader, SVG and CSS, a number that is reckoned on with, and dates. */
-const FOR_PROGRAMS = ['design/rotation.ts', 'panels/FoamStep.svelte', 'panels/WaitingWorks.svelte', 'panels/drops/ForceCurve.svelte', 'panels/drops/SideDrops.svelte', 'view3d/ramp.ts'];
+const FOR_PROGRAMS = ['design/rotation.ts', 'design/shape.ts', 'panels/FoamStep.svelte', 'panels/WaitingWorks.svelte', 'panels/drops/ForceCurve.svelte', 'panels/drops/SideDrops.svelte', 'view3d/ramp.ts'];
 
 test('nothing else on the page writes figures', () => {
   const writing = sources.filter(([, text]) => /\.toFixed\(|\.toPrecision\(|\.toLocaleString\(|Intl\.NumberFormat/.test(text)).map(([name]) => name);

@@ -1,0 +1,67 @@
+import type {Design} from '../design/design';
+import type {PlanWishes, Proposal} from '../engine/plan';
+import {kg, money, plain, shock} from '../words/figures';
+import type {Texts} from '../words/texts';
+
+// Proposals as they stand side by side.
+
+export interface Column {
+  /** What it is best in. */
+  kinds: readonly Proposal['kind'][];
+  proposal: Proposal;
+}
+
+/** What is best in two ways stands once. */
+export function columnsOf(proposals: readonly Proposal[]): Column[] {
+  const columns: {kinds: Proposal['kind'][]; proposal: Proposal; text: string}[] = [];
+  for (const proposal of proposals) {
+    const text = JSON.stringify(proposal.design);
+    const same = columns.find((column) => column.text === text);
+    if (same) same.kinds.push(proposal.kind);
+    else columns.push({kinds: [proposal.kind], proposal, text});
+  }
+  return columns;
+}
+
+export type Look = 'good' | 'danger' | 'unknown';
+
+/** What it meets in a drop of what it bears, or why that is not known. */
+export function shockOf({worst_g, asked_g, meets, design}: Proposal, carrier: PlanWishes['carrier'], t: Texts['first']): {look: Look; text: string} {
+  if (carrier === 'store') return {look: 'unknown', text: t.shock.store};
+  if (worst_g !== null && asked_g !== null)
+    return meets === 'yes'
+      ? {look: 'good', text: t.shock.meets(shock(worst_g), shock(asked_g))}
+      : {look: 'danger', text: t.shock.fails(shock(worst_g), shock(asked_g))};
+  if (meets === 'no') return {look: 'danger', text: t.shock.bottoms};
+  if (worst_g !== null) return {look: 'unknown', text: t.shock.unasked(shock(worst_g))};
+  return {look: 'unknown', text: lacksMass(design) ? t.shock.noMass : t.shock.noData};
+}
+
+function lacksMass({items, workshop}: Design): boolean {
+  return items.some(({mass_kg}) => (mass_kg ?? workshop.mass_kg) === null);
+}
+
+export function costOf({cost, currency, billed_kg}: Proposal, t: Texts['first']): string {
+  return cost === null ? t.billed(kg(billed_kg)) : money(cost, currency);
+}
+
+/** Hours, to a tenth; below one in minutes. */
+export function workOf(pieces: number, seconds: number, t: Texts['first']): string {
+  const minutes = (pieces * seconds) / 60;
+  return minutes < 60 ? t.minutes(Math.max(1, Math.round(minutes))) : t.hours(plain(minutes / 60, 1));
+}
+
+/** The gravest two kinds. */
+export function worries({findings}: Proposal): Proposal['findings'] {
+  const grave = findings.filter(({severity}) => severity !== 'note');
+  return grave.filter(({code}, i) => grave.findIndex((other) => other.code === code) === i).slice(0, 2);
+}
+
+/** Of a preview what stands above its maps, which are too small to be read here. */
+export function pictureOf(svg: string): string {
+  const legend = /<g id="legend"([\s\S]*?)(?=<g id="|$)/.exec(svg)?.[1] ?? '';
+  const lines = [...legend.matchAll(/ y="([\d.]+)"/g)].map(([, y]) => Number(y));
+  if (lines.length < 2) return svg;
+  const LINE = 7;
+  return svg.replace(/ width="[^"]*" height="[^"]*" viewBox="0 0 ([\d.]+) [\d.]+"/, (_, width: string) => ` viewBox="0 0 ${width} ${Math.max(...lines) - LINE}"`);
+}
