@@ -2,7 +2,7 @@ import {sample} from './support/command_line';
 import {hold, holdReads, letGo} from './support/hold_reads';
 import {inTheMoment} from './support/in_the_moment';
 import {kept} from './support/kept';
-import {EVERYTHING, expect, foamsShown, gapsMeasured, open, PLAIN, set, status, test} from './support/studio';
+import {EVERYTHING, expect, foamsShown, gapsMeasured, open, PLAIN, set, skipQuestions, status, test} from './support/studio';
 import {torusStl} from './support/torus';
 import {WEDGE_IN_METRES} from './support/wedge';
 
@@ -88,6 +88,7 @@ test.describe('where something is asked', () => {
 
   test('the question for the unit can be left, found again, moved, and answered by a length', async ({studio: page}) => {
     await page.getByLabel('Open object', {exact: true}).setInputFiles(file('wedge.off', WEDGE_IN_METRES));
+    await skipQuestions(page);
     const question = page.getByRole('dialog', {name: 'Which unit does this file use?'});
     await expect(question).toBeVisible();
     const before = await question.boundingBox();
@@ -109,6 +110,7 @@ test.describe('where something is asked', () => {
     await expect(page.getByLabel('Unit of the file').locator('option:checked')).toHaveText('by a known length');
     // The length is of this object alone.
     await page.getByLabel('Open object', {exact: true}).setInputFiles(file('other.off', WEDGE_IN_METRES.replace('0.15', '0.16')));
+    await skipQuestions(page);
     await expect(page.getByTitle('other.off')).toBeVisible();
     await expect(question.getByRole('spinbutton', {name: 'Or: its longest side is'})).toHaveValue('0');
     await question.getByRole('button', {name: /^Metres/}).click();

@@ -4,7 +4,7 @@ import {sample} from './support/command_line';
 import {atRest} from './support/at_rest';
 import {inTheMoment} from './support/in_the_moment';
 import {kept} from './support/kept';
-import {EVERYTHING, expect, foamsShown, gapsMeasured, open, PLAIN, set, status, test} from './support/studio';
+import {EVERYTHING, expect, foamsShown, gapsMeasured, open, PLAIN, set, skipQuestions, status, test} from './support/studio';
 import {torusStl} from './support/torus';
 import {WEDGE_IN_METRES} from './support/wedge';
 
@@ -120,6 +120,7 @@ test.describe('where something is asked', () => {
 
   test('a file in metres asks for its unit', async ({studio: page}) => {
     await page.getByLabel('Open object', {exact: true}).setInputFiles({name: 'wedge.off', mimeType: '', buffer: Buffer.from(WEDGE_IN_METRES)});
+    await skipQuestions(page);
     const dialog = page.getByRole('dialog', {name: 'Which unit does this file use?'});
     await dialog.getByRole('button', {name: /^Metres/}).click();
     await expect(dialog).toBeHidden();

@@ -1,7 +1,7 @@
 import {fileURLToPath} from 'node:url';
 import type {Page} from '@playwright/test';
 import {sample} from '../e2e/support/command_line';
-import {expect, gapsMeasured, PLAIN, set, status, test} from '../e2e/support/studio';
+import {expect, gapsMeasured, PLAIN, set, skipQuestions, status, test} from '../e2e/support/studio';
 
 // Every step in both colours, in Japanese and on a tablet, into build/pictures; the two of the README into docs/.
 
@@ -21,6 +21,7 @@ async function shoot(page: Page, name: string) {
 
 async function withSample(page: Page, name: string) {
   await page.getByRole('button', {name}).click();
+  await skipQuestions(page);
   await gapsMeasured(page);
 }
 
@@ -56,6 +57,7 @@ test('the ways of working with tools of their own', async ({studio: page}) => {
 test('three layers, and a tray', async ({studio: page}) => {
   const samples = ['camera', 'torus', 'vase'].map((name) => sample(name));
   await page.getByLabel('Open object', {exact: true}).setInputFiles(samples);
+  await skipQuestions(page);
   await showAll(page);
   for (const [i, name] of ['torus', 'vase'].entries()) {
     await page.getByRole('button', {name: `${i + 2}. ${name}.stl`, exact: true}).click();

@@ -197,6 +197,10 @@ export class FoamScene {
   }
 
   /** Nothing but the item that is selected. */
+  get alone(): boolean {
+    return this.#alone;
+  }
+
   set alone(value: boolean) {
     this.#alone = this.#bodies.alone = value;
     this.#up.group.visible = this.#packing !== null && !value;
