@@ -9,9 +9,9 @@ export function usualWall(carrier: PlanWishes['carrier']): number {
   return carrier === 'store' ? 25 : 50;
 }
 
-/** By every word that any case has; a maker's, which the list does not know, counts for nothing. */
+/** By every word that any case has; one that none has, such as a maker's whom the list does not know, counts for nothing. */
 export function findCases(cases: readonly RankedCase[], typed: string, kinds: Record<string, string>): RankedCase[] {
-  const textOf = ({name, kind}: RankedCase) => `${name} ${kind} ${kinds[kind] ?? ''}`.toLowerCase();
+  const textOf = ({name, maker = '', kind}: RankedCase) => `${maker} ${name} ${kind} ${kinds[kind] ?? ''}`.toLowerCase();
   const words = typed.toLowerCase().split(/\s+/).filter((word) => word !== '');
   const known = words.filter((word) => /\d/.test(word) || cases.some((one) => textOf(one).includes(word)));
   if (words.length > 0 && known.length === 0) return [];

@@ -59,9 +59,14 @@ export class Measuring {
     this.#timer = setTimeout(() => void this.#open(this.#studio.moment.design), STILL_MS);
   }
 
+  /** Nothing is opened any more. */
+  leave(): void {
+    clearTimeout(this.#timer);
+  }
+
   /** What was changed last is open then. */
   async done(): Promise<void> {
-    clearTimeout(this.#timer);
+    this.leave();
     await this.#opening;
     const [file] = this.#studio.files;
     const text = shapeText(this.shape);

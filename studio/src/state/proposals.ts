@@ -51,9 +51,9 @@ export function workOf(pieces: number, seconds: number, t: Texts['first']): stri
   return minutes < 60 ? t.minutes(Math.max(1, Math.round(minutes))) : t.hours(plain(minutes / 60, 1));
 }
 
-/** The gravest two kinds. */
-export function worries({findings}: Proposal): Proposal['findings'] {
-  const grave = findings.filter(({severity}) => severity !== 'note');
+/** The gravest two kinds; of the shock the worst is told already. */
+export function worries({findings, meets}: Proposal): Proposal['findings'] {
+  const grave = findings.filter(({severity, code}) => severity !== 'note' && !(meets === 'no' && code === 'shock'));
   return grave.filter(({code}, i) => grave.findIndex((other) => other.code === code) === i).slice(0, 2);
 }
 

@@ -88,7 +88,7 @@ test('figures say what is known and what is not', () => {
   expect([workOf(24, 60, t), workOf(360, 30, t)]).toEqual(['about 24 min', 'about 3 h']);
   expect([costOf({...proposal!, cost: 3.5, currency: 'EUR'}, t), costOf({...proposal!, cost: null, billed_kg: 4}, t)]).toEqual(['3.50 EUR', 'no price known; billed as 4 kg']);
   const finding = (code: string, severity: 'danger' | 'note') => ({code, severity, message: code});
-  expect(worries({...proposal!, findings: [finding('shock', 'danger'), finding('shock', 'danger'), finding('parts', 'note')]})).toHaveLength(1);
+  expect(worries({...proposal!, meets: 'no', findings: [finding('shock', 'danger'), finding('open', 'danger'), finding('open', 'danger'), finding('parts', 'note')]})).toEqual([finding('open', 'danger')]);
 });
 
 test('of a preview the drawing stays, without the maps below', () => {
