@@ -1,4 +1,5 @@
 import {beforeAll, expect, test, vi} from 'vitest';
+import {withCase} from '../../src/design/edit';
 import type {Proposal} from '../../src/engine/plan';
 import type {FirstLevel} from '../../src/state/first_level.svelte';
 import {columnsOf, costOf, pictureOf, shockOf, workOf, worries} from '../../src/state/proposals';
@@ -111,4 +112,14 @@ test('a case is found by its name, with or without the maker’s, and says for h
   const best = hardCaseFor(ranking, 'parcel', false)!;
   expect(best.kind).toBe('hard case');
   expect(walls(best.name)).toBeGreaterThanOrEqual(usualWall('parcel'));
+});
+
+test('where nothing can be made the reason is told, and the questions are a step back', async () => {
+  studio.becomes({...studio.moment, design: withCase(studio.moment.design, {inside_mm: [30, 30, 30]}, studio.defaults.case)}, '');
+  first.wish({cases: 'named'});
+  await first.show();
+  expect(first.proposals).toBeNull();
+  expect(first.failure?.[0]).toMatch(/\w+ \w+/);
+  first.ask();
+  expect(first.stage).toBe('ask');
 });
