@@ -71,7 +71,7 @@ class Plans(unittest.TestCase):
 
     def test_each_proposal_is_what_make_makes_of_it(self):
         vase = self.work / "vase.ply"
-        proposals = self.plan(vase, "--mass", "2.4", "--fragility", "115", "--carrier", "hand")
+        proposals = self.plan(vase, "--mass", "2.4", "--fragility", "115", "--carrier", "hand", "--for", "sheets", "--foam", "ld33")
         self.assertAsMade(proposals, vase)
         self.assertEqual({each["meets"] for each in proposals}, {"yes"})
         self.assertLess(proposals[1]["worst_g"], proposals[0]["worst_g"])
