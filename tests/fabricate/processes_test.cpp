@@ -122,7 +122,10 @@ TEST(WorkshopTest, TheFirstFileSaysWhichToOpenAndNamesAllOthers) {
         EXPECT_EQ(first.name, "start-here.txt");
         const std::string told(reinterpret_cast<const char*>(first.bytes.data()), first.bytes.size());
         for (const DrawingDocument& document : pack->documents)
-            EXPECT_NE(told.find(document.name + ".pdf"), std::string::npos) << told;
+            EXPECT_NE(told.find(document.name + ".pdf: " + document.title + " (" +
+                                std::to_string(document.pages.size()) + " page"),
+                      std::string::npos)
+                << told;
         for (const PackFile& file : std::span(pack->files).subspan(1))
             EXPECT_NE(told.find(file.name.substr(0, file.name.find('/'))), std::string::npos) << told;
         for (const PackContainer& container : pack->containers)

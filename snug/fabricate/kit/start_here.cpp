@@ -34,7 +34,8 @@ std::vector<std::pair<std::string, int>> places_of(const WorkshopPack& pack) {
 }
 
 Message document_line(const DrawingDocument& document) {
-    const std::string file = document.name + ".pdf", pages = std::to_string(document.pages.size());
+    const std::string file = document.name + ".pdf";
+    const std::size_t pages = document.pages.size();
     return document.true_size
                ? say("start.true_size", {{"file", file}, {"title", document.title}, {"pages", pages}})
                : say("start.document", {{"file", file}, {"title", document.title}, {"pages", pages}});
