@@ -80,12 +80,13 @@ Result<std::vector<Workshop>> ways_of(const PlanArguments& a, const Design& desi
     return ways;
 }
 
-Result<std::vector<KnownCase>> cases_of(const PlanArguments& a) {
+Result<void> put_cases(const PlanArguments& a, PlanWishes& wishes) {
     const auto choice = value_named<CaseChoice>(a.cases);
     if (!choice) return tl::unexpected(wrong_word("--choose-case", names_of<CaseChoice>(), a.cases));
-    auto cases = known_cases(a.language);
-    if (cases) *cases = cases_to_choose(std::move(*cases), *choice);
-    return cases;
+    const auto known = known_cases(a.language);
+    if (!known) return tl::unexpected(known.error());
+    choose_cases(*known, *choice, wishes);
+    return {};
 }
 
 Result<PlanWishes> wishes_of(const PlanArguments& a, const Design& design) {
@@ -100,9 +101,7 @@ Result<PlanWishes> wishes_of(const PlanArguments& a, const Design& design) {
     auto foams = known_foams();
     if (!foams) return tl::unexpected(foams.error());
     wishes.foams = std::move(*foams);
-    auto cases = cases_of(a);
-    if (!cases) return tl::unexpected(cases.error());
-    wishes.cases = std::move(*cases);
+    if (auto done = put_cases(a, wishes); !done) return tl::unexpected(done.error());
     wishes.seconds_each = a.seconds_each;
     return wishes;
 }

@@ -34,6 +34,8 @@ Message case_text(const Proposal& proposal) {
     const std::string& name = proposal.project.design.case_options.name;
     const std::string size = dimensions(f.size_mm, 0), litres = number(f.litres, 1);
     if (!name.empty()) return say("plan.case_known", {{"name", name}, {"size", size}, {"litres", litres}});
+    if (proposal.project.design.case_options.inside_mm)
+        return say("plan.case_given", {{"size", size}, {"litres", litres}});
     return say("plan.case_made", {{"size", size}, {"litres", litres}});
 }
 
@@ -51,7 +53,8 @@ Message drop_text(const Proposal& proposal) {
     if (!design.protection.drops()) return say("plan.drop_none");
     if (!mass_kg(design)) return say("plan.drop_no_mass");
     if (!design.protection.foam || design.protection.foam->curve.empty()) return say("plan.drop_no_data");
-    if (!f.worst_g) return say("plan.drop_bottoms");
+    if (f.why_none == NoShock::bottoms) return say("plan.drop_bottoms");
+    if (!f.worst_g) return say("plan.drop_untold");
     const std::string worst = number(*f.worst_g, 0);
     if (!f.asked_g) return say("plan.drop_alone", {{"worst", worst}});
     return f.meets == Meets::yes

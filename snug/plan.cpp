@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -19,7 +20,6 @@ namespace {
 /// A design that was made: what is told of it, and what it is compared by.
 struct Tried {
     Proposal proposal;
-    bool more = false;
     bool has_data = false;  ///< of how its foam pushes back
 
     [[nodiscard]] const ProposalFigures& figures() const { return proposal.figures; }
@@ -36,18 +36,30 @@ const KnownCase* case_of(const Design& design, const PlanWishes& wishes) {
     return nullptr;
 }
 
-/// The worst side of the item that is worst off.
+/// What stands in the way of any figure, whatever the foam does.
+bool says_nothing(NoShock why) {
+    return why == NoShock::no_foam_data || why == NoShock::no_mass || why == NoShock::no_height ||
+           why == NoShock::open;
+}
+
+/// Of the side and item that are worst off: one without a figure is worse than any that has one.
 void put_shocks(const Protection& protection, ProposalFigures& figures) {
-    const Side side = protection.worst_first()[0];
-    const ItemProtection& item = protection.items[protection.worst_item(side)];
-    figures.worst_g = item.faces[static_cast<std::size_t>(side)].g_high;
-    figures.asked_g = item.asked_g;
-    figures.margin = worst_margin(protection);
-    const bool judged = protection.drop_mm && protection.foam && item.mass_kg;
-    if (!judged) return;
+    const ItemProtection* item = nullptr;
+    const FaceShock* face = nullptr;
+    for (const ItemProtection& each : protection.items)
+        for (int side = 0; side < 6; ++side)
+            if (const double found = margin(each, static_cast<Side>(side)); !face || found > figures.margin) {
+                item = &each;
+                face = &each.faces[static_cast<std::size_t>(side)];
+                figures.margin = found;
+            }
+    figures.worst_g = face->g_high;
+    figures.asked_g = item->asked_g;
+    figures.why_none = face->g_high ? NoShock::none : face->bottoms ? NoShock::bottoms : face->why_none;
+    if (says_nothing(figures.why_none)) return;
     if (figures.asked_g)
         figures.meets = figures.worst_g && *figures.worst_g <= *figures.asked_g ? Meets::yes : Meets::no;
-    else if (!figures.worst_g)
+    else if (figures.why_none == NoShock::bottoms)
         figures.meets = Meets::no;
 }
 
@@ -133,12 +145,28 @@ const Tried& least(const std::vector<Tried>& all, const KeyOf& key) {
                              [&](const Tried& a, const Tried& b) { return key(a) < key(b); });
 }
 
-Result<Tried> tried(std::span<Object> objects, const Project& project, const PlannedDesign& planned,
+bool has(std::string_view code, const std::vector<Finding>& findings) {
+    return std::any_of(findings.begin(), findings.end(),
+                       [&](const Finding& finding) { return finding.code() == code; });
+}
+
+/// Where nobody asked for settling and nothing came down, the design does without it: but where foam does
+/// not bear, since that is told with advice to settle where it was not tried.
+void drop_idle_settling(const Project& asked, const Made& made, Proposal& proposal) {
+    const std::vector<Item>& items = made.packing.items;
+    if (asked.design.fit.settle || has("no_bearing", proposal.findings) ||
+        std::any_of(items.begin(), items.end(), [](const Item& item) { return item.settled_mm != 0; }))
+        return;
+    proposal.project.design.fit.settle = false;
+    std::erase_if(proposal.findings, [](const Finding& finding) { return finding.code() == "settled_none"; });
+}
+
+Result<Tried> tried(std::span<Object> objects, const Project& project, const Design& planned,
                     const PlanWishes& wishes, const Tools& tools) {
     Tried all;
     Proposal& proposal = all.proposal;
     proposal.project = project;
-    proposal.project.design = planned.design;
+    proposal.project.design = planned;
     auto made = make(objects, proposal.project, tools);
     if (!made) return tl::unexpected(made.error());
     if (!made->packing.foams)
@@ -146,8 +174,8 @@ Result<Tried> tried(std::span<Object> objects, const Project& project, const Pla
     const Design& design = proposal.project.design;
     proposal.figures = figures_of(*made, design, wishes);
     proposal.findings = made->packing.findings;
+    drop_idle_settling(project, *made, proposal);
     proposal.preview_svg = preview_of(objects, proposal.project, *made);
-    all.more = planned.more;
     all.has_data = proposal.figures.margin > 0 && proposal.figures.worst_g.has_value();
     return all;
 }
@@ -186,6 +214,7 @@ nlohmann::ordered_json proposal_json(const Proposal& proposal, Language language
             {"currency", or_nothing(design.workshop.currency)},
             {"worst_g", or_null(f.worst_g, 10)},
             {"asked_g", or_null(f.asked_g, 10)},
+            {"why_none", or_nothing(std::string(name_of(f.why_none)))},
             {"meets", name_of(f.meets)},
             {"pieces", f.pieces},
             {"seconds_each", f.seconds_each},

@@ -40,9 +40,10 @@ struct ProposalFigures {
         gross_kg;                ///< items, foam and case, as far as they are known; none: a mass is missing
     double billed_kg = 0;        ///< the greater of the mass and the volumetric weight, whole kg
     std::optional<double> cost;  ///< of material and case; none: no price is known
-    std::optional<double> worst_g;  ///< the high end on the worst side; none: nothing is claimed of drops
-    std::optional<double> asked_g;  ///< of the item that it is of
-    double margin = 0;              ///< worst_g / asked_g, see margin(); kNoMargin and more: no G
+    std::optional<double> worst_g;     ///< the high end on the worst side; none: nothing is claimed of drops
+    NoShock why_none = NoShock::none;  ///< why there is none, though drops are looked at
+    std::optional<double> asked_g;     ///< of the item that it is of
+    double margin = 0;                 ///< worst_g / asked_g, see margin(); kNoMargin and more: no G
     Meets meets = Meets::unknown;
     long long pieces = 0;         ///< to be handled one by one
     double seconds_each = 0;      ///< of work for each of them
@@ -67,7 +68,8 @@ struct Proposal {
                                                  const Progress& progress = {});
 
 /// What is told of the proposals: an array of {kind, for, preset, foam, case, size_mm, litres, gross_kg,
-/// billed_kg, cost, currency, worst_g, asked_g, meets, pieces, seconds_each, work_hours, wall_mm, findings
+/// billed_kg, cost, currency, worst_g, asked_g, why_none, meets, pieces, seconds_each, work_hours, wall_mm,
+/// findings
 /// [{code, severity, message}]}. Messages in the language.
 [[nodiscard]] std::string plan_json(std::span<const Proposal> proposals, Language language);
 

@@ -17,6 +17,7 @@
 #include "wasm/protection_values.h"
 #include "wasm/scene_tools.h"
 #include "wasm/session.h"
+#include "wasm/shape_values.h"
 #include "wasm/values.h"
 
 // What the browser calls. No logic: values in, values out, errors as {error, kind}.
@@ -121,6 +122,7 @@ EMSCRIPTEN_BINDINGS(snug) {
     function("optionsSchema", &snug::options_schema);
     function("protectionChoices", &bound::protection_choices);
     function("parseFoams", &bound::foams_val);
+    function("parseShape", &bound::shape_val);
     function("samples", &bound::samples);
     function("sampleFile", &bound::sample_file);
     function("make", &bound::make);

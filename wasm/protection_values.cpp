@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "snug/check/drop_sentence.h"
+#include "snug/design/carrier.h"
 #include "snug/design/drop_rules.h"
 #include "snug/design/known_foams.h"
 #include "snug/design/option_json.h"
@@ -116,6 +117,12 @@ val protection_choices() {
     result.set("rules", rules);
     result.set("classes", classes);
     result.set("tray", to_val(*no_shock_text(NoShock::open)));
+    val walls = val::object();
+    for (std::size_t i = 0; i < names_of<Carrier>().size(); ++i) {
+        const auto carrier = static_cast<Carrier>(i);
+        walls.set(std::string(name_of(carrier)), usual_wall_mm(Workshop::sponge, carrier));
+    }
+    result.set("walls_mm", walls);
     return result;
 }
 

@@ -15,9 +15,9 @@
 namespace snug::wasm {
 
 /// {foams: [{design, title, curve, status, source}], rules: [{name, title, verified}], classes: [{name, g,
-/// source}], tray}: what can be chosen, and what
-/// is said of a tray. `design`: the foam's JSON text as it stands in a design; `curve`: what is
-/// known of how it pushes back, or null.
+/// source}], tray, walls_mm}: what can be chosen, what
+/// is said of a tray, and the foam that is usual around things, by who carries them. `design`: the foam's
+/// JSON text as it stands in a design; `curve`: what is known of how it pushes back, or null.
 [[nodiscard]] val protection_choices();
 
 /// {foams}, as above, from the text of a person's own file (known_foams.h), or what is wrong with it.

@@ -34,7 +34,7 @@ PlanWishes wishes_from(const val& wishes) {
             result.ways.push_back(*way);
     if (result.ways.empty()) result.ways = PlanWishes().ways;
     const auto choice = value_named<CaseChoice>(wishes["cases"].as<std::string>());
-    result.cases = cases_to_choose(built_in_cases(), choice.value_or(CaseChoice::none));
+    choose_cases(built_in_cases(), choice.value_or(CaseChoice::none), result);
     result.own_blocks = wishes["own_blocks"].as<bool>();
     result.foams = built_in_foams();
     return result;

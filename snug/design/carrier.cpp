@@ -4,7 +4,7 @@ namespace snug {
 
 void expect_drops(Carrier carrier, Design& design) {
     constexpr double kCarriedHeight = 760;  // mm
-    if (design.protection.drops() || carrier == Carrier::store) return;
+    if (design.protection.drops() || design.space.open || carrier == Carrier::store) return;
     if (carrier == Carrier::hand)
         design.protection.height_mm = kCarriedHeight;
     else

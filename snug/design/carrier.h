@@ -18,7 +18,7 @@ struct Names<Carrier> {
     static constexpr std::string_view list[] = {"store", "hand", "courier", "parcel"};
 };
 
-/// The drop that goes with it, unless the design says another (docs/protection.md).
+/// The drop that goes with it, unless the design says another or is a tray's (docs/protection.md).
 void expect_drops(Carrier carrier, Design& design);
 
 /// The foam that is usual around things, mm, where nothing is known of what they meet: enough of a cushion on

@@ -16,19 +16,14 @@ namespace {
 constexpr double kLeast = 0.1, kGreatest = 10000;
 constexpr std::size_t kMostSolids = 100;
 
-/// How a solid is written: its word, how many lengths follow, and an example.
+/// How a solid is written, in the order of their kinds: how many lengths follow its name, and an example.
 struct Written {
-    std::string_view word;
-    SolidKind kind;
     std::size_t lengths;
     const char* form;
 };
 constexpr Written kWritten[] = {
-    {"box", SolidKind::box, 3, "box 143x87x40"},
-    {"cylinder", SolidKind::cylinder, 2, "cylinder 63x60"},
-    {"cone", SolidKind::cone, 3, "cone 80x40x120"},
-    {"ball", SolidKind::ball, 1, "ball 70"},
-};
+    {3, "box 143x87x40"}, {2, "cylinder 63x60"}, {3, "cone 80x40x120"}, {1, "ball 70"}};
+static_assert(std::size(kWritten) == names_of<SolidKind>().size());
 
 /// A cursor over words, numbers and signs; capitals do not matter.
 class ShapeScan {
@@ -126,15 +121,16 @@ class ShapeReader {
     bool read_solid() {
         const ShapeScan before = scan_;
         const std::string_view word = scan_.letters();
-        const auto* found = std::find_if(std::begin(kWritten), std::end(kWritten),
-                                         [&](const Written& each) { return same_word(word, each.word); });
-        if (found == std::end(kWritten)) {
+        const auto names = names_of<SolidKind>();
+        const auto found = std::find_if(names.begin(), names.end(),
+                                        [&](std::string_view name) { return same_word(word, name); });
+        if (found == names.end()) {
             scan_ = before;
             if (scan_.at_end()) return refuse(say("shape.missing", {{"number", std::to_string(number_)}}));
             return refuse(unknown("shape.kind"));
         }
-        solid_.kind = found->kind;
-        return read_size(*found) && read_choices();
+        solid_.kind = static_cast<SolidKind>(found - names.begin());
+        return read_size(kWritten[found - names.begin()]) && read_choices();
     }
 
     bool read_size(const Written& written) {
@@ -216,7 +212,7 @@ std::string three(Vec3d v, const char* between) {
 
 std::string text_of(const SimpleSolid& solid) {
     const Vec3d size = solid.size_mm;
-    std::string text(kWritten[static_cast<std::size_t>(solid.kind)].word);
+    std::string text(name_of(solid.kind));
     text += ' ' + (solid.kind == SolidKind::box        ? three(size, "x")
                    : solid.kind == SolidKind::cylinder ? number(size.x, 3) + 'x' + number(size.z, 3)
                    : solid.kind == SolidKind::cone     ? three({size.x, solid.top_mm, size.z}, "x")

@@ -1,10 +1,17 @@
 #pragma once
 
+#include <string_view>
+
+#include "snug/base/names.h"
 #include "snug/mesh/mesh.h"
 
 namespace snug {
 
 enum class SolidKind { box, cylinder, cone, ball };
+template <>
+struct Names<SolidKind> {
+    static constexpr std::string_view list[] = {"box", "cylinder", "cone", "ball"};
+};
 
 /// What can be measured with a ruler: mm, about its centre.
 struct SimpleSolid {

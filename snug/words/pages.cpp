@@ -34,10 +34,11 @@ constexpr Wording kWordsOfPages[] = {
      "{file}：{title}（{pages} ページ、100 % で印刷）"},
     {"start.folder", "{folder}: {files} {files|file|files}", "{folder}：ファイル {files} 個"},
     {"start.rest",
-     "Besides: preview.svg shows the foams, lower.stl and upper.stl are them as solids, report.json says all "
-     "figures, and "
-     "project.snug.json makes all of this again.",
-     "ほかに：preview.svg は緩衝材の図、lower.stl と upper.stl は立体データ、report.json は数値の一覧です。"
+     "Besides: preview.svg shows the foams, the files named lower, middle or upper are their solids, "
+     "report.json says all "
+     "figures, and project.snug.json makes all of this again.",
+     "ほかに：preview.svg は緩衝材の図、`lower`、`middle`、`upper` で始まるファイルは立体データ、report.json "
+     "は数値の一覧です。"
      "project.snug.json からすべてをもう一度作れます。"},
 };
 

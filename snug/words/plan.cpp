@@ -16,6 +16,8 @@ constexpr Wording kWordsOfPlan[] = {
     {"plan.case", "Case", "ケース"},
     {"plan.case_known", "{name}, {size} mm inside, {litres} litres",
      "{name}、内寸 {size} mm、{litres} リットル"},
+    {"plan.case_given", "the one that is there, {size} mm inside, {litres} litres",
+     "手元のもの、内寸 {size} mm、{litres} リットル"},
     {"plan.case_made", "made to measure, {size} mm inside, {litres} litres",
      "寸法に合わせて作る、内寸 {size} mm、{litres} リットル"},
     {"plan.costs", "Costs", "費用"},
@@ -28,6 +30,8 @@ constexpr Wording kWordsOfPlan[] = {
      "最も悪い面で {worst} G になりえます（求めた値 {asked} G）：満たしません"},
     {"plan.drop_bottoms", "the foam may be squeezed flat on its worst side: does not meet it",
      "最も悪い面で緩衝材が底づきするおそれがあります：満たしません"},
+    {"plan.drop_untold", "not told on every side: see what stands below",
+     "すべての面では計算できません：下の注意を見てください"},
     {"plan.drop_alone", "meets at most {worst} G on its worst side; say what it bears to have that judged",
      "最も悪い面で {worst} G 以下。耐えられる値を指定すると判定します"},
     {"plan.drop_no_mass", "not known: say what it weighs", "不明：質量を指定してください"},
@@ -61,8 +65,12 @@ constexpr Wording kWordsOfPlan[] = {
      "2A です"},
     {"help.plan.ways", "Ways of working that may be chosen, where `--for` names none: {names/}",
      "`--for` がないときに選んでよい作り方：{names/}"},
-    {"help.plan.cases", "Cases that may be chosen beside one that is made to measure: {names/}",
-     "寸法に合わせて作るケースのほかに選んでよいもの：{names/}"},
+    {"help.plan.cases",
+     "Cases that may be chosen: {names/}. Cartons beside one that is made to measure, a hard case in its "
+     "place",
+     "選んでよいケース：{names/"
+     "}。`cartons`（段ボール箱）は寸法に合わせて作るものと比べ、`hard-cases`"
+     "（ハードケース）はその代わりに使います"},
     {"help.plan.seconds", "Seconds of work for each piece, where you have timed it",
      "1 個あたりの作業時間（秒）、計ったことがあるとき"},
     {"help.plan.json", "Print the proposals as JSON", "提案を JSON で表示します"},

@@ -1,6 +1,6 @@
 import type {Triple} from './design';
 
-// An object from measurements, as the library reads it from a .shape file (snug/formats/shape_text.h). Lengths in mm.
+// An object from measurements, as the library reads it from a .shape file (snug/formats/shape_text.h). mm.
 
 export const KINDS = ['box', 'cylinder', 'cone', 'ball'] as const;
 export type SolidKind = (typeof KINDS)[number];
@@ -26,7 +26,6 @@ export interface Shape {
   error_mm: number;
 }
 
-const LENGTHS: Record<SolidKind, number> = {box: 3, cylinder: 2, cone: 3, ball: 1};
 const NOWHERE: Triple = [0, 0, 0];
 const ERROR = /#\s*measured to within ([\d.]+) mm/;
 
@@ -72,36 +71,9 @@ export function shapeText({solids, error_mm}: Shape): string {
   return [...error, solids.map(solidText).join(' + '), ''].join('\n');
 }
 
-/** Every text that the library reads; null for others. */
-export function parseShape(text: string): Shape | null {
-  const error_mm = Number(ERROR.exec(text)?.[1] ?? 0);
-  const solids = text
-    .replace(/^\ufeff/, '')
-    .replace(/#.*/g, ' ')
-    .split('+')
-    .map((each) => parseSolid(each.toLowerCase().replace(/\s+/g, ' ').trim()));
-  return solids.every((solid) => solid !== null) ? {solids, error_mm} : null;
-}
-
-const NUMBER = '-?\\d*\\.?\\d+\\.?';
-const SIZE = new RegExp(`^(box|cylinder|cone|ball) ?(${NUMBER}(?: ?x ?${NUMBER})*)`);
-const CHOICE = new RegExp(`^ ?(?:(at|turn) ?(${NUMBER}(?: ?, ?${NUMBER}){2})|along ?([xyz])|r ?(${NUMBER}))`);
-
-function parseSolid(text: string): Solid | null {
-  const [whole, kind, lengths] = SIZE.exec(text) ?? [];
-  if (whole === undefined) return null;
-  const size = lengths!.split('x').map(Number);
-  const solid: Solid = {kind: kind as SolidKind, size, radius: 0, along: 'z', turn: NOWHERE, at: NOWHERE};
-  if (size.length !== LENGTHS[solid.kind]) return null;
-  for (let rest = text.slice(whole.length); rest.trim() !== '';) {
-    const [all, place, numbers, along, radius] = CHOICE.exec(rest) ?? [];
-    if (all === undefined) return null;
-    if (place) solid[place as 'at' | 'turn'] = numbers!.split(',').map(Number) as Triple;
-    if (along) solid.along = along as Solid['along'];
-    if (radius) solid.radius = Number(radius);
-    rest = rest.slice(all.length);
-  }
-  return solid;
+/** How far the measurements of such a text may be off; 0: it says nothing. */
+export function errorIn(text: string): number {
+  return Number(ERROR.exec(text)?.[1] ?? 0);
 }
 
 export function isShape(name: string): boolean {

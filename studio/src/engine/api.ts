@@ -4,6 +4,7 @@
 import type {BrickRange, Design, KnownCase, Preset, Triple} from '../design/design';
 import type {ObjectUse} from '../design/moment';
 import type {Dependent, Schema} from '../design/options';
+import type {Solid} from '../design/shape';
 import type {Pair} from '../words/words';
 import type {ContactMap, DropChoices, Drops, KnownFoam, Pressing} from './drops';
 import type {PackedPad} from './fit';
@@ -264,6 +265,8 @@ export interface Engine {
   dropChoices(): Promise<DropChoices>;
   /** Foams of a person's own, from the text of a foams.json. */
   parseFoams(text: string): Promise<KnownFoam[] | Failure>;
+  /** What a .shape file is made of. */
+  parseShape(text: string): Promise<{solids: Solid[]} | Failure>;
   /** The table of options. */
   options(): Promise<Schema>;
   /** The objects that Snug generates itself, by name. */

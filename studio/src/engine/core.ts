@@ -1,6 +1,7 @@
 import type {BrickRange, Design, Preset} from '../design/design';
 import type {ObjectUse} from '../design/moment';
 import type {Dependent, Schema} from '../design/options';
+import type {Solid} from '../design/shape';
 import type {
   Arrangement,
   ArrangeStep,
@@ -27,6 +28,7 @@ import type {Gap} from './gap';
 import {arranged, designOf, listeners, throttled} from './listeners';
 import type {GivenObject, Pack, SceneTools, Session, SnugModule} from './module';
 import {readProposals, type PlanWishes, type Proposal} from './plan';
+import {newId} from './new_id';
 import {sha256} from './sha256';
 import type {ZoneResults} from './zones';
 
@@ -96,6 +98,10 @@ export class EngineCore {
   async parseFoams(text: string): Promise<KnownFoam[] | Failure> {
     const answer = guarded(() => this.#snug.parseFoams(text));
     return isFailure(answer) ? answer : readFoams(answer);
+  }
+
+  async parseShape(text: string): Promise<{solids: Solid[]} | Failure> {
+    return guarded(() => this.#snug.parseShape(text));
   }
 
   async options(): Promise<Schema> {
@@ -233,8 +239,7 @@ export class EngineCore {
 
   async plan(design: Design, wishes: PlanWishes, language: string, onProgress?: OnProgress, objects?: Objects): Promise<Proposal[] | Failure> {
     const given = await this.#given(objects);
-    const progress = throttled(onProgress);
-    return readProposals(guarded(() => this.#session.plan(JSON.stringify(design), given, wishes, language, progress)));
+    return readProposals(guarded(() => this.#session.plan(JSON.stringify(design), given, wishes, language, throttled(onProgress))));
   }
 
   async zones(): Promise<ZoneResults | Failure> {
@@ -388,11 +393,6 @@ function unnamedObjects(design: string): GivenObject[] {
   const {items = []} = JSON.parse(design) as {items?: {object?: number}[]};
   const most = Math.max(0, ...items.map(({object}) => object ?? 0));
   return Array.from({length: Math.min(most, 999) + 1}, () => ({...NO_FILE, name: 'unnamed', number: 0, own: null}));
-}
-
-/** randomUUID() is there on secure pages only. */
-function newId(): string {
-  return Array.from(crypto.getRandomValues(new Uint8Array(16)), (byte) => byte.toString(16).padStart(2, '0')).join('');
 }
 
 function afterWaitingMessages(): Promise<void> {

@@ -1,6 +1,7 @@
 import type {Design, Triple} from '../design/design';
 import type {Pair} from '../words/words';
 import type {Finding} from './api';
+import type {PlanWishes} from './plan';
 
 // What items meet in a drop, as the library estimates it.
 
@@ -25,6 +26,8 @@ export interface DropChoices {
   classes: {name: NonNullable<Design['protection']['fragility']>; g: number; source: string}[];
   /** What is said of a tray. */
   tray: Pair;
+  /** Foam that is usual around things, mm, by who carries them. */
+  walls_mm: Record<PlanWishes['carrier'], number>;
 }
 
 /** As the library hands them over: the design of a foam is a JSON text. */

@@ -78,6 +78,7 @@ class PageEngine implements Engine {
   bricks = () => this.#quickly((core) => core.bricks()).then(orThrow);
   dropChoices = () => this.#quickly((core) => core.dropChoices()).then(orThrow);
   parseFoams = (text: string) => this.#quickly((core) => core.parseFoams(text));
+  parseShape = (text: string) => this.#quickly((core) => core.parseShape(text));
   options = () => this.#quickly((core) => core.options()).then(orThrow);
   samples = () => this.#quickly((core) => core.samples()).then(orThrow);
   sampleFile = (name: string) => this.#quickly((core) => core.sampleFile(name));

@@ -1,6 +1,7 @@
 // The library as WebAssembly, as wasm/ binds it. Designs and projects pass as JSON texts. The npm package has these types, too.
 
 import type {BrickRange, Preset} from '../design/design';
+import type {Solid} from '../design/shape';
 import type {
   ArrangedText,
   CaseRanking,
@@ -96,6 +97,8 @@ export interface SnugModule {
   protectionChoices(): DropChoicesText;
   /** The same of a foams.json, see snug/design/known_foams.h. */
   parseFoams(text: string): FoamsText | Failure;
+  /** Of an object from measurements. */
+  parseShape(text: string): {solids: Solid[]} | Failure;
   samples(): string[];
   sampleFile(name: string): OutputFile | Failure;
   parseProject(text: string): {objects: {name: string; bytes: number; sha256: string; own: string | null}[]; design: string; dependent: string} | Failure;

@@ -30,6 +30,8 @@ export interface Proposal {
   currency: string | null;
   worst_g: number | null;
   asked_g: number | null;
+  /** Why there is no worst_g where drops are looked at. */
+  why_none: string | null;
   meets: 'yes' | 'no' | 'unknown';
   pieces: number;
   seconds_each: number;

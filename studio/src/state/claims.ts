@@ -1,3 +1,5 @@
+import {newId} from '../engine/new_id';
+
 // Which works are open in which tab of this browser. A tab that is closed, or crashes, lets go by itself.
 
 export interface Claims {
@@ -90,9 +92,4 @@ export function beatClaims(storage: Storage, now = () => Date.now()): Claims {
   };
   globalThis.addEventListener?.('pagehide', () => [...beats.keys()].forEach(claims.leave));
   return claims;
-}
-
-/** randomUUID() is there on secure pages only. */
-export function newId(): string {
-  return Array.from(crypto.getRandomValues(new Uint8Array(16)), (byte) => byte.toString(16).padStart(2, '0')).join('');
 }

@@ -1,12 +1,9 @@
-import type {Design} from '../design/design';
-import {withKnownCase} from '../design/edit';
-import {isShape, parseShape} from '../design/shape';
+import {errorIn, isShape} from '../design/shape';
 import type {CaseRanking} from '../engine/api';
 import {isFailure} from '../engine/failure';
 import type {Proposal} from '../engine/plan';
 import {language} from '../words/language.svelte';
 import type {Pair} from '../words/words';
-import {hardCaseFor} from './known_cases';
 import {level} from './level';
 import {preferences} from './preferences.svelte';
 import type {Studio} from './studio.svelte';
@@ -58,8 +55,7 @@ export class FirstLevel {
     this.proposals = null;
     this.failure = null;
     const spoken = language.code;
-    const open = planned(moment.design, this.wishes, defaults, presets, await this.#error());
-    const design = await this.#inHardCase(open);
+    const design = planned(moment.design, this.wishes, defaults, presets, await this.#error());
     const answer = await this.#studio.long('plan', (onProgress) =>
       engine.plan(design, planWishes(this.wishes), spoken, onProgress, moment.objects),
     );
@@ -76,19 +72,10 @@ export class FirstLevel {
     return isFailure(answer) ? null : answer;
   }
 
-  /** Whoever has hard cases gets one, also where one made to measure were smaller. */
-  async #inHardCase(design: Design): Promise<Design> {
-    if (this.wishes.cases !== 'hard-cases' || design.items.length > 1) return design;
-    const ranking = await this.holding();
-    const best = ranking && hardCaseFor(ranking, this.wishes.carrier, design.search.upright !== null);
-    return best ? {...design, case: withKnownCase(design, best).case} : design;
-  }
-
   /** How far what was measured may be off; 0 for a scan. */
   async #error(): Promise<number> {
     const measured = this.#studio.files.filter(({name}) => isShape(name));
-    const shapes = await Promise.all(measured.map(async ({content}) => parseShape(await content.text())));
-    return Math.max(0, ...shapes.map((shape) => shape?.error_mm ?? 0));
+    return Math.max(0, ...(await Promise.all(measured.map(async ({content}) => errorIn(await content.text())))));
   }
 
   take({design}: Proposal): void {

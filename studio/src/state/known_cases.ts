@@ -1,13 +1,7 @@
 import type {Triple} from '../design/design';
 import type {CaseRanking, RankedCase} from '../engine/api';
-import type {PlanWishes} from '../engine/plan';
 
 // Known cases as one looks for them by name, and the foam that each has room for.
-
-/** As thick as proposals make it where nothing else is known, mm (snug/design/carrier.h). */
-export function usualWall(carrier: PlanWishes['carrier']): number {
-  return carrier === 'store' ? 25 : 50;
-}
 
 /** By every word that any case has; one that none has, such as a maker's whom the list does not know, counts for nothing. */
 export function findCases(cases: readonly RankedCase[], typed: string, kinds: Record<string, string>): RankedCase[] {
@@ -16,16 +10,6 @@ export function findCases(cases: readonly RankedCase[], typed: string, kinds: Re
   const known = words.filter((word) => /\d/.test(word) || cases.some((one) => textOf(one).includes(word)));
   if (words.length > 0 && known.length === 0) return [];
   return cases.filter((one) => known.every((word) => textOf(one).includes(word)));
-}
-
-/** The smallest hard case with room for the usual foam, else the one with room for most; null where none holds it.
- *  `ranking`: without walls. */
-export function hardCaseFor(ranking: CaseRanking, carrier: PlanWishes['carrier'], stands: boolean): RankedCase | null {
-  const volume = ({inside_mm: [h, w, l]}: RankedCase) => h * w * l;
-  const hard = ranking.fitting.filter(({kind}) => kind === 'hard case').sort((a, b) => volume(a) - volume(b));
-  const walls = hard.map((one) => mostWall(one, ranking, stands));
-  const roomy = walls.findIndex((mm) => mm >= usualWall(carrier));
-  return hard[roomy >= 0 ? roomy : walls.indexOf(Math.max(...walls))] ?? null;
 }
 
 /** The thickest foam on all sides with which a case holds it. `ranking`: without walls. `stands`: its height stays its height. */

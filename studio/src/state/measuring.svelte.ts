@@ -1,7 +1,8 @@
 import type {Design} from '../design/design';
 import {clearances, forNewObject, withClearance, withRotation} from '../design/edit';
 import {sideDown} from '../design/rotation';
-import {FIRST_SHAPE, isShape, parseShape, shapeText, type Shape} from '../design/shape';
+import {errorIn, FIRST_SHAPE, isShape, shapeText, type Shape} from '../design/shape';
+import {isFailure} from '../engine/failure';
 import type {Studio} from './studio.svelte';
 
 const NAME = 'measured.shape';
@@ -44,11 +45,13 @@ export class Measuring {
   /** False where the file has what cannot be edited here. */
   async edit(): Promise<boolean> {
     const [file] = this.#studio.files;
-    const shape = file && parseShape(await file.content.text());
-    if (!shape) return false;
+    if (!file) return false;
+    const text = await file.content.text();
+    const read = await this.#studio.engine.parseShape(text);
+    if (isFailure(read)) return false;
     this.anew = false;
-    this.shape = shape;
-    this.#added = shape.error_mm;
+    this.shape = {solids: read.solids, error_mm: errorIn(text)};
+    this.#added = this.shape.error_mm;
     this.#name = file.name;
     return true;
   }

@@ -5,7 +5,7 @@ import type {BesideFile, Failure, Loading, ObjectInfo, Project} from '../engine/
 import {CANCELLED, isFailure} from '../engine/failure';
 import {about} from '../words/words';
 import type {StoredObject} from './autosave';
-import {newId} from './claims';
+import {newId} from '../engine/new_id';
 import {level} from './level';
 import type {Content, FileFacts, Given, Reading} from './on_the_page';
 import type {Studio} from './studio.svelte';

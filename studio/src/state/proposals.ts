@@ -26,13 +26,14 @@ export function columnsOf(proposals: readonly Proposal[]): Column[] {
 export type Look = 'good' | 'danger' | 'unknown';
 
 /** What it meets in a drop of what it bears, or why that is not known. */
-export function shockOf({worst_g, asked_g, meets, design}: Proposal, carrier: PlanWishes['carrier'], t: Texts['first']): {look: Look; text: string} {
+export function shockOf({worst_g, asked_g, why_none, meets, design}: Proposal, carrier: PlanWishes['carrier'], t: Texts['first']): {look: Look; text: string} {
   if (carrier === 'store') return {look: 'unknown', text: t.shock.store};
   if (worst_g !== null && asked_g !== null)
     return meets === 'yes'
       ? {look: 'good', text: t.shock.meets(shock(worst_g), shock(asked_g))}
       : {look: 'danger', text: t.shock.fails(shock(worst_g), shock(asked_g))};
-  if (meets === 'no') return {look: 'danger', text: t.shock.bottoms};
+  if (why_none === 'bottoms') return {look: 'danger', text: t.shock.bottoms};
+  if (why_none === 'thin' || why_none === 'unsettled') return {look: meets === 'no' ? 'danger' : 'unknown', text: t.shock.untold};
   if (worst_g !== null) return {look: 'unknown', text: t.shock.unasked(shock(worst_g))};
   return {look: 'unknown', text: lacksMass(design) ? t.shock.noMass : t.shock.noData};
 }

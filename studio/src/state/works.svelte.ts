@@ -1,6 +1,7 @@
 import type {Picture} from '../picture/thumbnail';
 import {openAutosave, summaryOf, type Autosave, type AutosaveNews, type StoredObject, type StoredWork, type WorkSummary} from './autosave';
-import {newId, openClaims, type Claims} from './claims';
+import {openClaims, type Claims} from './claims';
+import {newId} from '../engine/new_id';
 import {forgetChange, isKept, noteChange, notedChange, type LastChange} from './last_change';
 
 /** Works that are kept beside those that a tab has open. */

@@ -107,6 +107,7 @@ export const first = words({
       meets: (g: string, bears: string) => [`Meets at most ${g} of ${bears}`, `最大 ${g}（耐える値 ${bears}）`],
       fails: (g: string, bears: string) => [`Does not meet it: up to ${g}, bears ${bears}`, `満たしません：最大 ${g}（耐える値 ${bears}）`],
       bottoms: ['Does not meet it: the foam bottoms', '満たしません：緩衝材が底づきします'],
+      untold: ['Not told on every side: see what stands below', 'すべての面では計算できません：下の注意を見てください'],
       unasked: (g: string) => [`At most ${g}; say how fragile it is to have that judged`, `最大 ${g}。壊れやすさを選ぶと判定します`],
       noMass: ['Not known: say what it weighs', '不明：重さを入力すると計算します'],
       noData: ['Not known: no data on how this foam pushes back', '不明：この緩衝材の押し返し方のデータがありません'],
