@@ -24,11 +24,14 @@ beforeAll(async () => {
 });
 afterAll(() => rmSync(folder, {recursive: true, force: true}));
 
-async function opened(name: string): Promise<string> {
-  const file = good(await core.sampleFile(name));
+const SHAPE = 'box 30x20x40 r5 + cylinder 20x30 at 0,0,30\n';
+
+/** The file of a sample, or small measurements, and where the program finds it. */
+async function file(name: string): Promise<{path: string; bytes: Uint8Array}> {
+  const file = name === 'measured.shape' ? {name, bytes: new TextEncoder().encode(SHAPE)} : good(await core.sampleFile(name));
   const path = join(folder, file.name);
   writeFileSync(path, file.bytes);
-  return path;
+  return {path, bytes: file.bytes};
 }
 
 const planned = (...options: string[]) =>
@@ -37,14 +40,14 @@ const planned = (...options: string[]) =>
 /** Without what only the page has. */
 const told = (proposals: readonly Proposal[]) => proposals.map(({design: _, preview: __, ...rest}) => rest);
 
-test.each<[string, Partial<PlanWishes>, string[], (design: Design) => Design]>([
-  ['kept in a store', {carrier: 'store', ways: ['sponge']}, ['--carrier', 'store', '--ways', 'sponge'], (design) => design],
-  ['in sheets of a foam with data, in Japanese', {carrier: 'hand', ways: ['sheets']}, ['--carrier', 'hand', '--ways', 'sheets', '--mass', '1.5', '--fragility', '115', '--language', 'ja'],
+test.each<[string, string, Partial<PlanWishes>, string[], (design: Design) => Design]>([
+  ['kept in a store', 'torus', {carrier: 'store', ways: ['sponge']}, ['--carrier', 'store', '--ways', 'sponge'], (design) => design],
+  ['in sheets of a foam with data, in Japanese', 'measured.shape', {carrier: 'hand', ways: ['sheets']}, ['--carrier', 'hand', '--ways', 'sheets', '--mass', '1.5', '--fragility', '115', '--language', 'ja'],
     (design) => ({...design, workshop: {...design.workshop, mass_kg: 1.5}, protection: {...design.protection, fragility_g: 115}})],
-  ['in a hard case', {cases: 'hard-cases', ways: ['sponge']}, ['--choose-case', 'hard-cases', '--ways', 'sponge'], (design) => design],
-])('%s', async (_, wishes, options, change) => {
-  const path = await opened('torus');
-  good(await core.load('torus.stl', new Blob([good(await core.sampleFile('torus')).bytes]), defaults.object));
+  ['in a hard case', 'torus', {cases: 'hard-cases', ways: ['sponge']}, ['--choose-case', 'hard-cases', '--ways', 'sponge'], (design) => design],
+])('%s', async (_, name, wishes, options, change) => {
+  const {path, bytes} = await file(name);
+  good(await core.load(path, new Blob([new Uint8Array(bytes)]), defaults.object));
   const design = change({...defaults, space: {...defaults.space, blocks: 'auto'}});
   const language = options.includes('ja') ? 'ja' : 'en';
   const proposals = good(await core.plan(design, {...WISHES, ...wishes}, language));
