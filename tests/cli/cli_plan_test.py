@@ -29,8 +29,8 @@ class Plans(unittest.TestCase):
             assert snug("sample", sample, "-o", cls.work / f"{sample}.ply").returncode == 0
         text = "box 143x87x40 r5 + cylinder 63x60 at 0,0,50"
         assert snug("shape", text, "-o", cls.work / "measured.shape").returncode == 0
-        text = "box 30x20x40 r5 + cylinder 20x30 at 0,0,30"
-        assert snug("shape", text, "-o", cls.work / "small.shape").returncode == 0
+        for name, text in (("small", "box 30x20x40 r5 + cylinder 20x30 at 0,0,30"), ("ball", "ball 40")):
+            assert snug("shape", text, "-o", cls.work / f"{name}.shape").returncode == 0
 
     @classmethod
     def tearDownClass(cls):
@@ -105,7 +105,7 @@ class Plans(unittest.TestCase):
     def test_measurements_and_several_objects(self):
         measured = self.work / "measured.shape"
         self.assertAsMade(self.plan(measured, "--clearance", "2", "--ways", "print,bricks"), measured)
-        kit = self.plan(measured, self.work / "small.shape", "--carrier", "store", folder="kit")
+        kit = self.plan(f"{self.work / 'small.shape'}:count=2", self.work / "ball.shape", "--carrier", "store", folder="kit")
         self.assertAsMade(kit, self.work, folder="kit")
         for each in kit:
             self.assertEqual([f for f in each["findings"] if f["severity"] == "danger"], [], each)
