@@ -24,6 +24,7 @@ const FEW_PICTURES = {
 export default defineConfig({
   projects: [
     {name: 'tests', testDir: 'e2e', use: FEW_PICTURES},
+    {name: 'everywhere', testDir: 'everywhere', timeout: 300_000, use: FEW_PICTURES},
     {name: 'bench', testDir: 'bench', testMatch: '*.bench.ts'},
     {name: 'pictures', testDir: 'pictures', testMatch: '*.pictures.ts'},
   ],

@@ -1,15 +1,14 @@
+import {en} from '../src/words/texts';
 import {violations} from './support/axe';
 import {kept} from './support/kept';
-import {expect, PLAIN, test} from './support/studio';
+import {expect, ONE_FILE, PLAIN, test} from './support/studio';
 import {tabTo, Walk} from './support/walk';
+import {castings, MOST_CLICKS, MOST_DECISIONS, SLOW, speak, WALKS} from './support/walks';
 
 // From the opened page to the downloaded pack, as somebody goes who has only the task.
 
 test.use({address: PLAIN});
 
-const MOST_CLICKS = 12;
-const MOST_DECISIONS = 5;
-const SLOW = {timeout: 90_000};
 const text = (bytes: Uint8Array | undefined) => new TextDecoder().decode(bytes);
 
 test('a camera in a hard case', async ({studio: page}) => {
@@ -48,6 +47,20 @@ test('a camera in a hard case', async ({studio: page}) => {
   await expect(page.getByRole('radio', {name: /^Hard cases/})).toBeChecked();
 });
 
+test.describe('on a phone, from a disk', () => {
+  test.use({address: ONE_FILE, viewport: {width: 390, height: 844}, hasTouch: true});
+
+  test('a printed holder for a part without a unit', async ({studio: page}) => {
+    const walk = new Walk(page);
+    const t = await speak(page, 'ja');
+    const files = await WALKS['a printed holder for a part without a unit']({page, t, walk, look: async () => expect(await violations(page)).toEqual([])});
+    const {design} = JSON.parse(text(files['project.snug.json'])) as {design: {object: {units: string}; workshop: {for: string}}};
+    expect([design.object.units, design.workshop.for]).toEqual(['m', 'print']);
+    expect(walk.clicks).toBeLessThanOrEqual(MOST_CLICKS);
+    expect(walk.decisions).toBeLessThanOrEqual(MOST_DECISIONS);
+  });
+});
+
 test('a bust in slit sponge, by keyboard alone and in Japanese', async ({studio: page}) => {
   await page.getByLabel('Language').selectOption('ja');
   const walk = new Walk(page);
@@ -78,22 +91,7 @@ test('a bust in slit sponge, by keyboard alone and in Japanese', async ({studio:
 
 test('200 castings, of which there is only a ruler, in sheets', async ({studio: page}) => {
   const walk = new Walk(page);
-  await walk.click(page.getByRole('button', {name: 'I have only a ruler'}));
-  for (const [name, mm] of [['Length', '60'], ['Width', '40'], ['Height', '20']]) await page.getByRole('spinbutton', {name: `1. Box: ${name}`}).fill(mm!);
-  await walk.click(page.getByRole('button', {name: 'Add: Cylinder'}));
-  await expect(page.getByRole('spinbutton', {name: '2. Cylinder: Diameter'})).toBeFocused();
-  await page.keyboard.type('25');
-  expect(await violations(page)).toEqual([]);
-  await walk.click(page.getByRole('button', {name: 'Go on'}));
-  await expect(page.getByText('measured.shape · 60 × 40 × 50 mm')).toBeVisible();
-  await walk.choose(page.getByRole('combobox', {name: 'Foam', exact: true}), 'blocks sheet-10');
-  await walk.type(page.getByRole('spinbutton', {name: 'How many, each in its own case'}), '200');
-  await walk.click(page.getByRole('button', {name: 'Show proposals'}));
-  await expect(page.getByRole('article').first()).toBeVisible(SLOW);
-  await walk.decide(page.getByRole('button', {name: /^Take this/}).first());
-  await walk.click(page.getByRole('button', {name: 'Next: Make'}));
-  await expect(page.getByTestId('figures')).toBeVisible(SLOW);
-  const files = await walk.pack(() => walk.click(page.getByRole('button', {name: 'Export', exact: true})), 'Make the files anyway');
+  const files = await castings({page, t: en, walk, look: async () => expect(await violations(page)).toEqual([])});
   const {design} = JSON.parse(text(files['project.snug.json'])) as {design: {cut: {clearance_mm: number}; workshop: {sheets: {copies: number}}}};
   // Of sheets 1 mm, and 1 mm of measuring.
   expect([design.workshop.sheets.copies, design.cut.clearance_mm]).toEqual([200, 2]);

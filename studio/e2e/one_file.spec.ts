@@ -1,12 +1,12 @@
 import {readFileSync} from 'node:fs';
 import {made, sample} from './support/command_line';
 import {kept} from './support/kept';
-import {expect, open, set, status, test} from './support/studio';
+import {expect, ONE_FILE, open, set, status, test} from './support/studio';
 
 const address = (path: string) => new URL(path, import.meta.url).href;
 
 // As a double click opens it.
-test.use({address: address('../../build/one-file/snug-studio.html?level=all')});
+test.use({address: `${ONE_FILE}?level=all`});
 
 test('the one file, opened from a disk, makes the command line’s foams, and keeps the work', async ({studio: page}) => {
   const vase = sample('vase');

@@ -7,6 +7,9 @@ export const EVERYTHING = './?level=all';
 /** As somebody sees it who opens it for the first time. */
 export const PLAIN = './';
 
+/** As a double click opens it, and as somebody sees it for the first time. */
+export const ONE_FILE = new URL('../../../build/one-file/snug-studio.html', import.meta.url).href;
+
 /** A page whose console stays silent: any error on it fails the test. */
 export const test = base.extend<{address: string; studio: Page}>({
   address: [EVERYTHING, {option: true}],
