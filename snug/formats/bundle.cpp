@@ -14,8 +14,8 @@
 namespace snug {
 namespace {
 
-constexpr std::array<std::string_view, 9> kEndings = {".stl",  ".obj", ".ply", ".off", ".glb",
-                                                      ".gltf", ".3mf", ".xyz", ".pts"};
+constexpr std::array<std::string_view, 10> kEndings = {".stl",  ".obj", ".ply", ".off", ".glb",
+                                                       ".gltf", ".3mf", ".xyz", ".pts", ".shape"};
 constexpr std::string_view kProjectEnding = ".snug.json";
 constexpr std::uint64_t kMostProjectBytes = 4'000'000;  // of all together: a pack has one, of a few thousand
 

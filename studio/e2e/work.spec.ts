@@ -1,6 +1,6 @@
 import {readFileSync} from 'node:fs';
 import type {Page} from '@playwright/test';
-import {sample} from './support/command_line';
+import {made, sample} from './support/command_line';
 import {atRest} from './support/at_rest';
 import {inTheMoment} from './support/in_the_moment';
 import {kept} from './support/kept';
@@ -57,6 +57,18 @@ test('a reload brings everything back', async ({studio: page}) => {
   expect(await projectText(page)).toBe(before);
   await page.keyboard.press('Control+z');
   await expect(page.getByRole('slider', {name: 'Wall'})).toHaveValue('50');
+});
+
+test('a project is pasted like a file that is dropped', async ({studio: page}) => {
+  const torus = sample('torus');
+  await open(page, torus);
+  const project = made(torus, '--rotate', '0,40,0', '--blocks', 'auto').get('project.snug.json')!.toString();
+  await page.evaluate((text) => {
+    const data = new DataTransfer();
+    data.setData('text/plain', text);
+    document.body.dispatchEvent(new ClipboardEvent('paste', {clipboardData: data, bubbles: true, cancelable: true}));
+  }, project);
+  await expect(page.getByRole('slider', {name: 'Rotation θ'})).toHaveValue('40');
 });
 
 test('without a network it opens and works', async ({studio: page, context}) => {

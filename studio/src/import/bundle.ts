@@ -1,7 +1,7 @@
 /** Which of several files are objects, told by their names as the library does in a zip (snug/formats/bundle.h). */
 
 /** What a bundle may hold as its object; an archive only where there is nothing else. */
-const OBJECT = /\.(stl|obj|ply|off|glb|gltf|3mf|xyz|pts)$/i;
+const OBJECT = /\.(stl|obj|ply|off|glb|gltf|3mf|xyz|pts|shape)$/i;
 const ARCHIVE = /\.zip$/i;
 
 export interface Bundle<T> {

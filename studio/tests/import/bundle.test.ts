@@ -20,6 +20,7 @@ describe('several files at once', () => {
       beside: names('b.jpg'),
       leftOut: [],
     });
+    expect(bundled(names('camera.ply', 'lens.shape')).objects).toHaveLength(2);
   });
 
   it('give the object what is no object, which it may need', () => {
