@@ -290,7 +290,7 @@ void expect_the_same_kit(std::vector<Object> objects, const Design& design, Coun
 }
 
 TEST(ProtectionOfKits, IsWhatTheirFilesSayInLayersAndRows) {
-    const int kits = test::cases(9, 1);
+    const int kits = test::cases(10, 1);
     Counts counts;
     for (int n = 0; n < kits; ++n) {
         test::Random random(static_cast<std::uint64_t>(700 + n));

@@ -30,7 +30,7 @@ std::vector<std::vector<Vec3d>> engraved_lines(const test::GcodeProgram& program
 
 TEST(MillLabels, AreTheirStrokesIntoTheFoamThatStandsThere) {
     int labels = 0, seeds = 0;
-    for (int seed = 0; seed < test::cases(30, 4); ++seed) {
+    for (int seed = 0; seed < test::cases(30, 8); ++seed) {
         SCOPED_TRACE(seed);
         Random random(static_cast<std::uint64_t>(seed) + 81000);
         const test::LabelledTray tray = test::labelled_tray(random, seed % 3 == 0);
