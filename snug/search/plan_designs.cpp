@@ -136,14 +136,14 @@ class Planner {
             return {};
         }
         if (wishes_.in_known_case) {
-            const auto added = add_known_cases(design, 1);
+            const auto added = add_known_cases(design, 1, progress);
             if (!added) return tl::unexpected(added.error());
             if (*added == 0) found_.push_back(design);
             return {};
         }
         found_.push_back(design);
         if (!walls_given) add_more_foam(design);
-        const auto added = add_known_cases(design, kMostCases);
+        const auto added = add_known_cases(design, kMostCases, progress);
         return added ? Result<void>() : tl::unexpected(added.error());
     }
 
@@ -201,7 +201,7 @@ class Planner {
 
     /// In the smallest that hold the items with their walls, or else, of hard cases, with as much of them as
     /// goes; how many were added.
-    Result<int> add_known_cases(const Design& design, std::size_t most) {
+    Result<int> add_known_cases(const Design& design, std::size_t most, const Progress& progress) {
         if (wishes_.cases.empty() || design.space.open) return 0;
         std::vector<Walls> all{wanted_wall_mm(design.space)};
         const double thickest = *std::max_element(all[0].begin(), all[0].end());
@@ -211,8 +211,8 @@ class Planner {
         for (const Walls& walls : all) {
             Design tried = design;
             tried.space.wall_mm = walls;
-            const auto added =
-                design.items.size() == 1 ? add_cases_of_one(tried, most) : add_case_of_several(tried);
+            const auto added = design.items.size() == 1 ? add_cases_of_one(tried, most)
+                                                        : add_case_of_several(tried, progress);
             if (!added || *added > 0) return added;
         }
         return 0;
@@ -242,7 +242,7 @@ class Planner {
 
     /// Of hard cases alone: cartons for several are made to measure. Those that are much smaller than what
     /// one that is made to measure takes are not tried.
-    Result<int> add_case_of_several(Design design) {
+    Result<int> add_case_of_several(Design design, const Progress& progress) {
         if (!wishes_.in_known_case || !wants_arranging(given_)) return 0;
         const auto packing = pack_it_(design);
         if (!packing) return tl::unexpected(packing.error());
@@ -254,8 +254,10 @@ class Planner {
         });
         design.items = given_.items;
         design.space.blocks.reset();
+        // How far it is, of several sizes of case, is not known; whether to go on is asked all the same.
+        const auto told = [&](double, std::optional<double>) { return go_on(progress, 1); };
         auto found = arrange_in_known_case(objects_, design, false, cases, usual_arranging_work(design),
-                                           {{}, {}, pack_it_});
+                                           {told, {}, pack_it_});
         if (!found && found.error().kind != ErrorKind::does_not_fit) return tl::unexpected(found.error());
         if (found) found_.push_back(std::move(design));
         return found ? 1 : 0;
