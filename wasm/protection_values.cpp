@@ -120,7 +120,7 @@ val protection_choices() {
     val walls = val::object();
     for (std::size_t i = 0; i < names_of<Carrier>().size(); ++i) {
         const auto carrier = static_cast<Carrier>(i);
-        walls.set(std::string(name_of(carrier)), usual_wall_mm(Workshop::sponge, carrier));
+        walls.set(std::string(name_of(carrier)), usual_wall_mm(carrier));
     }
     result.set("walls_mm", walls);
     return result;

@@ -166,6 +166,7 @@ val to_val(const Preset& preset) {
     result.set("rigid", preset.rigid);
     result.set("worked", preset.worked);
     result.set("division", std::string(name_of(preset.division)));
+    result.set("wall_mm", or_null(preset.wall_mm));
     val usual_for = val::array();
     for (const std::string_view work : names_of<Workshop>())
         if (!work.empty() && usual_preset(*value_named<Workshop>(work)) == preset.name)

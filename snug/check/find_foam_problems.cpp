@@ -9,6 +9,7 @@
 #include "snug/base/text.h"
 #include "snug/check/find_case_problems.h"
 #include "snug/check/find_problems.h"
+#include "snug/design/presets.h"
 #include "snug/space/fitted_space.h"
 #include "snug/space/tray.h"
 #include "snug/words/pieces.h"
@@ -114,8 +115,8 @@ void find_outside(const Item& item, const Packing& packing, const Design& design
 void find_foam_problems(const Packing& packing, const Design& design, std::vector<Finding>& findings) {
     const SpaceChoice choice = choice_of(packing, design);
     const std::size_t before = findings.size();
-    find_thin_walls(packing.fit, packing.layers, packing.space, wanted_wall_mm(design.space), choice,
-                    findings);
+    find_thin_walls(packing.fit, packing.layers, packing.space, wanted_wall_mm(design.space),
+                    !is_rigid(design), choice, findings);
     name_nearest(packing.items, before, findings);
     find_pieces(packing.fit, choice, findings);
     if (design.fit.notches && design.fit.notches->depth_mm < kFingerDepth && packing.items.size() > 1)

@@ -204,17 +204,19 @@ void find_uncut_parts(const Mesh& mesh, const MeshMeasure& measure, bool capped,
 }
 
 void find_thin_walls(const FitReport& fit, std::span<const BlockMap> layers, const DesignSpace& space,
-                     const Walls& wanted_mm, const SpaceChoice& choice, std::vector<Finding>& findings) {
+                     const Walls& wanted_mm, bool cushion, const SpaceChoice& choice,
+                     std::vector<Finding>& findings) {
     if (fit.cut_blocks == 0) return;
+    const double least_good = cushion ? kLeastGoodWall : 0;
     Walls least = wanted_mm;
-    for (double& mm : least) mm = std::max(mm, kLeastGoodWall);
+    for (double& mm : least) mm = std::max(mm, least_good);
     const Message advice = wall_advice(fit.wall_mm, least, space, choice);
     for (int i = 0; i < 6; ++i) {
         const auto side = static_cast<Side>(i);
         if (fit.open && side == kRoof) continue;
         const double wall = fit.wall_mm[static_cast<std::size_t>(i)];
         const double wanted = wanted_mm[static_cast<std::size_t>(i)];
-        if (wall >= std::max(kLeastGoodWall, wanted)) continue;
+        if (wall >= std::max(least_good, wanted)) continue;
         const SideWords& words = kSides[i];
         const auto find = [&](Severity severity, Message message) {
             findings.push_back({severity, std::move(message), thinnest_place(layers, space, side)});
@@ -222,7 +224,7 @@ void find_thin_walls(const FitReport& fit, std::span<const BlockMap> layers, con
         const Message place = say(words.place);
         if (wall <= 0)
             find(Severity::danger, say(words.none, {{"side", place}, {"advice", advice}}));
-        else if (wall < kLeastGoodWall)
+        else if (wall < least_good)
             find(Severity::warning,
                  say(words.thin, {{"side", place}, {"mm", number(wall, 1)}, {"advice", advice}}));
         else

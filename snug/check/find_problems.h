@@ -31,11 +31,13 @@ void find_uncut_parts(const Mesh& mesh, const MeshMeasure& measure, bool capped,
                       const DesignSpace& space, Reach reach, const BlockMap& blocks,
                       std::vector<Finding>& findings);
 
-/// No foam between object and case: `no_floor`, `no_roof`, `touches_case` (danger); below 25 mm:
-/// `thin_floor`, `thin_roof`, `thin_wall`; below the walls that the design wants: `wall_below_wanted`
-/// (warnings). Each says what of the choice would give the walls. A tray wants none above.
+/// No foam between object and case: `no_floor`, `no_roof`, `touches_case` (danger); below 25 mm of what is to
+/// `cushion`: `thin_floor`, `thin_roof`, `thin_wall`; below the walls that the design wants:
+/// `wall_below_wanted` (warnings). Each says what of the choice would give the walls. A tray wants none
+/// above.
 void find_thin_walls(const FitReport& fit, std::span<const BlockMap> layers, const DesignSpace& space,
-                     const Walls& wanted_mm, const SpaceChoice& choice, std::vector<Finding>& findings);
+                     const Walls& wanted_mm, bool cushion, const SpaceChoice& choice,
+                     std::vector<Finding>& findings);
 
 /// A foam half in more than one piece, or without any foam: `lower_pieces`, `upper_pieces` (warning),
 /// `no_lower`, `no_upper` (danger); between layers `middle_pieces`, `no_middle`.

@@ -1,5 +1,7 @@
 #include "snug/design/carrier.h"
 
+#include "snug/design/presets.h"
+
 namespace snug {
 
 void expect_drops(Carrier carrier, Design& design) {
@@ -11,10 +13,15 @@ void expect_drops(Carrier carrier, Design& design) {
         design.protection.rule = DropRule::ista_2a;
 }
 
-double usual_wall_mm(Workshop work, Carrier carrier) {
-    if (work == Workshop::print) return 6;
-    if (work == Workshop::bricks) return 16;
+double usual_wall_mm(Carrier carrier) {
     return carrier == Carrier::store ? 25 : 50;
+}
+
+double usual_wall_mm(const Design& design, Carrier carrier) {
+    const auto& known = built_in_presets();
+    auto preset = find_preset(known, design.space.preset);
+    if (!preset) preset = find_preset(known, usual_preset(design.workshop.work));
+    return (preset ? preset->wall_mm : std::nullopt).value_or(usual_wall_mm(carrier));
 }
 
 }  // namespace snug

@@ -22,7 +22,10 @@ struct Names<Carrier> {
 void expect_drops(Carrier carrier, Design& design);
 
 /// The foam that is usual around things, mm, where nothing is known of what they meet: enough of a cushion on
-/// the way, less in a store, and just what holds together of what does not cushion.
-[[nodiscard]] double usual_wall_mm(Workshop work, Carrier carrier);
+/// the way, less in a store.
+[[nodiscard]] double usual_wall_mm(Carrier carrier);
+
+/// What its preset brings, or that of its way of working, where that does not cushion; else the above.
+[[nodiscard]] double usual_wall_mm(const Design& design, Carrier carrier);
 
 }  // namespace snug

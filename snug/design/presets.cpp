@@ -24,7 +24,8 @@ Result<Preset> preset_from(const nlohmann::json& json, const std::string& path) 
         .read("creep_kpa", preset.creep_kpa)
         .read("rigid", preset.rigid)
         .read("worked", preset.worked)
-        .read("division", division);
+        .read("division", division)
+        .read("wall_mm", preset.wall_mm);
     if (const auto known = value_named<Division>(division))
         preset.division = *known;
     else
@@ -33,6 +34,7 @@ Result<Preset> preset_from(const nlohmann::json& json, const std::string& path) 
     if (preset.density_kg_m3 && *preset.density_kg_m3 <= 0)
         reader.refuse("density_kg_m3", say("json.above_0"));
     if (preset.creep_kpa && *preset.creep_kpa <= 0) reader.refuse("creep_kpa", say("json.above_0"));
+    if (preset.wall_mm && *preset.wall_mm <= 0) reader.refuse("wall_mm", say("json.above_0"));
     if (const auto problem = reader.problem()) return fail(ErrorKind::usage, *problem);
 
     Design design;
@@ -104,7 +106,9 @@ const std::vector<Preset>& built_in_presets() {
          {},
          {},
          true,
-         "build it layer by layer"},
+         "build it layer by layer",
+         Division::none,
+         16},
         {"lego-plate",
          text(say("preset/lego-plate")),
          {3.2, 8, 8},
@@ -112,7 +116,9 @@ const std::vector<Preset>& built_in_presets() {
          {},
          {},
          true,
-         "build it layer by layer"},
+         "build it layer by layer",
+         Division::none,
+         16},
         {"print",
          text(say("preset/print")),
          {2, 2, 2},
@@ -121,7 +127,8 @@ const std::vector<Preset>& built_in_presets() {
          {},
          true,
          "print each half cavity up",
-         Division::all},
+         Division::all,
+         6},
         {"mill",
          text(say("preset/mill")),
          {5, 2, 2},

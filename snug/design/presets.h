@@ -23,6 +23,7 @@ struct Preset {
     bool rigid = false;                   ///< true: holds, but does not cushion
     std::string worked;                   ///< how a person gets the blocks out
     Division division = Division::none;   ///< whether it may be cut to other sizes
+    std::optional<double> wall_mm = {};   ///< around things, of what is rigid; none: what they meet decides
     friend bool operator==(const Preset&, const Preset&) = default;
 };
 

@@ -117,7 +117,7 @@ class Planner {
                 apply(*preset, design);
                 if (clearance != Clearance()) design.cut.clearance_mm = clearance;
             }
-        if (!design.space.wall_mm) design.space.wall_mm = equal_walls(usual_wall_mm(work, wishes_.carrier));
+        if (!design.space.wall_mm) design.space.wall_mm = equal_walls(usual_wall_mm(design, wishes_.carrier));
         return checked(std::move(design));  // what follows from the way of working, too
     }
 

@@ -220,6 +220,16 @@ TEST(Findings, AFittedSpaceIsAdvisedOtherWallsAndACaseNoBlocks) {
     EXPECT_FALSE(has_thin_wall(packed(mesh, cased)));
 }
 
+TEST(Findings, WhatDoesNotCushionIsNotTooThinToCushion) {
+    Design design = design_of({1, 1, 1}, 2);
+    design.space.preset = "print";
+    design.space.blocks.reset();
+    design.space.wall_mm = equal_walls(6);
+    EXPECT_EQ(codes(packed(box({0, 0, 0}, {60, 60, 60}), design)), Codes{});
+    design.space.preset = "slit-15";
+    EXPECT_TRUE(has_thin_wall(packed(box({0, 0, 0}, {60, 60, 60}), design)));
+}
+
 TEST(Findings, AnOpeningAtTheSideLetsNoFoamIn) {
     EXPECT_EQ(codes(packed(box({0, 0, 0}, {60, 60, 60}, {3}), design_of({10, 10, 10}, 15))), Codes{});
 }

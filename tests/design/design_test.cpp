@@ -217,6 +217,9 @@ TEST(Presets, OwnOnesAreReadAndWrongOnesNamed) {
     const auto wrong = parse_presets(R"([{"name": "a", "block_mm": [1, 2, 3]}, {"name": "b"}])");
     ASSERT_FALSE(wrong.has_value());
     EXPECT_EQ(snug::text(wrong.error().message), "preset 2.block_mm is missing");
+    const auto thin = parse_presets(R"([{"name": "a", "block_mm": [1, 2, 3], "wall_mm": 0}])");
+    ASSERT_FALSE(thin.has_value());
+    EXPECT_EQ(snug::text(thin.error().message), "preset 1.wall_mm must be above 0");
     EXPECT_NE(snug::text(find_preset(*own, "theirs").error().message).find("known are: ours"),
               std::string::npos);
 }

@@ -36,6 +36,8 @@ export interface Preset {
   rigid: boolean;
   worked: string;
   division: CaseOptions['division'];
+  /** Around things, of what is rigid; null: what they meet decides. */
+  wall_mm: number | null;
   /** The ways of working that take it where none is chosen. */
   usual_for: Work[];
 }

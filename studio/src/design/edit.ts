@@ -7,11 +7,14 @@ export function withAxis(value: Triple, axis: number, to: number): Triple {
   return value.map((old, i) => (i === axis ? to : old)) as Triple;
 }
 
-/** Counts of other blocks would mean another size: the space fits itself again. */
-export function withPreset(design: Design, preset: Preset): Design {
+/** Counts of other blocks would mean another size: the space fits itself again. What is rigid brings its walls, and those of
+ *  `before` go with it. */
+export function withPreset(design: Design, preset: Preset, before?: Preset): Design {
+  const {wall_mm} = design.space;
+  const brought = before && before.wall_mm !== null && wall_mm === before.wall_mm;
   return {
     ...design,
-    space: {...design.space, preset: preset.name, block_mm: [...preset.block_mm], blocks: 'auto'},
+    space: {...design.space, preset: preset.name, block_mm: [...preset.block_mm], blocks: 'auto', wall_mm: preset.wall_mm ?? (brought ? null : wall_mm)},
     cut: {...design.cut, clearance_mm: preset.clearance_mm},
     // A foam of known data stays what it is in other blocks.
     fit: {...design.fit, creep_kpa: design.protection.foam?.creep_kpa ?? preset.creep_kpa},
@@ -198,7 +201,7 @@ export function forNewObject(design: Design, defaults: Design, presets: readonly
     placement: defaults.placement,
     items: defaults.items,
     parting: {level: 'auto'},
-    space: {...design.space, blocks: 'auto', wall_mm: defaults.space.wall_mm, open: defaults.space.open},
+    space: {...design.space, blocks: 'auto', wall_mm: preset?.wall_mm ?? defaults.space.wall_mm, open: defaults.space.open},
     cut: {...design.cut, clearance_mm: preset?.clearance_mm ?? defaults.cut.clearance_mm},
     fit: {...design.fit, settle: false, pads: null, relief: null, notches: null},
     case: {...defaults.case, play_mm, division},

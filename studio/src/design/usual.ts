@@ -23,6 +23,7 @@ export function usualValue(design: Design, path: OptionPath, {rows, defaults, pr
     'space.preset': usualPreset(presets, design.workshop.for)?.name,
     'space.blocks': 'auto',
     'space.block_mm': preset?.block_mm,
+    'space.wall_mm': preset?.wall_mm,
     'cut.clearance_mm': preset?.clearance_mm,
   };
   return brought[path] ?? valueAt(defaults, rowPath(path)) ?? rows[rowPath(path)].default ?? null;
@@ -39,6 +40,7 @@ export function withUsual(design: Design, path: OptionPath, beginning: Beginning
   const usual = usualValue(design, path, beginning);
   if (path === 'case.inside_mm') return withCase(design, {inside_mm: null, lid_mm: null}, beginning.defaults.case);
   if (path === 'space.open') return withTray(design, null);
-  const preset = path === 'space.preset' && beginning.presets.find(({name}) => name === usual);
-  return preset ? withPreset(design, preset) : withValue(design, path, usual);
+  const presetOf = (name: unknown) => beginning.presets.find((one) => one.name === name);
+  const preset = path === 'space.preset' && presetOf(usual);
+  return preset ? withPreset(design, preset, presetOf(design.space.preset)) : withValue(design, path, usual);
 }

@@ -10,7 +10,7 @@ import type {Texts} from '../words/texts';
 export function usualText(studio: Studio, path: OptionPath, text: Texts): string {
   const t = text.fieldsOf;
   const row = studio.options.rows[rowPath(path)];
-  const usual = path === 'space.wall_mm' ? studio.options.fittedWall : studio.options.usual(path);
+  const usual = path === 'space.wall_mm' ? (studio.options.usual(path) ?? studio.options.fittedWall) : studio.options.usual(path);
   if (path === 'space.preset') return text.foam.presets[String(usual)] ?? String(usual);
   if (path === 'search.weights') return text.placement.objectives[objective({search: {weights: usual}} as Design)] ?? '';
   if (usual === 'auto' && row.kind !== 'word') return t.automatic;

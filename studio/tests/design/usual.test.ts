@@ -1,6 +1,6 @@
 import {beforeAll, expect, test} from 'vitest';
 import type {Design} from '../../src/design/design';
-import {firstDesign, withFit, withPreset, withTray, withWorkshop} from '../../src/design/edit';
+import {firstDesign, withFit, withPreset, withTray, withWalls, withWorkshop} from '../../src/design/edit';
 import {usualGroup, withValue} from '../../src/design/options';
 import {isOther, usualValue, withUsual, type Beginning} from '../../src/design/usual';
 import {startCore} from '../support/snug';
@@ -38,6 +38,19 @@ test('what a foam brings is usual with it, and a way of working makes its foam u
   expect(withUsual(slit, 'space.preset', beginning)).toEqual(withPreset(first, presetOf('paper')));
   const sheets = withWorkshop(slit, {for: 'sheets'});
   expect(presetOf(String(usualValue(sheets, 'space.preset', beginning))).usual_for).toContain('sheets');
+});
+
+test('what is rigid brings its walls, which go with it; others stay', () => {
+  const print = withPreset(withWalls(first, 50), presetOf('print'), presetOf('paper'));
+  expect(print.space.wall_mm).toBe(presetOf('print').wall_mm);
+  expect(isOther(print, 'space.wall_mm', beginning)).toBe(false);
+  expect(isOther(withWalls(print, 30), 'space.wall_mm', beginning)).toBe(true);
+  expect(withUsual(withWalls(print, 30), 'space.wall_mm', beginning)).toEqual(print);
+  const bricks = withPreset(print, presetOf('lego-brick'), presetOf('print'));
+  expect(bricks.space.wall_mm).toBe(presetOf('lego-brick').wall_mm);
+  expect(withPreset(bricks, presetOf('slit-10'), presetOf('lego-brick')).space.wall_mm).toBe(null);
+  expect(withPreset(withWalls(print, 30), presetOf('slit-10'), presetOf('print')).space.wall_mm).toBe(30);
+  expect(withPreset(withWalls(first, 30), presetOf('slit-10'), presetOf('paper')).space.wall_mm).toBe(30);
 });
 
 test('a group that is there is other; within it, what was changed', () => {
