@@ -1,6 +1,7 @@
 #include <string>
 #include <string_view>
 
+#include "snug/formats/bundle.h"
 #include "snug/formats/threemf_read.h"
 #include "snug/formats/zip_read.h"
 
@@ -17,6 +18,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const Bytes file = fuzz::bytes(data, size);
     if (is_zip(file)) {
         fuzz::check(read_3mf(file, tools));
+        const auto packed = find_packed_project(file, tools);
+        fuzz::require(!packed || !*packed || !(*packed)->object.empty() || !(*packed)->has_object);
         return 0;
     }
     std::string_view text(reinterpret_cast<const char*>(data), size);

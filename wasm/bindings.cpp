@@ -117,6 +117,7 @@ EMSCRIPTEN_BINDINGS(snug) {
     function("presets", &bound::presets);
     function("bricks", &bound::bricks);
     function("parseProject", &bound::parse);
+    function("packedProject", &bound::packed_project);
     function("projectText", &bound::project_text);
     function("commandLine", &bound::command_line_text);
     function("optionsSchema", &snug::options_schema);

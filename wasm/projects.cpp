@@ -4,7 +4,9 @@
 #include <utility>
 
 #include "snug/design/options_schema.h"
+#include "snug/formats/bundle.h"
 
+#include "wasm/scene_tools.h"
 #include "wasm/values.h"
 
 namespace snug::wasm {
@@ -56,6 +58,16 @@ val parse(const std::string& project_text) {
     result.set("objects", objects);
     result.set("design", design_json(project->design));
     result.set("dependent", dependent_options(project->design));
+    return result;
+}
+
+val packed_project(const val& zip, const val& tools) {
+    const auto bytes = bytes_from(zip);
+    const auto packed = find_packed_project(bytes, scene_tools_from(tools));
+    if (!packed) return to_val(packed.error());
+    val result = val::object();
+    result.set("text", *packed ? val((*packed)->text) : val::null());
+    result.set("whole", *packed && (*packed)->has_object);
     return result;
 }
 

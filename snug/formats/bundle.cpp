@@ -64,21 +64,28 @@ std::optional<std::string> object_in_project(const FileBytes& text) {
     return std::string(without_folders(name.get_ref<const std::string&>()));
 }
 
-/// The object of a pack that Snug made, where the zip is one.
-Result<const ZipMember*> find_packed(ZipReader& zip) {
+/// A pack's project, and its object where that is in the zip.
+struct Packed {
+    FileBytes text;
+    std::string name;
+    const ZipMember* object = nullptr;
+};
+
+/// The pack that Snug made, where the zip is one.
+Result<std::optional<Packed>> find_packed(ZipReader& zip) {
     std::uint64_t read = 0;
     for (const ZipMember& member : zip.members()) {
         if (is_hidden(member.name) || !is_longer_with_ending(member.name, kProjectEnding)) continue;
         if (member.size > kMostProjectBytes - read) continue;
         read += member.size;
-        const auto text = zip.unpack(member);
+        auto text = zip.unpack(member);
         if (!text) return tl::unexpected(text.error());
-        const auto name = object_in_project(*text);
+        auto name = object_in_project(*text);
         if (!name) continue;
-        if (const ZipMember* object = find(zip, folder_of(member.name) + *name)) return object;
-        return fail(ErrorKind::input, say("bundle.no_object_of", {{"name", quoted(*name, 80)}}));
+        const ZipMember* object = find(zip, folder_of(member.name) + *name);
+        return Packed{std::move(*text), std::move(*name), object};
     }
-    return nullptr;
+    return std::nullopt;
 }
 
 }  // namespace
@@ -102,9 +109,14 @@ Result<Mesh> read_bundle(Bytes file, const SceneTools& tools, const ReadFile& re
     if (!zip) return tl::unexpected(zip.error());
     const auto packed = find_packed(*zip);
     if (!packed) return tl::unexpected(packed.error());
-    const ZipMember* member = *packed;
+    const ZipMember* member = nullptr;
     std::vector<std::string> left_out;
-    if (member == nullptr) {
+    if (*packed) {
+        member = (*packed)->object;
+        if (member == nullptr)
+            return fail(ErrorKind::input,
+                        say("bundle.no_object_of", {{"name", quoted((*packed)->name, 80)}}));
+    } else {
         std::vector<std::string> names;
         for (const ZipMember& each : zip->members()) names.push_back(each.name);
         auto object = find_bundle_object(names);
@@ -129,6 +141,16 @@ Result<Mesh> read_bundle(Bytes file, const SceneTools& tools, const ReadFile& re
 }
 
 }  // namespace
+
+Result<std::optional<PackedProject>> find_packed_project(Bytes zip, const SceneTools& tools) {
+    auto reader = ZipReader::open(zip, tools.inflate);
+    if (!reader) return tl::unexpected(reader.error());
+    auto packed = find_packed(*reader);
+    if (!packed) return tl::unexpected(packed.error());
+    if (!*packed) return std::nullopt;
+    std::string text(reinterpret_cast<const char*>((*packed)->text.data()), (*packed)->text.size());
+    return PackedProject{std::move(text), std::move((*packed)->name), (*packed)->object != nullptr};
+}
 
 Result<Mesh> read_zip(Bytes file, const SceneTools& tools, const ReadFile& read) {
     return is_3mf(file, tools) ? read_3mf(file, tools) : read_bundle(file, tools, read);

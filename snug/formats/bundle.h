@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,16 @@ struct BundleObject {
 
 /// Fails (input) where no file is an object. `names` are UTF-8, folders parted by slashes.
 [[nodiscard]] Result<BundleObject> find_bundle_object(const std::vector<std::string>& names);
+
+/// The project of a pack that Snug made and somebody zipped.
+struct PackedProject {
+    std::string text;         ///< of its file
+    std::string object;       ///< name of the one that it is of, without folders
+    bool has_object = false;  ///< it is in the zip, too
+};
+
+/// None: the zip is of something else. Fails (input) where it cannot be read as a zip.
+[[nodiscard]] Result<std::optional<PackedProject>> find_packed_project(Bytes zip, const SceneTools& tools);
 
 /// Reads a file by its content, then its name without folders; not a zip.
 using ReadFile = std::function<Result<Mesh>(Bytes file, std::string_view name, const SceneTools& tools)>;

@@ -70,6 +70,25 @@ TEST(Bundle, OurOwnPackGivesItsObjectAndNeverAFoam) {
     EXPECT_TRUE(mesh.read.left_out_objects.empty());
 }
 
+TEST(Bundle, AZippedPackGivesItsProjectWithOrWithoutItsObject) {
+    SceneTools tools;
+    tools.inflate = cli::inflate;
+    const std::string project = R"({"snug": 1, "objects": [{"name": "vase.obj"}, {"name": "lid.obj"}]})";
+    std::vector<ZipPart> pack = {{"vase-foam/lower.obj", kOther}, {"vase-foam/project.snug.json", project}};
+    const std::string without = zip_of(pack);
+    const auto found = find_packed_project(bytes_of(without), tools).value();
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->text, project);
+    EXPECT_EQ(found->object, "vase.obj");
+    EXPECT_FALSE(found->has_object);
+    pack.push_back({"vase-foam/vase.obj", kObj});
+    const std::string with = zip_of(pack);
+    EXPECT_TRUE(find_packed_project(bytes_of(with), tools).value()->has_object);
+    const std::string other = zip_of({{"a.obj", kObj}});
+    EXPECT_FALSE(find_packed_project(bytes_of(other), tools).value());
+    EXPECT_FALSE(find_packed_project(bytes_of(with.substr(0, with.size() / 2)), tools));
+}
+
 TEST(Bundle, WhatIsNoProjectBesideAnObjectIsPassedOverAtOnce) {
     const std::string named = R"({"snug": 1, "object": {"name": "lower.obj"}})";
     const auto with = [&](const std::string& project) {

@@ -64,6 +64,12 @@ export interface Project {
   dependent: Dependent;
 }
 
+/** What a zip has of a pack: the text of its project, null where it is none, and whether the object is in it, too. */
+export interface PackedProject {
+  text: string | null;
+  whole: boolean;
+}
+
 /** A separate part of the object as it was read, numbered from 1; `share` of the surface's area. */
 export interface ObjectPart {
   number: number;
@@ -295,6 +301,8 @@ export interface Engine {
   displayMesh(mostTriangles: number, id?: string): Promise<DisplayMesh>;
   /** Validates a whole project text, or a design alone (then the object has no name). */
   parseProject(text: string): Promise<Project | Failure>;
+  /** Of a zip that was a pack. */
+  packedProject(zip: Blob): Promise<PackedProject | Failure>;
   /** Rejects a design that parseProject() would refuse, with the library's sentence. */
   projectText(design: Design, objects?: readonly ObjectUse[]): Promise<string>;
   /** The `snug make` that gives this design from the file, or from one for each object; a Failure for a design that

@@ -17,6 +17,7 @@ import type {
   ObjectInfo,
   OnProgress,
   OutputFile,
+  PackedProject,
   Packing,
   Project,
   WorkshopFigures,
@@ -24,24 +25,16 @@ import type {
 import {simplified} from './display_mesh';
 import {readChoices, readFoams, type ContactMap, type DropChoices, type Drops, type KnownFoam, type Pressing} from './drops';
 import {brokenModule, isFailure} from './failure';
+import {readWith, type FileTools} from './file_tools';
 import type {Gap} from './gap';
 import {arranged, designOf, listeners, throttled} from './listeners';
-import type {GivenObject, Pack, SceneTools, Session, SnugModule} from './module';
+import type {GivenObject, Pack, Session, SnugModule} from './module';
 import {readProposals, type PlanWishes, type Proposal} from './plan';
 import {newId} from './new_id';
 import {sha256} from './sha256';
 import type {ZoneResults} from './zones';
 
 const NO_FILE: ObjectFile = {name: '', bytes: 0, sha256: ''};
-
-/** The tools for one file: what the library asks for in the middle of reading it. */
-export interface FileTools {
-  readonly tools: SceneTools;
-  /** Names of the files beside it that were asked for and are there. */
-  readonly used: string[];
-  /** Fetches what was asked for and not at hand, after which another try may go better; false where that was nothing. */
-  fetchMissing(): Promise<boolean>;
-}
 
 /** What a core calls and does not know: readers and writers that are no part of the library. */
 export interface CoreParts {
@@ -127,9 +120,7 @@ export class EngineCore {
     const design = await this.#designOf(object);
     const box = this.#parts.toolsFor(beside);
     const number = ++this.#numbers;
-    const read = () => guarded(() => this.#session.load(number, bytes, name, design, box.tools));
-    let info = read();
-    while (isFailure(info) && info.kind === 'input' && (await box.fetchMissing())) info = read();
+    const info = await readWith(box, () => guarded(() => this.#session.load(number, bytes, name, design, box.tools)));
     if (isFailure(info)) return info;
     this.#stepping++;
     const file = {name: withoutFolders(name), bytes: bytes.length, sha256: await sha256(bytes)};
@@ -193,6 +184,12 @@ export class EngineCore {
       own: own === null ? null : (JSON.parse(own) as Design).object,
     }));
     return {objects, design: JSON.parse(parsed.design) as Design, dependent: JSON.parse(parsed.dependent) as Dependent};
+  }
+
+  async packedProject(zip: Blob): Promise<PackedProject | Failure> {
+    const bytes = new Uint8Array(await zip.arrayBuffer());
+    const box = this.#parts.toolsFor([]);
+    return readWith(box, () => guarded(() => this.#snug.packedProject(bytes, box.tools)));
   }
 
   async projectText(design: Design, objects?: Objects): Promise<{text: string} | Failure> {

@@ -83,6 +83,7 @@ class PageEngine implements Engine {
   samples = () => this.#quickly((core) => core.samples()).then(orThrow);
   sampleFile = (name: string) => this.#quickly((core) => core.sampleFile(name));
   parseProject = (text: string) => this.#quickly((core) => core.parseProject(text));
+  packedProject = (zip: Blob) => this.#quickly((core) => core.packedProject(zip));
   projectText = (design: Design, objects?: Objects) => {
     const [plain, uses] = sent(design, objects);
     return this.#quickly((core) => core.projectText(plain, uses)).then((answer) => orThrow(answer).text);

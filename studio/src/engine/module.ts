@@ -11,6 +11,7 @@ import type {
   FoundPlacement,
   ObjectInfo,
   OutputFile,
+  PackedProject,
   Packing,
   SearchStep,
   WorkshopFigures,
@@ -102,6 +103,7 @@ export interface SnugModule {
   samples(): string[];
   sampleFile(name: string): OutputFile | Failure;
   parseProject(text: string): {objects: {name: string; bytes: number; sha256: string; own: string | null}[]; design: string; dependent: string} | Failure;
+  packedProject(zip: Uint8Array, tools: SceneTools): PackedProject | Failure;
   projectText(design: string, objects: GivenObject[]): {text: string} | Failure;
   /** The `snug make` that gives this design from the objects' files. */
   commandLine(design: string, objects: GivenObject[], language: string): {text: string} | Failure;

@@ -20,8 +20,9 @@ let waiting: {project: Project; files: (File | null)[]} | null = null;
  *  nobody has chosen anything. */
 export async function openFiles(studio: Studio, files: readonly File[], {joins = false} = {}): Promise<boolean> {
   const fresh = waiting === null && !(joins && studio.object);
-  const notes = files.filter(({name}) => /\.json$/i.test(name));
-  const {objects, beside, leftOut} = bundled(files.filter((file) => !notes.includes(file)));
+  const {whole, projects} = await fromPacks(studio, files);
+  const notes = [...whole.filter(({name}) => /\.json$/i.test(name)), ...projects];
+  const {objects, beside, leftOut} = bundled(whole.filter((file) => !notes.includes(file)));
   const {project, unread, refused} = await readProject(studio, notes);
   // What is no project at all may lie beside an object; a project that cannot be read is asked for.
   if (refused && (objects.length === 0 || refused.meant)) {
@@ -37,6 +38,19 @@ export async function openFiles(studio: Studio, files: readonly File[], {joins =
   if (leftOut.length > 0) alsoSay(studio, texts.leftOut(leftOut.map(({name}) => name)));
   if (unread.length > 0) alsoSay(studio, texts.noProject(unread.map(({name}) => name)));
   return fresh && !project;
+}
+
+/** The projects of packs that come back as they were handed over, and the files without those packs that have no object. */
+async function fromPacks(studio: Studio, files: readonly File[]) {
+  const projects: File[] = [];
+  const whole: File[] = [];
+  for (const file of files) {
+    const packed = /\.zip$/i.test(file.name) && file.size <= MOST_BYTES ? await studio.engine.packedProject(file) : null;
+    const text = packed && !isFailure(packed) ? packed.text : null;
+    if (text !== null) projects.push(new File([text], `${file.name}.json`));
+    if (text === null || (packed && !isFailure(packed) && packed.whole)) whole.push(file);
+  }
+  return {whole, projects};
 }
 
 /** The first of the files that is a project; else why one is not, first of all one that means to be. */

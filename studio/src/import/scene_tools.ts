@@ -1,5 +1,5 @@
 import type {BesideFile} from '../engine/api';
-import type {FileTools} from '../engine/core';
+import type {FileTools} from '../engine/file_tools';
 import type {SceneTools} from '../engine/module';
 
 // What the library asks for while it reads a scene (glTF, 3MF) or a zip: decoders, and files that were opened with it.

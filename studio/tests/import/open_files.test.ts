@@ -1,3 +1,4 @@
+import {zipSync} from 'fflate';
 import {describe, expect, it} from 'vitest';
 import {sha256} from '../../src/engine/sha256';
 import type {Studio} from '../../src/state/studio.svelte';
@@ -54,6 +55,45 @@ describe('a project that waits for its object', () => {
       await open(box([120, 80, 60]), 'box.stl');
       expect(studio.design.cut.clearance_mm).not.toBe(3);
     }
+  });
+});
+
+describe('a zipped pack that comes back', () => {
+  const PROJECT = 'box-foam/project.snug.json';
+  const opened = async (others: Record<string, Uint8Array>, ...files: File[]) => {
+    const studio = await startStudio();
+    const {openFiles} = await import('../../src/import/open_files');
+    const object = {name: 'box.stl', bytes: 684, sha256: await sha256(await bytesOf(box([120, 80, 60])))};
+    const design = {...studio.defaults, cut: {...studio.defaults.cut, clearance_mm: 3}};
+    const text = JSON.stringify({...JSON.parse(await studio.engine.projectText(design)), objects: [object]});
+    const members = {'box-foam/lower.stl': new Uint8Array(84), [PROJECT]: new TextEncoder().encode(text), ...others};
+    await openFiles(studio, [new File([zipSync(members)], 'box-foam.zip'), ...files]);
+    return {studio, open: (file: File) => openFiles(studio, [file])};
+  };
+  const object = () => new File([box([120, 80, 60])], 'box.stl');
+
+  it('gives its project, which waits for its object', async () => {
+    const {studio, open} = await opened({});
+    expect(studio.notice).toEqual(ALL.files.openObjectOf('box.stl'));
+    await open(object());
+    expect(studio.design.cut.clearance_mm).toBe(3);
+    expect(studio.notice).toBeNull();
+  });
+
+  it('has its object beside it, or within', async () => {
+    const beside = await opened({}, object());
+    const within = await opened({'box-foam/box.stl': await bytesOf(object())});
+    for (const {studio} of [beside, within]) {
+      expect(studio.problem).toBeNull();
+      expect(studio.object?.size_mm).toEqual([120, 80, 60]);
+      expect(studio.design.cut.clearance_mm).toBe(3);
+    }
+  });
+
+  it('that is damaged is refused as before', async () => {
+    const {studio, open} = await opened({});
+    await open(new File([new Uint8Array([80, 75, 3, 4, 1, 2, 3])], 'half.zip'));
+    expect(studio.problem).not.toBeNull();
   });
 });
 
