@@ -226,6 +226,14 @@ Result<void> cut_layers(std::span<const Object> objects, Packing& packing, const
             if (!cut.none()) under = std::max<int>(under, cut.end);
         packing.layers.push_back(std::move(layer));
     }
+    if (!design.edits.empty()) {
+        auto edited = apply_edits(design.edits,
+                                  {objects, packing.items, packing.space, packing.available, parting,
+                                   design.space.open.has_value()},
+                                  packing.layers);
+        if (!edited) return tl::unexpected(edited.error());
+        packing.edits = std::move(*edited);
+    }
     packing.foams = split(packing.layers, std::move(parting), packing.available);
     if (design.space.open) packing.foams = without_lid(std::move(*packing.foams));
     if (design.fit.lift)

@@ -128,4 +128,15 @@ std::string Quoted::operator()(std::string_view text, std::size_t longest) const
     return "\"" + one_line(text.substr(0, end)) + (end < text.size() ? "...\"" : "\"");
 }
 
+std::vector<std::string_view> words_between(std::string_view text, char separator) {
+    std::vector<std::string_view> words;
+    for (bool more = !text.empty(); more;) {
+        const std::size_t end = text.find(separator);
+        more = end != std::string_view::npos;
+        words.push_back(text.substr(0, end));
+        text.remove_prefix(more ? end + 1 : text.size());
+    }
+    return words;
+}
+
 }  // namespace snug

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "snug/base/vec.h"
 
@@ -29,5 +30,8 @@ struct Quoted {
 /// What stands in a file, made safe to show: as one_line() has it, cut off behind the last character within
 /// `longest` bytes. No function, since std::quoted would be found beside it wherever a string is given.
 inline constexpr Quoted quoted;
+
+/// What stands between separators, which an empty text has none of.
+[[nodiscard]] std::vector<std::string_view> words_between(std::string_view text, char separator);
 
 }  // namespace snug

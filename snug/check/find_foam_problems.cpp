@@ -8,6 +8,7 @@
 
 #include "snug/base/text.h"
 #include "snug/check/find_case_problems.h"
+#include "snug/check/find_edits.h"
 #include "snug/check/find_problems.h"
 #include "snug/design/presets.h"
 #include "snug/space/fitted_space.h"
@@ -123,6 +124,7 @@ void find_foam_problems(const Packing& packing, const Design& design, std::vecto
         findings.push_back(
             {Severity::warning, say("notches_shallow", {{"depth_mm", number(design.fit.notches->depth_mm, 1)},
                                                         {"wanted_mm", number(kFingerDepth, 0)}})});
+    find_edits(packing, design.edits, findings);
     for (const Piece piece : packing.lift.without)
         findings.push_back({Severity::warning, say("no_lift", {{"foam", foam_of(piece)}})});
     if (packing.fitted_case)

@@ -12,6 +12,7 @@
 #include "snug/foam/block_map.h"
 #include "snug/foam/fill_pads.h"
 #include "snug/foam/foams.h"
+#include "snug/foam/hand_edits.h"
 #include "snug/foam/lift_slots.h"
 #include "snug/foam/notches.h"
 #include "snug/foam/relief_islands.h"
@@ -40,6 +41,7 @@ struct Packing {
     std::optional<FloorRelief> relief;  ///< under an only item, where the design wants it
     FillPads pads;                      ///< that fill what block steps leave, where the design wants them
     LiftSlots lift;                     ///< in the pieces that are lifted, where the design wants them
+    std::vector<EditOutcome> edits;     ///< what came of the design's edits, in their order
     long long rib_blocks = 0;           ///< cut because they stood too thin between cavities
     std::optional<Foams> foams;         ///< none where an item leaves the space (finding `outside`)
     FitReport fit;                      ///< of `foams`

@@ -119,6 +119,7 @@ DesignProblem problem_of(const Design& design) {
             return OptionProblem{"items." + std::to_string(i) + ".zones", std::move(*wrong)};
     if (auto found = problem_of_layers(design)) return found;
     if (auto found = problem_of_parting(design)) return found;
+    if (auto wrong = problem_of(design.edits)) return OptionProblem{"edits", std::move(*wrong)};
     if (design.output.formats.empty()) return OptionProblem{"output.formats", say("formats.none")};
     if (auto found = problem_of(design.case_options)) return found->within("case");
     if (auto found = problem_of(design.protection)) return found->within("protection");

@@ -11,6 +11,7 @@
 #include "snug/design/clean_options.h"
 #include "snug/design/clearance.h"
 #include "snug/design/fit_options.h"
+#include "snug/design/hand_edit.h"
 #include "snug/design/item_options.h"
 #include "snug/design/option.h"
 #include "snug/design/parting_levels.h"
@@ -306,6 +307,7 @@ struct Design {
     std::vector<ItemOptions> items{1};  ///< what lies in the case, 1 to kMostItems
     CutOptions cut;
     PartingOptions parting;
+    HandEdits edits;  ///< by hand, of what is computed
     OutputOptions output;
     CaseOptions case_options;
     FitOptions fit;
@@ -324,6 +326,17 @@ void visit_options(Visit& visit, Design& design) {
     visit.group(design.cut, {.json = "cut", .title = {"What is cut away", "切り取り方"}});
     visit.group(design.fit, {.json = "fit", .title = {"A foam to work and live with", "使いやすい緩衝材"}});
     visit.group(design.parting, {.json = "parting", .title = {"Where the halves part", "分割"}});
+    visit.option(
+        design.edits,
+        {.json = "edits",
+         .flag = "--edit",
+         .takes = "PIECE:J:K:N",
+         .label = {"the edits by hand", "手作業の変更"},
+         .help = {"Blocks that are taken out of a column by hand beside what is computed, or put back "
+                  "where N is negative: lower:12:7:1, upper:12:7:-2, middle-1:12:7:1:under",
+                  "計算結果に加えて手作業で列から取り除くブロック（N が負なら戻します）：lower:12:7:1、"
+                  "upper:12:7:-2、middle-1:12:7:1:under"},
+         .usual = {"none", "なし"}});
     visit.group(design.output, {.json = "output", .title = {"The files of the foams", "緩衝材のファイル"}});
     visit.group(design.case_options, {.json = "case", .title = {"The case", "ケース"}});
     visit.group(design.protection, {.json = "protection", .title = {"What it must bear", "耐えるべきこと"}});

@@ -44,7 +44,7 @@ bool takes_many(const Option& option) {
 }
 
 bool repeats(const Option& option) {
-    return std::holds_alternative<Zones*>(option.value);
+    return std::holds_alternative<Zones*>(option.value) || std::holds_alternative<HandEdits*>(option.value);
 }
 
 /// All that was typed behind a flag that repeats.

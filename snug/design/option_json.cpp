@@ -7,6 +7,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "snug/design/hand_edit_json.h"
 #include "snug/design/json_reader.h"
 #include "snug/design/zone_json.h"
 
@@ -55,6 +56,7 @@ struct Writing {
         return json;
     }
     Written operator()(const Zones* zones) const { return zones_json(*zones); }
+    Written operator()(const HandEdits* edits) const { return edits_json(*edits); }
     Written operator()(const Choice& choice) const {
         const int at = choice.get();
         return at < 0 ? Written(nullptr) : Written(choice.words[static_cast<std::size_t>(at)]);
@@ -108,6 +110,7 @@ struct Reading {
     bool operator()(StressPoint* v) const { return each({&v->strain, &v->kpa}); }
     bool operator()(std::vector<StressPoint>* value) const { return list(*value); }
     bool operator()(Zones* zones) const { return read_zones(json, *zones); }
+    bool operator()(HandEdits* edits) const { return read_edits(json, *edits); }
     template <class T>
     bool operator()(Vec3<T>* v) const {
         return each({&v->x, &v->y, &v->z});
@@ -211,6 +214,7 @@ struct Expected {
     Message operator()(const std::vector<BrickStock>*) const { return say("json.pieces"); }
     Message operator()(const std::vector<StressPoint>*) const { return say("json.curve"); }
     Message operator()(const Zones*) const { return say("json.zones"); }
+    Message operator()(const HandEdits*) const { return say("json.edits"); }
     Message operator()(const Choice& choice) const {
         std::vector<Message> words = each_as_it_is(choice.words);
         if (choice.may_be_none) words.push_back(as_it_is("null"));

@@ -32,7 +32,7 @@ using Plane = std::array<double, 4>;
 using OptionValue =
     std::variant<std::monostate, bool*, int*, std::uint32_t*, double*, std::string*, Vec2d*, Vec3d*,
                  Clearance*, Weights*, std::vector<int>*, std::vector<std::string>*, std::vector<BrickStock>*,
-                 std::vector<StressPoint>*, Zones*, std::optional<Vec2d>*, std::optional<int>*,
+                 std::vector<StressPoint>*, Zones*, HandEdits*, std::optional<Vec2d>*, std::optional<int>*,
                  std::optional<PartingLevels>*, std::optional<double>*, std::optional<Vec3d>*,
                  std::optional<Vec3i>*, std::optional<Walls>*, std::optional<Clearance>*,
                  std::optional<CrossSection>*, std::optional<Plane>*, Choice>;

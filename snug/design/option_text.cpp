@@ -147,6 +147,11 @@ struct Taking {
         if (zones) *value = std::move(*zones);
         return zones.has_value();
     }
+    bool operator()(HandEdits* value) const {
+        auto edits = text == "none" ? HandEdits() : typed_edits(text);
+        if (edits) *value = std::move(*edits);
+        return edits.has_value();
+    }
     /// "cut=1,bearing=0.5"; a name alone weighs 1.
     bool operator()(Weights* value) const {
         value->fill(0);
@@ -225,6 +230,9 @@ struct Takes {
     Message operator()(const Zones*) const {
         return say("takes.zones", {{"example", "part=3:15"}, {"other", "10,20,30,25:15"}});
     }
+    Message operator()(const HandEdits*) const {
+        return say("takes.edits", {{"example", "lower:12:7:1"}, {"other", "upper:12:7:-2"}});
+    }
     Message operator()(const Weights*) const {
         return say("takes.weights",
                    {{"words", each_as_it_is(names_of<Objective>())}, {"example", "cut=1,bearing=0.5"}});
@@ -288,6 +296,7 @@ struct Saying {
         return joined(*value, [](const StressPoint& each) { return exact({each.strain, each.kpa}, ':'); });
     }
     Text operator()(const Zones* value) const { return snug::text_of(*value).value_or("none"); }
+    Text operator()(const HandEdits* value) const { return snug::text_of(*value).value_or("none"); }
     Text operator()(const Weights* value) const {
         std::vector<std::string> words;
         for (std::size_t i = 0; i < kObjectives; ++i)

@@ -23,6 +23,7 @@ struct Kind {
     std::string_view operator()(const std::vector<BrickStock>*) const { return "pieces"; }
     std::string_view operator()(const std::vector<StressPoint>*) const { return "curve"; }
     std::string_view operator()(const Zones*) const { return "zones"; }
+    std::string_view operator()(const HandEdits*) const { return "edits"; }
     std::string_view operator()(const Weights*) const { return "weights"; }
     std::string_view operator()(const Choice&) const { return "word"; }
     template <class T>

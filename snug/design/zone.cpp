@@ -14,18 +14,6 @@ namespace {
 
 constexpr std::string_view kPart = "part=", kPress = "press=", kKpa = "kPa", kLoose = "loose";
 
-/// What stands between separators, which an empty text has none of.
-std::vector<std::string_view> between(std::string_view text, char separator) {
-    std::vector<std::string_view> words;
-    for (bool more = !text.empty(); more;) {
-        const std::size_t end = text.find(separator);
-        more = end != std::string_view::npos;
-        words.push_back(text.substr(0, end));
-        text.remove_prefix(more ? end + 1 : text.size());
-    }
-    return words;
-}
-
 /// "part=3", or one more of a ball's four numbers.
 bool take_place(std::string_view word, Zone& zone, std::vector<double>& numbers) {
     if (!word.starts_with(kPart)) {
@@ -100,8 +88,8 @@ std::optional<Zones> typed_zones(std::string_view text) {
     Zones zones;
     Zone zone;
     std::vector<double> numbers;
-    for (const std::string_view word : between(text, ',')) {
-        const auto rules = between(word, ':');
+    for (const std::string_view word : words_between(text, ',')) {
+        const auto rules = words_between(word, ':');
         if (rules.empty() || !take_place(rules.front(), zone, numbers)) return {};
         if (rules.size() == 1) continue;  // its place goes on
         for (std::size_t i = 1; i < rules.size(); ++i)

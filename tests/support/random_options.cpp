@@ -85,6 +85,18 @@ struct Drawing {
             if (!zone.loose && random.chance(0.4)) zone.press_kpa = random.between(0.1, 9);
         });
     }
+    void operator()(HandEdits* edits) const {
+        list(*edits, [&](HandEdit& edit) {
+            const int piece = random.integer(0, 2);
+            edit.piece = piece == 0   ? "lower"
+                         : piece == 1 ? "upper"
+                                      : "middle-" + std::to_string(random.integer(1, 3));
+            edit.j = random.integer(0, 9);
+            edit.k = random.integer(0, 9);
+            edit.blocks = random.chance(0.5) ? random.integer(1, 3) : -random.integer(1, 3);
+            edit.under = piece == 2 && random.chance(0.5);
+        });
+    }
     /// Of one layer, since what is random elsewhere has no more.
     void operator()(PartingLevels* levels) const {
         levels->each.resize(1);

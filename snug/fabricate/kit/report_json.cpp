@@ -175,6 +175,16 @@ Json items_json(const Packing& packing, const Project& project, const MeasuredFi
     return list;
 }
 
+/// Blocks that a hand took out of the foams and put back, and edits that do not apply.
+Json edits_json(const std::vector<EditOutcome>& edits) {
+    long long taken = 0, put_back = 0, unapplied = 0;
+    for (const EditOutcome& edit : edits) {
+        (edit.blocks > 0 ? taken : put_back) += std::abs(edit.blocks);
+        unapplied += edit.why_not.has_value();
+    }
+    return {{"taken_blocks", taken}, {"put_back_blocks", put_back}, {"unapplied", unapplied}};
+}
+
 Json notches_json(const Packing& packing) {
     Json list = Json::array();
     for (const Notch& notch : packing.notches) {
@@ -309,6 +319,7 @@ std::string report_json(std::span<const Object> objects, const Project& project,
     if (!packing.lift.slots.empty()) json["lift"] = lift_json(packing);
     if (!packing.pads.pads.empty()) json["pads"] = pads_json(packing.pads);
     if (!packing.notches.empty()) json["notches"] = notches_json(packing);
+    if (!packing.edits.empty()) json["edits"] = edits_json(packing.edits);
     if (packing.fitted_case) {
         const int level = packing.foams ? packing.foams->parting.back() : 0;
         json["case"] = case_json(*packing.fitted_case, level, packing.fit);

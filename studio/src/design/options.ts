@@ -22,6 +22,7 @@ export interface OptionRow {
     | 'pieces'
     | 'curve'
     | 'zones'
+    | 'edits'
     | 'weights'
     | 'group'
     | 'list';

@@ -49,6 +49,8 @@ export const check = words({
       moved_apart: ['Moved apart', '間隔を広げた'],
       settled_none: ['Nothing to lower', '下げる必要なし'],
       shock_of_stand_in: ['Drops of a copy', 'コピーで計算した落下'],
+      edits_unapplied: ['Edits by hand that do not apply', '適用できない手作業の変更'],
+      edit_in_clearance: ['Put back into the clearance', 'クリアランスに戻した緩衝材'],
       no_lift: ['No room for lift slots', '持ち上げ口の場所がない'],
       no_label: ['No room for a label', '名前を書く場所がない'],
       label_letters: ['Letters that cannot be engraved', '刻めない文字がある'],

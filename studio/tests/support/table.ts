@@ -17,6 +17,7 @@ function typeOf(row: OptionRow): string {
     pieces: 'Record<string, number>',
     curve: '[number, number][]',
     zones: '{balls?: [number, number, number, number][]; part?: number; keep_off_mm?: number; press_kpa?: number; loose?: boolean}[]',
+    edits: '{piece: string; j: number; k: number; blocks: number; under?: boolean}[]',
     weights: 'Record<string, number>',
     group: '',
     list: '',
