@@ -8,6 +8,7 @@
 
 #include <fmt/core.h>
 
+#include "snug/formats/text_scan.h"
 #include "snug/words/words.h"
 
 #include "cli/descriptor.h"
@@ -69,7 +70,11 @@ Result<std::vector<std::byte>> read_file(const fs::path& path) {
 }
 
 ObjectFile describe(const fs::path& path, std::span<const std::byte> bytes) {
-    return {path.filename().string(), bytes.size(), sha256(bytes)};
+    constexpr std::size_t kMostOfShape = 100'000;
+    ObjectFile file{path.filename().string(), bytes.size(), sha256(bytes)};
+    if (same_word(path.extension().string(), ".shape") && bytes.size() <= kMostOfShape)
+        file.shape.assign(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    return file;
 }
 
 FileSet::~FileSet() {

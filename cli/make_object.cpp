@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -50,10 +51,21 @@ bool units_typed(const Reading& reading) {
            (reading.task.expected.empty() && reading.object.own && reading.object.own->units.has_value());
 }
 
+/// A project that is of measurements needs no file beside it.
+Result<FileBytes> bytes_of(const Reading& reading) {
+    auto bytes = read_file(reading.path);
+    if (bytes || reading.task.expected.empty()) return bytes;
+    const std::string& shape = reading.task.expected[reading.index].file.shape;
+    std::error_code error;
+    if (shape.empty() || std::filesystem::exists(reading.path, error)) return bytes;
+    const auto text = std::as_bytes(std::span(shape));
+    return FileBytes(text.begin(), text.end());
+}
+
 Result<ReadObject> read_whole(const Reading& reading, StatusLine& status) {
     status.show(say("status.reading_file", {{"file", reading.path.string()}}));
     Stopwatch watch;
-    const auto bytes = read_file(reading.path);
+    const auto bytes = bytes_of(reading);
     if (!bytes) return tl::unexpected(bytes.error());
     auto mesh = read_object(*bytes, reading.path);
     const double read_ms = watch.lap();

@@ -41,7 +41,8 @@ Result<ObjectSources> from_project(const fs::path& path, const std::optional<std
     for (const ProjectObject& object : project->objects) {
         const fs::path beside = folder ? fs::path(*replacement) : path.parent_path();
         const fs::path at = replacement && !folder ? fs::path(*replacement) : beside / object.file.name;
-        if (!fs::exists(at, error))
+        // What is made of measurements is in the project, whatever lies beside it.
+        if (!fs::exists(at, error) && (replacement || object.file.shape.empty()))
             return fail(ErrorKind::input, say(several ? "project.object_gone/several" : "project.object_gone",
                                               {{"file", path.string()}, {"object", at.string()}}));
         sources.paths.push_back(at);

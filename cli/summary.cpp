@@ -7,6 +7,7 @@
 
 #include "snug/base/one_line.h"
 #include "snug/base/text.h"
+#include "snug/fabricate/kit/case_text.h"
 #include "snug/fabricate/kit/pad_pages.h"
 #include "snug/fabricate/kit/shock_text.h"
 #include "snug/fabricate/kit/zone_text.h"
@@ -14,7 +15,6 @@
 #include "snug/words/sides.h"
 #include "snug/words/words.h"
 
-#include "cli/make_case.h"
 #include "cli/make_fit.h"
 #include "cli/wrapped.h"
 

@@ -130,7 +130,9 @@ Key margin_key(const Tried& tried) {
     const double thinnest = *std::min_element(f.wall_mm.begin(), f.wall_mm.end());
     if (!tried.has_data)
         return {has_danger(tried.proposal.findings) ? 3 : 2, -thinnest, f.litres, f.billed_kg};
-    return {has_danger(tried.proposal.findings) ? 1 : 0, f.margin, f.litres, f.billed_kg};
+    // Of foams that are pressed flat the thicker one is nearer to what is asked.
+    const double next = f.why_none == NoShock::bottoms ? -thinnest : f.litres;
+    return {has_danger(tried.proposal.findings) ? 1 : 0, f.margin, next, f.billed_kg};
 }
 
 /// `priced`: where every cost is known money decides, else the billed weight.
@@ -176,7 +178,8 @@ Result<Tried> tried(std::span<Object> objects, const Project& project, const Des
     proposal.findings = made->packing.findings;
     drop_idle_settling(project, *made, proposal);
     proposal.preview_svg = preview_of(objects, proposal.project, *made);
-    all.has_data = proposal.figures.margin > 0 && proposal.figures.worst_g.has_value();
+    const auto& foam = design.protection.foam;
+    all.has_data = foam && !foam->curve.empty() && !says_nothing(proposal.figures.why_none);
     return all;
 }
 

@@ -34,6 +34,7 @@ Result<Project> project_from(const std::string& design_text, const val& objects)
         object.file = {given["name"].as<std::string>(),
                        static_cast<unsigned long long>(given["bytes"].as<double>()),
                        given["sha256"].as<std::string>()};
+        if (given["shape"].isString()) object.file.shape = given["shape"].as<std::string>();
         if (!given["own"].isNull()) {
             const auto own = parse_design(given["own"].as<std::string>());
             if (!own) return tl::unexpected(own.error());

@@ -180,6 +180,7 @@ val to_val(const ObjectFile& file) {
     result.set("name", file.name);
     result.set("bytes", static_cast<double>(file.bytes));
     result.set("sha256", file.sha256);
+    if (!file.shape.empty()) result.set("shape", file.shape);
     return result;
 }
 

@@ -47,7 +47,10 @@ bool is_sha256(const std::string& text) {
 ProjectObject object_from(JsonReader& reader) {
     ProjectObject object;
     ObjectFile& file = object.file;
-    reader.read("name", file.name).read("bytes", file.bytes).read("sha256", file.sha256);
+    reader.read("name", file.name)
+        .read("bytes", file.bytes)
+        .read("sha256", file.sha256)
+        .read("shape", file.shape);
     reader.require("name");
     const bool has_folder = file.name.find_first_of("/\\") != std::string::npos;
     if (file.name.empty() || has_folder || file.name == "..") reader.refuse("name", say("json.plain_name"));
@@ -152,6 +155,7 @@ std::string project_json(const Project& project) {
     for (const ProjectObject& object : project.objects) {
         OrderedJson one = {
             {"name", object.file.name}, {"bytes", object.file.bytes}, {"sha256", object.file.sha256}};
+        if (!object.file.shape.empty()) one["shape"] = object.file.shape;
         if (object.own) one["options"] = to_json(*object.own);
         json["objects"].push_back(one);
     }

@@ -16,6 +16,8 @@ struct ObjectFile {
     std::string name;  ///< without folders; looked for beside the project
     unsigned long long bytes = 0;
     std::string sha256;  ///< 64 hexadecimal digits
+    /// What is made of measurements is all in the project: the file's text (formats/shape.h), else empty.
+    std::string shape = {};
     friend bool operator==(const ObjectFile&, const ObjectFile&) = default;
 };
 
@@ -43,8 +45,9 @@ void take_over_one_item(Project& project);
 /// What lies in the case, as people call it: the name of a single item; "body, lens x2" for several.
 [[nodiscard]] std::string names_of_items(const Project& project);
 
-/// {snug: 2, objects: [{name, bytes, sha256, options}], design: {every option}}; `options` where an object
-/// has its own. Reading it back and writing it again gives the same bytes.
+/// {snug: 2, objects: [{name, bytes, sha256, shape, options}], design: {every option}}; `options` where an
+/// object has its own, `shape` where it is made of measurements. Reading it back and writing it again gives
+/// the same bytes.
 [[nodiscard]] std::string project_json(const Project& project);
 
 /// Also of version 1, which had one `object`. Fails (kind input) with the path of the field that is wrong,

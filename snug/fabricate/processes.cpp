@@ -200,9 +200,10 @@ Result<WorkshopPack> workshop_pack(std::span<const Object> objects, const Packin
         const int layer = static_cast<int>(layers.size()) + 1;
         layers.push_back({layer, mesh.mesh(), mesh.placement(), numbered_places(packing.items, layer)});
     }
-    pack->documents.push_back(packing_sheet(
-        {foams, packing.fit, findings, std::move(layers), packed_items(objects, packing, project),
-         pack->material, project.design.workshop, packing.lift.slots, packing.pads, packing.protection}));
+    pack->documents.push_back(
+        packing_sheet({foams, packing.fit, findings, std::move(layers),
+                       packed_items(objects, packing, project), pack->material, project.design.workshop,
+                       packing.lift.slots, packing.pads, packing.protection, packing.fitted_case}));
     pack->files.insert(pack->files.begin(), start_here(*pack, foams.object_name, tools.language));
     return pack;
 }

@@ -185,6 +185,8 @@ constexpr Wording kWordsOfPackingSheet[] = {
     {"packing.walls_of",
      "floor {floor} · lid {lid} · back {back} · front {front} · left {left} · right {right} mm",
      "底 {floor} · ふた {lid} · 奥 {back} · 手前 {front} · 左 {left} · 右 {right} mm"},
+    {"packing.any_case", "none was chosen: one of {size} mm inside (length, width, height), with little more",
+     "指定なし：内寸 {size} mm（長さ、幅、高さ）より少し大きいもの"},
     {"packing.foam_weighs", "{litres} litres, {kg} kg", "{litres} リットル、{kg} kg"},
     {"packing.foam_and_object", "{litres} litres, {kg} kg; with its content {all_kg} kg, without the case",
      "{litres} リットル、{kg} kg。対象物を含めて {all_kg} kg（ケースを除く）"},

@@ -113,6 +113,18 @@ class CliTest(unittest.TestCase):
         for name in FILES - {"report.json"}:
             self.assertEqual((self.out / name).read_bytes(), (again / name).read_bytes(), name)
 
+    def test_a_project_of_measurements_needs_no_object_beside_it(self):
+        shape = self.file("part.shape", "box 60x40x20 + cylinder 25x30 at 0,0,25\n")
+        self.assertEqual(self.make(shape, "--blocks", "auto").returncode, 0)
+        again = self.work / "again"
+        done = snug("make", self.out / "project.snug.json", "-o", again)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertNotIn("is not the one", done.stdout)
+        for name in FILES - {"report.json"}:
+            self.assertEqual((self.out / name).read_bytes(), (again / name).read_bytes(), name)
+        done = snug("make", self.out / "project.snug.json", "--object", self.work / "gone.shape", "-o", again)
+        self.assertEqual(done.returncode, 2)
+
     def test_a_project_whose_object_changed_or_is_gone(self):
         self.assertEqual(self.make(self.object).returncode, 0)
         project = self.out / "project.snug.json"

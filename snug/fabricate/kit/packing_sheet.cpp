@@ -11,6 +11,7 @@
 #include "snug/check/drop_sentence.h"
 #include "snug/drawing/page_builder.h"
 #include "snug/fabricate/kit/block_names.h"
+#include "snug/fabricate/kit/case_text.h"
 #include "snug/fabricate/kit/drop_pictures.h"
 #include "snug/fabricate/kit/finger_room.h"
 #include "snug/fabricate/kit/packing_record.h"
@@ -251,6 +252,19 @@ std::vector<Message> piece_masses(const PackedObject& packed) {
     return masses;
 }
 
+/// What the foam goes into, and the strips that fill what its blocks leave there.
+std::vector<std::pair<Message, Message>> case_facts(const PackedObject& packed) {
+    const Foams& foams = packed.design.foams;
+    const Vec3d size = outer_size(foams, packed.design.space);
+    if (!packed.fitted_case)
+        return {
+            {say("summary.case"), say("packing.any_case", {{"size", dimensions({size.z, size.y, size.x})}})}};
+    std::vector<std::pair<Message, Message>> facts{{say("summary.case"), case_text(*packed.fitted_case)}};
+    for (const Filler& filler : fillers(*packed.fitted_case, foams.parting.back(), foams.open()))
+        facts.emplace_back(facts.size() == 1 ? say("summary.fillers") : as_it_is(""), filler_text(filler));
+    return facts;
+}
+
 void tell_facts(PageFlow& flow, const PackedObject& packed) {
     const PackMaterial& material = packed.material;
     const auto fact = [&](const Message& name, const Message& what) {
@@ -265,6 +279,7 @@ void tell_facts(PageFlow& flow, const PackedObject& packed) {
     const FoamDesign& design = packed.design;
     fact(say(design.foams.open() ? "packing.tray" : "packing.closed"),
          say("packing.closed_of", {{"size", dimensions(outer_size(design.foams, design.space))}}));
+    for (const auto& [name, what] : case_facts(packed)) fact(name, what);
     fact(say("summary.walls"), walls_text(packed.fit));
     fact(say("summary.foam"), foam_text(packed));
     if (const auto masses = piece_masses(packed); !masses.empty())

@@ -14,6 +14,7 @@
 #include "snug/foam/fill_pads.h"
 #include "snug/foam/lift_slots.h"
 #include "snug/mesh/mesh.h"
+#include "snug/space/case_space.h"
 #include "snug/space/placement.h"
 
 namespace snug {
@@ -41,6 +42,7 @@ struct PackedObject {
     std::span<const LiftSlot> lift;  ///< to lift pieces by
     const FillPads& pads;
     const std::optional<Protection>& protection;
+    const std::optional<CaseSpace>& fitted_case;
 };
 
 /// The pages that travel with the box ("packing-sheet"): how the object is laid in and lifted out, walls,

@@ -50,6 +50,8 @@ export interface ObjectFile {
   name: string;
   bytes: number;
   sha256: string;
+  /** All of its text, where it is made of measurements. */
+  shape?: string;
 }
 
 /** `own`: what was chosen for this object alone. */

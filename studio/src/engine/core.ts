@@ -34,6 +34,8 @@ import {newId} from './new_id';
 import {sha256} from './sha256';
 import type {ZoneResults} from './zones';
 
+/** More than anybody measures. */
+const MOST_OF_SHAPE = 100_000;
 const NO_FILE: ObjectFile = {name: '', bytes: 0, sha256: ''};
 
 /** What a core calls and does not know: readers and writers that are no part of the library. */
@@ -123,7 +125,8 @@ export class EngineCore {
     const info = await readWith(box, () => guarded(() => this.#session.load(number, bytes, name, design, box.tools)));
     if (isFailure(info)) return info;
     this.#stepping++;
-    const file = {name: withoutFolders(name), bytes: bytes.length, sha256: await sha256(bytes)};
+    const shape = /\.shape$/i.test(name) && bytes.length <= MOST_OF_SHAPE ? {shape: new TextDecoder().decode(bytes)} : {};
+    const file = {name: withoutFolders(name), bytes: bytes.length, sha256: await sha256(bytes), ...shape};
     // The checksum is the file's own: the same .gltf may come with another .bin.
     const called = id ?? ((box.used.length === 0 && file.sha256) || newId());
     if (!joins) this.#loaded.clear();

@@ -56,6 +56,7 @@ export interface GivenObject {
   name: string;
   bytes: number;
   sha256: string;
+  shape?: string;
   own: string | null;
 }
 
@@ -102,7 +103,7 @@ export interface SnugModule {
   parseShape(text: string): {solids: Solid[]} | Failure;
   samples(): string[];
   sampleFile(name: string): OutputFile | Failure;
-  parseProject(text: string): {objects: {name: string; bytes: number; sha256: string; own: string | null}[]; design: string; dependent: string} | Failure;
+  parseProject(text: string): {objects: Omit<GivenObject, 'number'>[]; design: string; dependent: string} | Failure;
   packedProject(zip: Uint8Array, tools: SceneTools): PackedProject | Failure;
   projectText(design: string, objects: GivenObject[]): {text: string} | Failure;
   /** The `snug make` that gives this design from the objects' files. */

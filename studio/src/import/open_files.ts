@@ -22,8 +22,9 @@ export async function openFiles(studio: Studio, files: readonly File[], {joins =
   const fresh = waiting === null && !(joins && studio.object);
   const {whole, projects} = await fromPacks(studio, files);
   const notes = [...whole.filter(({name}) => /\.json$/i.test(name)), ...projects];
-  const {objects, beside, leftOut} = bundled(whole.filter((file) => !notes.includes(file)));
+  const {objects: given, beside, leftOut} = bundled(whole.filter((file) => !notes.includes(file)));
   const {project, unread, refused} = await readProject(studio, notes);
+  const objects = [...given, ...measuredIn(project)];
   // What is no project at all may lie beside an object; a project that cannot be read is asked for.
   if (refused && (objects.length === 0 || refused.meant)) {
     studio.refuse('object', refused.sentence);
@@ -51,6 +52,11 @@ async function fromPacks(studio: Studio, files: readonly File[]) {
     if (text === null || (packed && !isFailure(packed) && packed.whole)) whole.push(file);
   }
   return {whole, projects};
+}
+
+/** What a project itself has of its objects: those that are made of measurements. */
+function measuredIn(project: Project | null): File[] {
+  return (project?.objects ?? []).flatMap(({name, shape}) => (shape ? [new File([shape], name)] : []));
 }
 
 /** The first of the files that is a project; else why one is not, first of all one that means to be. */

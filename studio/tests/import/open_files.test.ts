@@ -58,6 +58,31 @@ describe('a project that waits for its object', () => {
   });
 });
 
+describe('a project of measurements', () => {
+  const SHAPE = 'box 60x40x20 + cylinder 25x30 at 0,0,25';
+
+  it('has its object itself, also beside one that it waits for', async () => {
+    const {openFiles} = await import('../../src/import/open_files');
+    const before = await startStudio();
+    await openFiles(before, [new File([SHAPE], 'measured.shape')]);
+    before.change((design) => ({...design, cut: {...design.cut, clearance_mm: 3}}), 'clearance');
+    const text = await before.engine.projectText(before.design);
+    const after = await startStudio();
+    await openFiles(after, [new File([text], 'work.snug.json')]);
+    expect(after.notice).toBeNull();
+    expect(after.object?.size_mm).toEqual(before.object?.size_mm);
+    expect(after.design.cut.clearance_mm).toBe(3);
+
+    await openFiles(before, [new File([box([120, 80, 60])], 'box.stl')], {joins: true});
+    const both = await before.engine.projectText(before.moment.design, before.moment.objects);
+    const last = await startStudio();
+    await openFiles(last, [new File([both], 'both.snug.json')]);
+    expect(last.notice).toEqual(ALL.files.openObjectOf('box.stl'));
+    await openFiles(last, [new File([box([120, 80, 60])], 'box.stl')]);
+    expect(last.objects.map(({file}) => file.name)).toEqual(['measured.shape', 'box.stl']);
+  });
+});
+
 describe('a zipped pack that comes back', () => {
   const PROJECT = 'box-foam/project.snug.json';
   const opened = async (others: Record<string, Uint8Array>, ...files: File[]) => {

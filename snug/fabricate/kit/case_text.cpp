@@ -1,17 +1,18 @@
-#include "cli/make_case.h"
+#include "snug/fabricate/kit/case_text.h"
 
-#include <fmt/core.h>
+#include <string>
+#include <vector>
 
 #include "snug/base/text.h"
 #include "snug/words/pieces.h"
 #include "snug/words/sides.h"
 #include "snug/words/words.h"
 
-namespace snug::cli {
+namespace snug {
 namespace {
 
 /// "410 x 278 x 12 mm"
-std::string size_text(Vec3d size) {
+std::string length_first_text(Vec3d size) {
     return dimensions({size.z, size.y, size.x}) + " mm";
 }
 
@@ -23,7 +24,7 @@ Message case_text(const CaseSpace& fitted) {
     if (!options.name.empty()) name.push_back(as_it_is(options.name + ": "));
     if (options.lid_mm) lid.push_back(say("summary.lid", {{"mm", number(*options.lid_mm)}}));
     return say("summary.case_of", {{"name", name},
-                                   {"inside", size_text(*options.inside_mm)},
+                                   {"inside", length_first_text(*options.inside_mm)},
                                    {"play", number(options.play_mm)},
                                    {"lid", lid}});
 }
@@ -31,7 +32,7 @@ Message case_text(const CaseSpace& fitted) {
 Message filler_text(const Filler& filler) {
     return say("summary.filler", {{"side", side_text(filler.side)},
                                   {"half", half_of(filler.lid ? Half::lid : Half::lower)},
-                                  {"size", size_text(filler.size_mm)}});
+                                  {"size", length_first_text(filler.size_mm)}});
 }
 
-}  // namespace snug::cli
+}  // namespace snug
