@@ -63,7 +63,8 @@ struct Judging {
         return first_of(*values);
     }
     Problem operator()(const StressPoint* point) const { return all({point->strain, point->kpa}); }
-    Problem operator()(const Zone*) const { return {}; }  // has rules of its own
+    Problem operator()(const Zone*) const { return {}; }      // has rules of its own
+    Problem operator()(const HandEdit*) const { return {}; }  // the same
     Problem operator()(const BrickStock* stock) const { return of(stock->pieces); }
     Problem operator()(const Choice&) const { return {}; }
     template <class T>

@@ -8,14 +8,14 @@
 namespace snug {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 double rounded(double mm) {
     return std::floor(mm * 1e4 + 0.5) / 1e4;
 }
 
-Json pair(Vec2d v) {
-    return Json::array({rounded(v.x), rounded(v.y)});
+OrderedJson pair(Vec2d v) {
+    return OrderedJson::array({rounded(v.x), rounded(v.y)});
 }
 
 std::string hexadecimal(Color color) {
@@ -28,20 +28,20 @@ std::string hexadecimal(Color color) {
     return text;
 }
 
-Json fill_json(const std::optional<Color>& fill) {
-    return fill ? Json(hexadecimal(*fill)) : Json(nullptr);
+OrderedJson fill_json(const std::optional<Color>& fill) {
+    return fill ? OrderedJson(hexadecimal(*fill)) : OrderedJson(nullptr);
 }
 
-Json pen_json(const std::optional<Pen>& pen) {
+OrderedJson pen_json(const std::optional<Pen>& pen) {
     if (!pen) return nullptr;
     return {
         {"color", hexadecimal(pen->color)}, {"width", rounded(pen->width_mm)}, {"dashes", pen->dashes_mm}};
 }
 
-Json item_json(const PathItem& path) {
-    Json lines = Json::array();
+OrderedJson item_json(const PathItem& path) {
+    OrderedJson lines = OrderedJson::array();
     for (const auto& line : path.lines) {
-        Json points = Json::array();
+        OrderedJson points = OrderedJson::array();
         for (const Vec2d& p : line) {
             points.push_back(rounded(p.x));
             points.push_back(rounded(p.y));
@@ -54,14 +54,14 @@ Json item_json(const PathItem& path) {
             {"pen", pen_json(path.pen)}};
 }
 
-Json item_json(const CircleItem& circle) {
-    return {{"circle",
-             Json::array({rounded(circle.centre.x), rounded(circle.centre.y), rounded(circle.radius_mm)})},
+OrderedJson item_json(const CircleItem& circle) {
+    return {{"circle", OrderedJson::array(
+                           {rounded(circle.centre.x), rounded(circle.centre.y), rounded(circle.radius_mm)})},
             {"fill", fill_json(circle.fill)},
             {"pen", pen_json(circle.pen)}};
 }
 
-Json item_json(const TextItem& text) {
+OrderedJson item_json(const TextItem& text) {
     constexpr const char* kAnchors[] = {"start", "middle", "end"};
     return {{"text", text.text},
             {"at", pair(text.at)},
@@ -75,15 +75,15 @@ Json item_json(const TextItem& text) {
 }  // namespace
 
 std::string drawing_json(const DrawingDocument& document) {
-    Json pages = Json::array();
+    OrderedJson pages = OrderedJson::array();
     for (const Drawing& drawing : document.pages) {
-        Json items = Json::array();
+        OrderedJson items = OrderedJson::array();
         for (const DrawingItem& item : drawing.items)
             items.push_back(std::visit([](const auto& what) { return item_json(what); }, item.what));
         pages.push_back(
             {{"title", drawing.title}, {"size", pair(drawing.size_mm)}, {"items", std::move(items)}});
     }
-    return pages.dump(-1, ' ', false, Json::error_handler_t::replace);
+    return pages.dump(-1, ' ', false, OrderedJson::error_handler_t::replace);
 }
 
 }  // namespace snug

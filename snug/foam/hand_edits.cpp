@@ -83,8 +83,8 @@ class Column {
     /// many that the pieces meet, but at the parting level.
     [[nodiscard]] int cut_blocks() const {
         const int level = foam_.parting[face_.layer];
-        if (foam_.open && face_.layer + 1 == layers_.size())
-            return std::max(0, std::min<int>(cut_.end, level) - cut_.first);
+        const bool uncovered = foam_.open && face_.layer + 1 == layers_.size();
+        if (uncovered && cut_.end > level) return std::max(0, level - cut_.first);
         const int other = face_.below ? cut_.end : cut_.first;
         return std::max(0, cut_.blocks() - (other == level ? 0 : 1));
     }

@@ -15,13 +15,13 @@
 namespace snug {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json volume(const std::optional<double>& mm3) {
-    return mm3 ? Json(rounded(*mm3, 1e3)) : Json(nullptr);
+OrderedJson volume(const std::optional<double>& mm3) {
+    return mm3 ? OrderedJson(rounded(*mm3, 1e3)) : OrderedJson(nullptr);
 }
 
-Json half_gap_json(const HalfGap& half) {
+OrderedJson half_gap_json(const HalfGap& half) {
     return {{"step_mm3", volume(half.step_mm3)},
             {"undercut_mm3", volume(half.undercut_mm3)},
             {"widest_mm", rounded(half.widest_mm, 1e4)},
@@ -29,8 +29,8 @@ Json half_gap_json(const HalfGap& half) {
             {"widest_at_mm", array(half.widest_at)}};
 }
 
-Json dropped_json(const std::vector<PartShare>& dropped) {
-    Json list = Json::array();
+OrderedJson dropped_json(const std::vector<PartShare>& dropped) {
+    OrderedJson list = OrderedJson::array();
     for (const PartShare& part : dropped)
         list.push_back({{"part", part.number},
                         {"triangles", part.triangles},
@@ -40,16 +40,16 @@ Json dropped_json(const std::vector<PartShare>& dropped) {
 }
 
 /// What is not known of an object is null.
-Json object_json(const Object& object, const std::string& file) {
+OrderedJson object_json(const Object& object, const std::string& file) {
     const MeshMeasure& measure = object.measure;
     const bool whole = object.whole();
     const bool vertices = object.read.vertices > 0;
-    Json json = {{"file", file},
-                 {"vertices", vertices ? Json(object.read.vertices) : Json(nullptr)},
-                 {"triangles", object.read.triangles},
-                 {"size_mm", array(measure.bounds.size())},
-                 {"watertight", whole ? Json(measure.watertight) : Json(nullptr)},
-                 {"volume_mm3", volume(measure.volume)}};
+    OrderedJson json = {{"file", file},
+                        {"vertices", vertices ? OrderedJson(object.read.vertices) : OrderedJson(nullptr)},
+                        {"triangles", object.read.triangles},
+                        {"size_mm", array(measure.bounds.size())},
+                        {"watertight", whole ? OrderedJson(measure.watertight) : OrderedJson(nullptr)},
+                        {"volume_mm3", volume(measure.volume)}};
     if (!object.clean.dropped.empty()) json["dropped"] = dropped_json(object.clean.dropped);
     if (object.clean.plane_cut) json["cut_off"] = true;
     if (object.is_cloud()) json["points"] = object.read.vertices;
@@ -58,11 +58,11 @@ Json object_json(const Object& object, const std::string& file) {
 }
 
 /// Whole numbers without a point.
-Json lines_json(double lines) {
-    return lines >= 1 ? Json(static_cast<int>(lines)) : Json(lines);
+OrderedJson lines_json(double lines) {
+    return lines >= 1 ? OrderedJson(static_cast<int>(lines)) : OrderedJson(lines);
 }
 
-Json gap_json(const GapFigures& gap) {
+OrderedJson gap_json(const GapFigures& gap) {
     return {{"cut_mm3", volume(gap.cut_mm3)},
             {"hull_mm3", volume(gap.hull_mm3)},
             {"solid_mm3", volume(gap.solid_mm3)},
@@ -77,29 +77,29 @@ Json gap_json(const GapFigures& gap) {
             {"upper", half_gap_json(gap.upper)}};
 }
 
-Json findings_json(const std::vector<Finding>& findings, Language language) {
-    Json list = Json::array();
+OrderedJson findings_json(const std::vector<Finding>& findings, Language language) {
+    OrderedJson list = OrderedJson::array();
     for (const Finding& finding : findings)
         list.push_back({{"severity", severity_name(finding.severity)},
                         {"code", finding.code()},
                         {"message", text(said_of_item(finding), language)},
-                        {"where", finding.where ? array(*finding.where) : Json(nullptr)}});
+                        {"where", finding.where ? array(*finding.where) : OrderedJson(nullptr)}});
     return list;
 }
 
 /// Of one layer a number.
-Json parting_json(const std::vector<int>& levels) {
-    return levels.size() == 1 ? Json(levels.front()) : Json(levels);
+OrderedJson parting_json(const std::vector<int>& levels) {
+    return levels.size() == 1 ? OrderedJson(levels.front()) : OrderedJson(levels);
 }
 
-Json foam_json(const Packing& packing) {
+OrderedJson foam_json(const Packing& packing) {
     const FitReport& fit = packing.fit;
     const Foams& foams = *packing.foams;
-    Json json{{"lower_blocks", fit.lower().blocks}, {"upper_blocks", fit.upper().blocks},
-              {"cut_blocks", fit.cut_blocks},       {"volume_mm3", rounded(fit.foam_mm3, 1e3)},
-              {"fill_ratio", fit.fill_ratio},       {"parting_level", parting_json(foams.parting)},
-              {"lower_pieces", fit.lower().parts},  {"upper_pieces", fit.upper().parts},
-              {"rib_blocks", packing.rib_blocks}};
+    OrderedJson json{{"lower_blocks", fit.lower().blocks}, {"upper_blocks", fit.upper().blocks},
+                     {"cut_blocks", fit.cut_blocks},       {"volume_mm3", rounded(fit.foam_mm3, 1e3)},
+                     {"fill_ratio", fit.fill_ratio},       {"parting_level", parting_json(foams.parting)},
+                     {"lower_pieces", fit.lower().parts},  {"upper_pieces", fit.upper().parts},
+                     {"rib_blocks", packing.rib_blocks}};
     for (const Piece piece : foams.all()) {
         if (!piece.middle()) continue;
         const PieceFigures& figures = fit.pieces[static_cast<std::size_t>(piece.index)];
@@ -109,27 +109,27 @@ Json foam_json(const Packing& packing) {
 }
 
 /// One number where all six are equal.
-Json clearance_json(const Clearance& clearance) {
+OrderedJson clearance_json(const Clearance& clearance) {
     const auto& [a, b] = clearance;
     if (clearance.is_one()) return rounded(a.x);
-    Json list = array(a);
-    for (const Json& each : array(b)) list.push_back(each);
+    OrderedJson list = array(a);
+    for (const OrderedJson& each : array(b)) list.push_back(each);
     return list;
 }
 
 /// Areas on either side and, with a mass, what it presses with on the lower.
-Json bearing_areas(const BearingReport& bearing, std::optional<double> kg) {
+OrderedJson bearing_areas(const BearingReport& bearing, std::optional<double> kg) {
     const auto areas = [](const auto& mm2) {
-        Json list = Json::array();
+        OrderedJson list = OrderedJson::array();
         for (const double area : mm2) list.push_back(rounded(area, 1e3));
         return list;
     };
-    Json pressure = nullptr;
+    OrderedJson pressure = nullptr;
     if (kg) {
-        pressure = Json::array();
+        pressure = OrderedJson::array();
         for (const double area : bearing.lower_mm2) {
             const auto kpa = static_pressure_kpa(*kg, area);
-            pressure.push_back(kpa ? Json(rounded(*kpa)) : Json(nullptr));
+            pressure.push_back(kpa ? OrderedJson(rounded(*kpa)) : OrderedJson(nullptr));
         }
     }
     return {{"lower_mm2", areas(bearing.lower_mm2)},
@@ -137,17 +137,17 @@ Json bearing_areas(const BearingReport& bearing, std::optional<double> kg) {
             {"static_kpa", pressure}};
 }
 
-Json bearing_json(const BearingReport& bearing, const Design& design, bool dropped) {
-    Json json{{"sinking_mm", kSinking}};
+OrderedJson bearing_json(const BearingReport& bearing, const Design& design, bool dropped) {
+    OrderedJson json{{"sinking_mm", kSinking}};
     json.update(bearing_areas(bearing, mass_kg(design)));
-    json["creep_kpa"] = design.fit.creep_kpa ? Json(*design.fit.creep_kpa) : Json(nullptr);
+    json["creep_kpa"] = design.fit.creep_kpa ? OrderedJson(*design.fit.creep_kpa) : OrderedJson(nullptr);
     json["drops"] = dropped ? "see protection" : "not checked";
     return json;
 }
 
 /// Each item as it finally lies.
-Json items_json(const Packing& packing, const Project& project, const MeasuredFit& fit) {
-    Json list = Json::array();
+OrderedJson items_json(const Packing& packing, const Project& project, const MeasuredFit& fit) {
+    OrderedJson list = OrderedJson::array();
     const Vec3d walls = shift_between_walls(project.design.space, packing.fitted_case.has_value());
     for (std::size_t i = 0; i < packing.items.size(); ++i) {
         const Item& item = packing.items[i];
@@ -160,9 +160,9 @@ Json items_json(const Packing& packing, const Project& project, const MeasuredFi
              {"placement",
               {{"rotation_deg", array(item.rotation_deg)},
                {"offset_mm", array(item.offset_mm + walls + Vec3d{item.rise_mm - item.settled_mm, 0, 0})}}},
-             {"box_mm", Json::array({array(box.min), array(box.max)})},
+             {"box_mm", OrderedJson::array({array(box.min), array(box.max)})},
              {"clearance_mm", clearance_json(item.cut.clearance_mm)},
-             {"mass_kg", item.mass_kg ? Json(rounded(*item.mass_kg)) : Json(nullptr)}});
+             {"mass_kg", item.mass_kg ? OrderedJson(rounded(*item.mass_kg)) : OrderedJson(nullptr)}});
         if (packing.foams && packing.foams->open() && item.layer == packing.foams->layers())
             list.back()["sunk_mm"] =
                 rounded(packing.space.face(0, packing.foams->parting.back()) - box.min.x);
@@ -176,7 +176,7 @@ Json items_json(const Packing& packing, const Project& project, const MeasuredFi
 }
 
 /// Blocks that a hand took out of the foams and put back, and edits that do not apply.
-Json edits_json(const std::vector<EditOutcome>& edits) {
+OrderedJson edits_json(const std::vector<EditOutcome>& edits) {
     long long taken = 0, put_back = 0, unapplied = 0;
     for (const EditOutcome& edit : edits) {
         (edit.blocks > 0 ? taken : put_back) += std::abs(edit.blocks);
@@ -185,8 +185,8 @@ Json edits_json(const std::vector<EditOutcome>& edits) {
     return {{"taken_blocks", taken}, {"put_back_blocks", put_back}, {"unapplied", unapplied}};
 }
 
-Json notches_json(const Packing& packing) {
-    Json list = Json::array();
+OrderedJson notches_json(const Packing& packing) {
+    OrderedJson list = OrderedJson::array();
     for (const Notch& notch : packing.notches) {
         list.push_back({{"side", side_name(notch.side)},
                         {"at_mm", rounded(notch.at_mm)},
@@ -196,8 +196,8 @@ Json notches_json(const Packing& packing) {
     return list;
 }
 
-Json lift_json(const Packing& packing) {
-    Json list = Json::array();
+OrderedJson lift_json(const Packing& packing) {
+    OrderedJson list = OrderedJson::array();
     for (const LiftSlot& slot : packing.lift.slots)
         list.push_back({{"piece", foam_stem(slot.piece)},
                         {"side", side_name(slot.side)},
@@ -207,8 +207,8 @@ Json lift_json(const Packing& packing) {
 }
 
 /// Places in design coordinates.
-Json pads_json(const FillPads& pads) {
-    Json list = Json::array();
+OrderedJson pads_json(const FillPads& pads) {
+    OrderedJson list = OrderedJson::array();
     for (std::size_t i = 0; i < pads.pads.size(); ++i) {
         const FillPad& pad = pads.pads[i];
         list.push_back({{"number", i + 1},
@@ -217,29 +217,29 @@ Json pads_json(const FillPads& pads) {
                         {"side", pad.above ? "above" : "below"},
                         {"thickness_mm", rounded(pad.thickness_mm)},
                         {"sheets", pad.sheets},
-                        {"columns", Json::array({Json::array({pad.first_j, pad.first_k}),
-                                                 Json::array({pad.end_j, pad.end_k})})},
-                        {"box_mm", Json::array({array(pad.box.min), array(pad.box.max)})}});
+                        {"columns", OrderedJson::array({OrderedJson::array({pad.first_j, pad.first_k}),
+                                                        OrderedJson::array({pad.end_j, pad.end_k})})},
+                        {"box_mm", OrderedJson::array({array(pad.box.min), array(pad.box.max)})}});
     }
     return list;
 }
 
 /// Sizes as people name a case: length, width, height.
-Json length_first(Vec3d size) {
+OrderedJson length_first(Vec3d size) {
     return array(Vec3d{size.z, size.y, size.x});
 }
 
 /// What a carrier bills at least, in whole kg, reckoned from the inside.
-Json volumetric_kg(const CaseOptions& options) {
+OrderedJson volumetric_kg(const CaseOptions& options) {
     if (!options.divisor) return nullptr;
     const Vec3d inside = *options.inside_mm;
     return std::ceil(inside.x * inside.y * inside.z * 1e-3 / *options.divisor);
 }
 
-Json case_json(const CaseSpace& fitted, int parting_level, const FitReport& fit) {
+OrderedJson case_json(const CaseSpace& fitted, int parting_level, const FitReport& fit) {
     const CaseOptions& options = fitted.options;
     const double foam_begin = options.play_mm + (fitted.rest_under ? fitted.rest_mm.x : 0);
-    Json list = Json::array();
+    OrderedJson list = OrderedJson::array();
     for (const Filler& filler : fillers(fitted, parting_level, fit.open))
         list.push_back({{"side", side_name(filler.side)},
                         {"half", filler.lid ? "lid" : "lower"},
@@ -247,25 +247,26 @@ Json case_json(const CaseSpace& fitted, int parting_level, const FitReport& fit)
     return {{"name", options.name},
             {"inside_mm", length_first(*options.inside_mm)},
             {"play_mm", rounded(options.play_mm)},
-            {"lid_mm", options.lid_mm ? Json(rounded(*options.lid_mm)) : Json(nullptr)},
+            {"lid_mm", options.lid_mm ? OrderedJson(rounded(*options.lid_mm)) : OrderedJson(nullptr)},
             {"parting_mm", rounded(foam_begin + parting_level * fitted.space.block_mm.x)},
-            {"lid_off_mm", fitted.lid_level ? Json(rounded(fitted.lid_off_mm)) : Json(nullptr)},
+            {"lid_off_mm", fitted.lid_level ? OrderedJson(rounded(fitted.lid_off_mm)) : OrderedJson(nullptr)},
             {"rest_mm", length_first(fitted.rest_mm)},
             {"fillers", list},
             {"volumetric_kg", volumetric_kg(options)},
             {"shortened_blocks", fit.shortened_blocks}};
 }
 
-Json search_json(const SearchReport& search) {
+OrderedJson search_json(const SearchReport& search) {
     return {{"method", search.method},
             {"evaluations", search.evaluations},
-            {"start_cut_blocks", search.start_cut_blocks ? Json(*search.start_cut_blocks) : Json(nullptr)},
+            {"start_cut_blocks",
+             search.start_cut_blocks ? OrderedJson(*search.start_cut_blocks) : OrderedJson(nullptr)},
             {"cut_blocks", search.cut_blocks},
             {"seed", search.seed},
             {"cancelled", search.cancelled}};
 }
 
-Json arrangement_json(const Arrangement& arrangement) {
+OrderedJson arrangement_json(const Arrangement& arrangement) {
     return {{"seed", arrangement.seed},
             {"work", arrangement.work},
             {"volume_mm3", volume(arrangement.volume_mm3)},
@@ -273,15 +274,15 @@ Json arrangement_json(const Arrangement& arrangement) {
             {"cancelled", arrangement.cancelled}};
 }
 
-Json workshop_json(const WorkshopPack& pack, Language language) {
+OrderedJson workshop_json(const WorkshopPack& pack, Language language) {
     const PackMaterial& material = pack.material;
-    Json figures = Json::array(), files = Json::array();
+    OrderedJson figures = OrderedJson::array(), files = OrderedJson::array();
     for (const PackFigure& figure : pack.figures)
         figures.push_back({{"label", text(figure.label, language)}, {"value", text(figure.value, language)}});
     for (const PackFile& file : pack.files) files.push_back(file.name);
     for (const PackContainer& container : pack.containers) files.push_back(container.name);
     for (const DrawingDocument& document : pack.documents) files.push_back(document.name + ".pdf");
-    return {{"pieces", material.pieces ? Json(*material.pieces) : Json(nullptr)},
+    return {{"pieces", material.pieces ? OrderedJson(*material.pieces) : OrderedJson(nullptr)},
             {"copies", material.copies},
             {"litres", or_null(material.litres, 1e6)},
             {"foam_kg", or_null(material.foam_kg, 1e6)},
@@ -295,25 +296,25 @@ Json workshop_json(const WorkshopPack& pack, Language language) {
 std::string report_json(std::span<const Object> objects, const Project& project, const Made& made) {
     const Packing& packing = made.packing;
     const bool one = packing.items.size() == 1;
-    Json json;
+    OrderedJson json;
     json["object"] = one ? object_json(objects[packing.items.front().object],
                                        project.objects[packing.items.front().object].file.name)
-                         : Json(nullptr);
-    json["placement"] = one ? Json{{"rotation_deg", array(packing.items.front().rotation_deg)},
-                                   {"offset_mm", array(packing.items.front().offset_mm)}}
-                            : Json(nullptr);
+                         : OrderedJson(nullptr);
+    json["placement"] = one ? OrderedJson{{"rotation_deg", array(packing.items.front().rotation_deg)},
+                                          {"offset_mm", array(packing.items.front().offset_mm)}}
+                            : OrderedJson(nullptr);
     json["items"] = items_json(packing, project, made.fit);
     json["design_space"] = {{"blocks", array(packing.space.blocks)},
                             {"block_mm", array(packing.space.block_mm)}};
-    json["foam"] = packing.foams ? foam_json(packing) : Json(nullptr);
-    json["gap"] = made.fit.gap ? gap_json(*made.fit.gap) : Json(nullptr);
+    json["foam"] = packing.foams ? foam_json(packing) : OrderedJson(nullptr);
+    json["gap"] = made.fit.gap ? gap_json(*made.fit.gap) : OrderedJson(nullptr);
     json["bearing"] = made.fit.bearing ? bearing_json(*made.fit.bearing, project.design,
                                                       made.packing.protection.has_value())
-                                       : Json(nullptr);
+                                       : OrderedJson(nullptr);
     if (made.packing.protection) json["protection"] = protection_json(*made.packing.protection);
     json["wall_mm"] = nullptr;
     if (packing.foams) {
-        json["wall_mm"] = Json::array();
+        json["wall_mm"] = OrderedJson::array();
         for (const double wall : packing.fit.wall_mm) json["wall_mm"].push_back(rounded(wall));
     }
     if (!packing.lift.slots.empty()) json["lift"] = lift_json(packing);
@@ -334,7 +335,7 @@ std::string report_json(std::span<const Object> objects, const Project& project,
         {"block_map", rounded(timing.block_map, 1e3)}, {"foam_pair", rounded(timing.foam_pair, 1e3)},
         {"solids", rounded(timing.solids, 1e3)},       {"write", rounded(timing.write, 1e3)}};
     if (made.arrangement) json["timing_ms"]["arrangement"] = rounded(made.arrangement->ms, 1e3);
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 }  // namespace snug

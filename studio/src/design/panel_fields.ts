@@ -154,7 +154,7 @@ const HOLDS: Partial<Record<FieldName, readonly OptionPath[]>> = {
 const ANSWERS: readonly FieldName[] = ['object.units', 'workshop.for', 'items.0.name', 'items.0.lock'];
 
 /** Of an item: where it lies is told by the placement, and its centre of mass counts in the coordinates of its file. */
-const NOT_LISTED: readonly OptionPath[] = ['items.0.object', 'items.0.rotation_deg', 'items.0.offset_mm', 'items.0.centre_mm', 'items.0.zones'];
+const NOT_LISTED: readonly OptionPath[] = ['edits', 'items.0.object', 'items.0.rotation_deg', 'items.0.offset_mm', 'items.0.centre_mm', 'items.0.zones'];
 
 /** The fields of a panel. An option of items that is not named stands behind More. A way of working none of whose options is named has them all behind More, in the table's order. */
 export function fieldsIn(panel: PanelName, rows: Schema): {usual: readonly FieldName[]; more: readonly FieldName[]} {
