@@ -121,6 +121,8 @@ export interface Design {
     /** Blocks below the parting where the object does not touch, for each layer (blocks). */
     level: number | number[] | 'auto';
   };
+  /** Blocks that are taken out of a column by hand beside what is computed, or put back where N is negative: lower:12:7:1, upper:12:7:-2, middle-1:12:7:1:under. */
+  edits: {piece: string; j: number; k: number; blocks: number; under?: boolean}[];
   output: {
     /** Formats of the foams: stl, ply. */
     formats: ('stl' | 'ply')[];
@@ -356,6 +358,7 @@ export type OptionPath =
   | 'fit.lift.depth_mm'
   | 'fit.creep_kpa'
   | 'parting.level'
+  | 'edits'
   | 'output.formats'
   | 'case.name'
   | 'case.inside_mm'
