@@ -58,6 +58,11 @@ export function worries({findings, meets}: Proposal): Proposal['findings'] {
   return grave.filter(({code}, i) => grave.findIndex((other) => other.code === code) === i).slice(0, 2);
 }
 
+/** Nothing to worry about, and drops were judged, or it is never dropped. */
+export function isFine(proposal: Proposal, carrier: PlanWishes['carrier'], t: Texts['first']): boolean {
+  return worries(proposal).length === 0 && (carrier === 'store' || shockOf(proposal, carrier, t).look === 'good');
+}
+
 /** Of a preview what stands above its maps, which are too small to be read here. */
 export function pictureOf(svg: string): string {
   const legend = /<g id="legend"([\s\S]*?)(?=<g id="|$)/.exec(svg)?.[1] ?? '';

@@ -2,7 +2,7 @@ import {beforeAll, expect, test, vi} from 'vitest';
 import {withCase} from '../../src/design/edit';
 import type {Proposal} from '../../src/engine/plan';
 import type {FirstLevel} from '../../src/state/first_level.svelte';
-import {columnsOf, costOf, pictureOf, shockOf, workOf, worries} from '../../src/state/proposals';
+import {columnsOf, costOf, isFine, pictureOf, shockOf, workOf, worries} from '../../src/state/proposals';
 import {findCases, mostWall} from '../../src/state/known_cases';
 import type {Measuring} from '../../src/state/measuring.svelte';
 import type {Studio} from '../../src/state/studio.svelte';
@@ -92,6 +92,15 @@ test('figures say what is known and what is not', () => {
   expect([costOf({...proposal!, cost: 3.5, currency: 'EUR'}, t), costOf({...proposal!, cost: null, billed_kg: 4}, t)]).toEqual(['3.50 EUR', 'no price known; billed as 4 kg']);
   const finding = (code: string, severity: 'danger' | 'note') => ({code, severity, message: code});
   expect(worries({...proposal!, meets: 'no', findings: [finding('shock', 'danger'), finding('open', 'danger'), finding('open', 'danger'), finding('parts', 'note')]})).toEqual([finding('open', 'danger')]);
+});
+
+test('a proposal of whose drops nothing good is known is not said to be fine', () => {
+  const of = (to: Partial<Proposal>, carrier: 'parcel' | 'store' = 'parcel') => isFine({...proposals[0]!, findings: [], worst_g: 98, asked_g: 115, meets: 'yes', ...to}, carrier, t);
+  expect(of({})).toBe(true);
+  expect(of({findings: [{code: 'thin_wall', severity: 'warning', message: ''}]})).toBe(false);
+  expect(of({worst_g: 140, meets: 'no'})).toBe(false);
+  expect(of({worst_g: null, asked_g: null, meets: 'unknown'})).toBe(false);
+  expect(of({worst_g: null, asked_g: null, meets: 'unknown'}, 'store')).toBe(true);
 });
 
 test('of a preview the drawing stays, without the maps below', () => {
