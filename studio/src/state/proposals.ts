@@ -23,6 +23,16 @@ export function columnsOf(proposals: readonly Proposal[]): Column[] {
   return columns;
 }
 
+/** What it is best in. Where prices are not known, the cheapest is what a carrier charges least for. */
+export function titleOf(kinds: Column['kinds'], proposals: readonly Proposal[], t: Texts['first']): string {
+  return kinds.map((kind) => (kind === 'cheapest' && !isPriced(proposals) ? t.lightest : t.kinds[kind])).join(t.and);
+}
+
+/** As the library compares them: by money only where it knows all prices. */
+function isPriced(proposals: readonly Proposal[]): boolean {
+  return proposals.every(({cost}) => cost !== null);
+}
+
 export type Look = 'good' | 'danger' | 'unknown';
 
 /** What it meets in a drop of what it bears, or why that is not known. */
@@ -40,6 +50,12 @@ export function shockOf({worst_g, asked_g, why_none, meets, design}: Proposal, c
 
 function lacksMass({items, workshop}: Design): boolean {
   return items.some(({mass_kg}) => (mass_kg ?? workshop.mass_kg) === null);
+}
+
+/** What its weight in `costOf` is, where it is one. */
+export function weightOf({cost}: Proposal, kinds: Column['kinds'], t: Texts['first']): string | null {
+  if (cost !== null) return null;
+  return kinds.includes('cheapest') ? `${t.leastBilled} ${t.billedWhat}` : t.billedWhat;
 }
 
 export function costOf({cost, currency, billed_kg}: Proposal, t: Texts['first']): string {

@@ -2,7 +2,7 @@ import {beforeAll, expect, test, vi} from 'vitest';
 import {withCase} from '../../src/design/edit';
 import type {Proposal} from '../../src/engine/plan';
 import type {FirstLevel} from '../../src/state/first_level.svelte';
-import {columnsOf, costOf, isFine, pictureOf, shockOf, workOf, worries} from '../../src/state/proposals';
+import {columnsOf, costOf, isFine, pictureOf, shockOf, titleOf, weightOf, workOf, worries} from '../../src/state/proposals';
 import {findCases, mostWall} from '../../src/state/known_cases';
 import type {Measuring} from '../../src/state/measuring.svelte';
 import type {Studio} from '../../src/state/studio.svelte';
@@ -89,9 +89,19 @@ test('figures say what is known and what is not', () => {
   expect(of({worst_g: null, meets: 'unknown', design: withMass(proposal!.design, 0, null)}).text).toBe(t.shock.noMass);
   expect(shockOf(proposal!, 'store', t).text).toBe(t.shock.store);
   expect([workOf(24, 60, t), workOf(360, 30, t)]).toEqual(['about 24 min', 'about 3 h']);
-  expect([costOf({...proposal!, cost: 3.5, currency: 'EUR'}, t), costOf({...proposal!, cost: null, billed_kg: 4}, t)]).toEqual(['3.50 EUR', 'no price known; billed as 4 kg']);
+  expect([costOf({...proposal!, cost: 3.5, currency: 'EUR'}, t), costOf({...proposal!, cost: null, billed_kg: 4}, t)]).toEqual(['3.50 EUR', 'no price known; charged by carriers as 4 kg or more']);
   const finding = (code: string, severity: 'danger' | 'note') => ({code, severity, message: code});
   expect(worries({...proposal!, meets: 'no', findings: [finding('shock', 'danger'), finding('open', 'danger'), finding('open', 'danger'), finding('parts', 'note')]})).toEqual([finding('open', 'danger')]);
+});
+
+test('nothing is called cheapest where a price is not known', () => {
+  const priced = proposals.map((each) => ({...each, cost: 3}));
+  expect(titleOf(['smallest', 'cheapest'], priced, t)).toBe('Smallest and Cheapest');
+  expect(titleOf(['smallest', 'cheapest'], [...priced, {...proposals[0]!, cost: null}], t)).toBe('Smallest and Cheapest to send');
+  expect(weightOf(priced[0]!, ['cheapest'], t)).toBeNull();
+  const unpriced = {...priced[0]!, cost: null};
+  expect(weightOf(unpriced, ['cheapest'], t)).toContain('least billed weight');
+  expect(weightOf(unpriced, ['smallest'], t)).toBe(t.billedWhat);
 });
 
 test('a proposal of whose drops nothing good is known is not said to be fine', () => {
