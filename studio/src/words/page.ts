@@ -81,6 +81,7 @@ export const page = words({
     litres: ['Foam', '緩衝材'],
     share: ['Share of foam F', '緩衝材の割合 F'],
     time: ['Last change', '最後の変更'],
+    saved: (names: string, several: boolean) => [`${names} ${several ? 'were' : 'was'} saved`, `${names} を保存しました`],
     noFoam: ['It does not fit: no foam yet', '入りきらないため、まだ緩衝材がありません'],
     noUnit: ['No foam yet: its unit is not chosen', '単位が選ばれていないため、まだ緩衝材がありません'],
     timeTip: ['From your last change to its new foams', '最後の変更から新しい緩衝材まで'],
