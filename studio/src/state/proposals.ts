@@ -52,10 +52,10 @@ function lacksMass({items, workshop}: Design): boolean {
   return items.some(({mass_kg}) => (mass_kg ?? workshop.mass_kg) === null);
 }
 
-/** What its weight in `costOf` is, where it is one. */
-export function weightOf({cost}: Proposal, kinds: Column['kinds'], t: Texts['first']): string | null {
-  if (cost !== null) return null;
-  return kinds.includes('cheapest') ? `${t.leastBilled} ${t.billedWhat}` : t.billedWhat;
+/** What is to be said of the weight in `costOf`, where it is one. */
+export function onWeight({cost}: Proposal, kinds: Column['kinds'], t: Texts['first']): string[] {
+  if (cost !== null) return [];
+  return kinds.includes('cheapest') ? [t.leastBilled, t.billedWhat] : [t.billedWhat];
 }
 
 export function costOf({cost, currency, billed_kg}: Proposal, t: Texts['first']): string {

@@ -2,7 +2,7 @@ import {beforeAll, expect, test, vi} from 'vitest';
 import {withCase} from '../../src/design/edit';
 import type {Proposal} from '../../src/engine/plan';
 import type {FirstLevel} from '../../src/state/first_level.svelte';
-import {columnsOf, costOf, isFine, pictureOf, shockOf, titleOf, weightOf, workOf, worries} from '../../src/state/proposals';
+import {columnsOf, costOf, isFine, onWeight, pictureOf, shockOf, titleOf, workOf, worries} from '../../src/state/proposals';
 import {calledCase, findCases, kindOfCase, mostWall} from '../../src/state/known_cases';
 import type {Measuring} from '../../src/state/measuring.svelte';
 import type {Studio} from '../../src/state/studio.svelte';
@@ -98,10 +98,10 @@ test('nothing is called cheapest where a price is not known', () => {
   const priced = proposals.map((each) => ({...each, cost: 3}));
   expect(titleOf(['smallest', 'cheapest'], priced, t)).toBe('Smallest and Cheapest');
   expect(titleOf(['smallest', 'cheapest'], [...priced, {...proposals[0]!, cost: null}], t)).toBe('Smallest and Cheapest to send');
-  expect(weightOf(priced[0]!, ['cheapest'], t)).toBeNull();
+  expect(onWeight(priced[0]!, ['cheapest'], t)).toEqual([]);
   const unpriced = {...priced[0]!, cost: null};
-  expect(weightOf(unpriced, ['cheapest'], t)).toContain('least billed weight');
-  expect(weightOf(unpriced, ['smallest'], t)).toBe(t.billedWhat);
+  expect(onWeight(unpriced, ['cheapest'], t)).toEqual([t.leastBilled, t.billedWhat]);
+  expect(onWeight(unpriced, ['smallest'], t)).toEqual([t.billedWhat]);
 });
 
 test('a proposal of whose drops nothing good is known is not said to be fine', () => {
