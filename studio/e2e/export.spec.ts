@@ -42,6 +42,8 @@ test('an exported foam is the command line’s, byte for byte', async ({studio: 
   expect([...foams.keys()].sort()).toEqual(['lower.stl', 'upper.stl']);
   for (const [name, content] of foams) expect(content.equals(expected.get(name) ?? Buffer.alloc(0)), name).toBe(true);
 
+  const saved = page.getByRole('status').filter({hasText: 'saved'});
+  await expect(saved).toHaveText('lower.stl, upper.stl were saved');
   const zip = unzipSync([...(await exported(page, /in one zip/)).values()][0] ?? Buffer.alloc(0));
   expect(Object.keys(zip).sort()).toEqual([...expected.keys()].sort());
   for (const [name, content] of expected) {
@@ -49,6 +51,10 @@ test('an exported foam is the command line’s, byte for byte', async ({studio: 
     if (name === 'report.json') expect(untimed(mine)).toEqual(untimed(content));
     else expect(mine.equals(content), name).toBe(true);
   }
+  await expect(saved).toHaveText('vase-foam.zip was saved');
+  await expect(page.locator('#step-make')).toContainText('vase-foam.zip was saved');
+  await set(page, 'slider', 'Clearance', 2);
+  await expect(page.getByText('was saved')).toHaveCount(0);
 });
 
 test('a fitted space exports what --blocks auto makes', async ({studio: page}) => {

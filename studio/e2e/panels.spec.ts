@@ -1,7 +1,7 @@
 import type {Page} from '@playwright/test';
 import {violations} from './support/axe';
 import {sample} from './support/command_line';
-import {expect, foamsShown, gapsMeasured, open, PLAIN, set, test} from './support/studio';
+import {expect, foamsShown, gapsMeasured, open, PLAIN, set, status, test} from './support/studio';
 import {tabbed} from './support/tabbed';
 
 // The panels as somebody meets them: one step at a time, a few choices each, and the rest behind More.
@@ -39,7 +39,7 @@ test('one step at a time: few stops of the Tab key in each, Next to the last, an
   await step(page, 'Foam').click();
   await set(page, 'slider', 'Wall', 10);
   await expect(step(page, 'Check')).toHaveAccessibleName(/Check.*warnings/);
-  await page.getByRole('status').getByRole('link').click();
+  await status(page).getByRole('link').click();
   await expect(page.getByRole('region', {name: 'Check'})).toContainText('Thin below');
 });
 

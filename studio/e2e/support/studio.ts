@@ -32,7 +32,7 @@ export const test = base.extend<{address: string; studio: Page}>({
 
 export {expect};
 
-export const status = (page: Page) => page.getByRole('status');
+export const status = (page: Page) => page.locator('footer .verdict');
 
 /** Waits until there are foams. */
 export async function foamsShown(page: Page, options?: {timeout: number}) {

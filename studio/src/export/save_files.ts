@@ -1,6 +1,7 @@
 import type {OutputFile} from '../engine/api';
 import {isFailure} from '../engine/failure';
 import {isScene} from '../import/bundle';
+import {savedFiles} from '../state/saved_files.svelte';
 import type {Studio} from '../state/studio.svelte';
 import {language} from '../words/language.svelte';
 import {zippedInPieces} from './zip';
@@ -10,6 +11,8 @@ export type Kind = 'zip' | 'stl' | 'ply';
 /** Hands the person what `snug make` writes, byte for byte: all of it in one zip, or the two foams alone. */
 export async function exportFiles(studio: Studio, kind: Kind): Promise<void> {
   const {design, objects} = studio.moment;
+  // The same name again shall be heard, too.
+  savedFiles.clear();
   // The foams alone need no pack.
   const alone = {...design, workshop: {...design.workshop, for: null}};
   const wanted = kind === 'zip' ? design : {...alone, output: {formats: [kind]}};
@@ -19,7 +22,9 @@ export async function exportFiles(studio: Studio, kind: Kind): Promise<void> {
     return;
   }
   if (kind === 'zip') return download(`${stem(studio)}-foam.zip`, await zippedInPieces(await withObjects(studio, files)));
-  for (const file of files) if (file.name.endsWith(`.${kind}`)) download(file.name, [file.bytes]);
+  const foams = files.filter(({name}) => name.endsWith(`.${kind}`));
+  for (const {name, bytes} of foams) download(name, [bytes]);
+  savedFiles.names = foams.map(({name}) => name);
 }
 
 export async function saveProject(studio: Studio): Promise<void> {
@@ -55,6 +60,7 @@ export function download(name: string, parts: Uint8Array<ArrayBuffer>[]) {
   link.href = address;
   link.download = name;
   link.click();
+  savedFiles.names = [name];
   // The browser still reads from it when click() returns.
   setTimeout(() => URL.revokeObjectURL(address), 60_000);
 }

@@ -22,17 +22,21 @@ interface Entry {
 
 /** Every field with all its words. */
 export function fieldIndex(rows: Schema, texts: readonly Texts[]): Entry[] {
+  return places(rows).map((place) => {
+    const words = texts.map((text) => fieldWords(place.field, text, rows));
+    return {
+      place,
+      name: folded(words.map(({name}) => name).join(' ')),
+      all: folded([...words.flatMap(({name, tip}) => [name, tip]), ...setBy(place.field).flatMap((path) => tableWords(path, rows))].join(' ')),
+    };
+  });
+}
+
+/** Every field, in the order of the page. */
+export function places(rows: Schema): Place[] {
   return (Object.keys(PANELS) as PanelName[]).flatMap((panel) => {
     const {usual, more} = fieldsIn(panel, rows);
-    const places = [...usual, ...more].flatMap((within) => [within, ...heldBy(within)].map((field) => placeOf(field, within, panel, rows)));
-    return places.map((place) => {
-      const words = texts.map((text) => fieldWords(place.field, text, rows));
-      return {
-        place,
-        name: folded(words.map(({name}) => name).join(' ')),
-        all: folded([...words.flatMap(({name, tip}) => [name, tip]), ...setBy(place.field).flatMap((path) => tableWords(path, rows))].join(' ')),
-      };
-    });
+    return [...usual, ...more].flatMap((within) => [within, ...heldBy(within)].map((field) => placeOf(field, within, panel, rows)));
   });
 }
 

@@ -1,5 +1,7 @@
+import type {Preset} from '../design/design';
 import {withFit} from '../design/edit';
 import type {Moment} from '../design/moment';
+import {lackingForDrops, type Lacking} from '../design/protection';
 import type {Engine, Failure, Finding, Packing} from '../engine/api';
 import type {DropChoices, Drops, KnownFoam} from '../engine/drops';
 import {isFailure} from '../engine/failure';
@@ -13,6 +15,7 @@ import {OwnFoams} from './own_foams.svelte';
 interface Pack {
   readonly engine: Engine;
   readonly moment: Moment;
+  readonly presets: readonly Preset[];
   readonly packing: Packing | null;
   readonly gap: Gap | null;
   becomes(next: Moment, control: string): void;
@@ -22,6 +25,11 @@ interface Pack {
 
 /** So long nothing may have changed: a slider that moves needs the library for itself. */
 const STILL_MS = 150;
+
+/** Of any side a shock is told, or that there is none to be told. */
+export function hasFigures({items}: Drops): boolean {
+  return items.some(({faces}) => faces.some(({verdict}) => verdict !== 'unknown'));
+}
 
 /** What the pack on the screen meets in a drop, and the walls that are chosen for it. */
 export class DropsOnScreen {
@@ -67,6 +75,16 @@ export class DropsOnScreen {
   /** Less foam that would do more, as it is found where nobody changes anything. */
   get relief(): ReliefOffer | null {
     return this.#told && (this.#pack.gap?.relief ?? null);
+  }
+
+  /** What drops cannot be estimated without; none of it where the library says why they are not. null: they are told, or
+   *  nobody would ask: a tray is not dropped, and what is rigid does not cushion. */
+  get untold(): readonly Lacking[] | null {
+    const {moment: {design}, presets} = this.#pack;
+    if (design.space.open !== null || presets.find(({name}) => name === design.space.preset)?.rigid) return null;
+    const lacking = lackingForDrops(design);
+    if (lacking.length > 0) return lacking;
+    return this.#told && !hasFigures(this.#told) ? [] : null;
   }
 
   /** What is missing is said where it is entered. */

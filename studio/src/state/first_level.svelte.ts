@@ -4,6 +4,7 @@ import {isFailure} from '../engine/failure';
 import type {Proposal} from '../engine/plan';
 import {language} from '../words/language.svelte';
 import type {Pair} from '../words/words';
+import {casesSeen, withoutFoam} from './cases_seen.svelte';
 import {level} from './level';
 import {preferences} from './preferences.svelte';
 import type {Studio} from './studio.svelte';
@@ -59,7 +60,10 @@ export class FirstLevel {
     const answer = await this.#studio.long('plan', (onProgress) =>
       engine.plan(design, planWishes(this.wishes), spoken, onProgress, moment.objects),
     );
-    if (!isFailure(answer)) [this.proposals, this.spoken] = [answer, spoken];
+    if (!isFailure(answer)) {
+      [this.proposals, this.spoken] = [answer, spoken];
+      void this.holding();
+    }
     else if (answer.kind !== 'cancelled') this.failure = answer.error;
     else if (this.stage === 'show') this.stage = 'ask';
   }
@@ -68,8 +72,10 @@ export class FirstLevel {
   async holding(): Promise<CaseRanking | null> {
     const {engine, defaults, presets, moment} = this.#studio;
     const bare = planned(moment.design, {...this.wishes, cases: 'none'}, defaults, presets);
-    const answer = await engine.rankCases({...bare, space: {...bare.space, wall_mm: 0}}, moment.objects);
-    return isFailure(answer) ? null : answer;
+    const answer = await engine.rankCases(withoutFoam(bare, defaults), moment.objects);
+    if (isFailure(answer)) return null;
+    casesSeen.learn(answer);
+    return answer;
   }
 
   /** How far what was measured may be off; 0 for a scan. */

@@ -3,6 +3,16 @@ import type {CaseRanking, RankedCase} from '../engine/api';
 
 // Known cases as one looks for them by name, and the foam that each has room for.
 
+/** "Peli 1450": many makers have numbers alone for names. */
+export function calledCase({name, maker}: Pick<RankedCase, 'name' | 'maker'>): string {
+  return maker ? `${maker} ${name}` : name;
+}
+
+/** "hard case"; the library may know more kinds than the page. */
+export function kindOfCase({kind}: Pick<RankedCase, 'kind'>, kinds: Readonly<Record<string, string>>): string {
+  return kinds[kind] ?? kind;
+}
+
 /** By every word that any case has; one that none has, such as a maker's whom the list does not know, counts for nothing. */
 export function findCases(cases: readonly RankedCase[], typed: string, kinds: Record<string, string>): RankedCase[] {
   const textOf = ({name, maker = '', kind}: RankedCase) => `${maker} ${name} ${kind} ${kinds[kind] ?? ''}`.toLowerCase();

@@ -23,6 +23,16 @@ export function columnsOf(proposals: readonly Proposal[]): Column[] {
   return columns;
 }
 
+/** What it is best in. Where prices are not known, the cheapest is what a carrier charges least for. */
+export function titleOf(kinds: Column['kinds'], proposals: readonly Proposal[], t: Texts['first']): string {
+  return kinds.map((kind) => (kind === 'cheapest' && !isPriced(proposals) ? t.lightest : t.kinds[kind])).join(t.and);
+}
+
+/** As the library compares them: by money only where it knows all prices. */
+function isPriced(proposals: readonly Proposal[]): boolean {
+  return proposals.every(({cost}) => cost !== null);
+}
+
 export type Look = 'good' | 'danger' | 'unknown';
 
 /** What it meets in a drop of what it bears, or why that is not known. */
@@ -42,6 +52,12 @@ function lacksMass({items, workshop}: Design): boolean {
   return items.some(({mass_kg}) => (mass_kg ?? workshop.mass_kg) === null);
 }
 
+/** What is to be said of the weight in `costOf`, where it is one. */
+export function onWeight({cost}: Proposal, kinds: Column['kinds'], t: Texts['first']): string[] {
+  if (cost !== null) return [];
+  return kinds.includes('cheapest') ? [t.leastBilled, t.billedWhat] : [t.billedWhat];
+}
+
 export function costOf({cost, currency, billed_kg}: Proposal, t: Texts['first']): string {
   return cost === null ? t.billed(kg(billed_kg)) : money(cost, currency);
 }
@@ -56,6 +72,11 @@ export function workOf(pieces: number, seconds: number, t: Texts['first']): stri
 export function worries({findings, meets}: Proposal): Proposal['findings'] {
   const grave = findings.filter(({severity, code}) => severity !== 'note' && !(meets === 'no' && code === 'shock'));
   return grave.filter(({code}, i) => grave.findIndex((other) => other.code === code) === i).slice(0, 2);
+}
+
+/** Nothing to worry about, and drops were judged, or it is never dropped. */
+export function isFine(proposal: Proposal, carrier: PlanWishes['carrier'], t: Texts['first']): boolean {
+  return worries(proposal).length === 0 && (carrier === 'store' || shockOf(proposal, carrier, t).look === 'good');
 }
 
 /** Of a preview what stands above its maps, which are too small to be read here. */

@@ -19,13 +19,14 @@ export function thinnestWall(packing: Packing): {wall_mm: number; side: number} 
   return {wall_mm, side: walls.indexOf(wall_mm)};
 }
 
-export function verdictOf(packing: Packing, findings: readonly Finding[], {status, check}: Pick<Texts, 'status' | 'check'>): Verdict {
+/** `untold`: nothing is known of drops, which might be worse than all that was found. */
+export function verdictOf(packing: Packing, findings: readonly Finding[], untold: boolean, {status, check}: Pick<Texts, 'status' | 'check'>): Verdict {
   if (!packing.fit) return {look: 'danger', text: status.noFoam};
   const {wall_mm, side} = thinnestWall(packing);
   const where = [mm(wall_mm), status.places[side] ?? ''] as const;
   const grave = worst(findings);
   const first = grave && gravestFirst(findings)[0];
-  if (!first) return {look: 'good', text: status.fits(...where)};
+  if (!first) return {look: 'good', text: untold ? status.fitsUndropped(status.fits(...where)) : status.fits(...where)};
   if (THIN.test(first.code)) return {look: grave, text: status.thin(...where)};
   const what = check.codes[first.code] ?? check.severities[grave];
   return {look: grave, text: grave === 'danger' ? what : status.fitsBut(what)};

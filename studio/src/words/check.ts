@@ -9,6 +9,14 @@ export const check = words({
       '対象物を開くと、緩衝材について知っておくべきことがここに出ます。',
     ],
     fine: ['Nothing to worry about.', '問題はありません。'],
+    fineUndropped: (what: string) => [
+      `Nothing to worry about, but drops are not estimated: enter ${what}.`,
+      `ほかに問題はありませんが、落下の衝撃は計算していません。必要なもの：${what}。`,
+    ],
+    fineUntold: [
+      'Nothing to worry about, but drops are not estimated: the reason stands below.',
+      'ほかに問題はありませんが、落下の衝撃は計算できません。理由は下にあります。',
+    ],
     severities: {danger: ['Danger', '危険'], warning: ['Warning', '警告'], note: ['Note', '参考']},
     titled: (severity: string, name: string) => [`${severity}: ${name}`, `${severity}：${name}`],
     between: [', ', '、'],

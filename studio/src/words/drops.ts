@@ -21,7 +21,7 @@ export const drops = words({
       open: ['Open a foams.json (or drop it here)', 'foams.json を開く（ここにドロップもできます）'],
       or: ['Or enter one:', 'または入力：'],
       name: ['Name', '名前'],
-      nameTip: ['What --foam and the list call it', '一覧と --foam で使う名前'],
+      nameTip: ['What the list calls it, and the command line', '一覧とコマンドラインで使う名前'],
       title: ['Title', '説明'],
       titleTip: ['What it is, in one line', '緩衝材の一行の説明'],
       density: ['Density in kg/m³, where known', '密度（kg/m³、分かれば）'],

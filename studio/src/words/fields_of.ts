@@ -13,6 +13,8 @@ export const fieldsOf = words({
     on: ['on', 'オン'],
     off: ['off', 'オフ'],
     none: ['not given', '指定なし'],
+    quoted: (field: string) => [`“${field}”`, `「${field}」`],
+    chosen: (field: string, way: string) => [`${field}: ${way}`, `${field}：${way}`],
     automatic: ['automatic', '自動'],
     search: ['Find a field', '項目を探す'],
     searchHint: ['Find: rib, liner, kerf …', '検索：リブ、内張り …'],

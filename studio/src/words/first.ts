@@ -90,6 +90,7 @@ export const first = words({
       'most-margin': ['Most margin', 'いちばん余裕がある'],
       cheapest: ['Cheapest', 'いちばん安い'],
     },
+    lightest: ['Cheapest to send', '送料がいちばん安い'],
     and: [' and ', '・'],
     picture: (kind: string) => [`Drawing: ${kind}`, `図：${kind}`],
     rows: {
@@ -102,7 +103,12 @@ export const first = words({
       work: ['Work', '作業'],
     },
     measured: ['made to measure', '寸法に合わせて作る'],
-    billed: (kg: string) => [`no price known; billed as ${kg}`, `価格は不明、運賃計算上の重さ ${kg}`],
+    billed: (kg: string) => [`no price known; charged by carriers as ${kg} or more`, `価格は不明、運賃は ${kg} 以上として計算されます`],
+    billedWhat: [
+      'Its weight, or its volume counted as weight, whichever is more. A case is larger outside than inside.',
+      '実際の重さと容積重量の大きい方です。ケースの外寸は内寸より大きくなります。',
+    ],
+    leastBilled: ['Chosen for the least billed weight.', '運賃計算上の重さが最小になる案です。'],
     shock: {
       meets: (g: string, bears: string) => [`Meets at most ${g} of ${bears}`, `最大 ${g}（耐える値 ${bears}）`],
       fails: (g: string, bears: string) => [`Does not meet it: up to ${g}, bears ${bears}`, `満たしません：最大 ${g}（耐える値 ${bears}）`],

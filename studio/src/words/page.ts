@@ -70,6 +70,7 @@ export const page = words({
   status: {
     waiting: ['Ready', '準備完了'],
     fits: (mm: string, place: string) => [`Fits: thinnest foam ${mm} ${place}`, `収まります：緩衝材は${place}で最も薄く ${mm}`],
+    fitsUndropped: (fits: string) => [`${fits}; drops not estimated`, `${fits}（落下の衝撃は計算なし）`],
     fitsBut: (what: string) => [`Fits, but read: ${what}`, `収まりますが、ご確認ください：${what}`],
     thin: (mm: string, place: string) => [`Thinnest foam ${mm} ${place}: too thin`, `緩衝材が薄すぎます：${place}で ${mm}`],
     places: [['below', '下'], ['above', '上'], ['at the back', '奥'], ['at the front', '手前'], ['on the left', '左'], ['on the right', '右']],
@@ -80,6 +81,7 @@ export const page = words({
     litres: ['Foam', '緩衝材'],
     share: ['Share of foam F', '緩衝材の割合 F'],
     time: ['Last change', '最後の変更'],
+    saved: (names: string, several: boolean) => [`${names} ${several ? 'were' : 'was'} saved`, `${names} を保存しました`],
     noFoam: ['It does not fit: no foam yet', '入りきらないため、まだ緩衝材がありません'],
     noUnit: ['No foam yet: its unit is not chosen', '単位が選ばれていないため、まだ緩衝材がありません'],
     timeTip: ['From your last change to its new foams', '最後の変更から新しい緩衝材まで'],

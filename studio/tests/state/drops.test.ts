@@ -35,6 +35,7 @@ test('nothing is estimated before anything is asked, and what is missing is name
   expect(studio.drops.wanted).toBe(false);
   expect(studio.drops.last).toBeNull();
   expect(lackingForDrops(studio.design)).toEqual(['foam', 'mass', 'height']);
+  expect(studio.drops.untold).toEqual(['foam', 'mass', 'height']);
   await change((design) => withFoamData(design, foam('ethafoam-220'), undefined));
   expect(lackingForDrops(studio.design)).toEqual(['curve', 'mass', 'height']);
   expect(studio.design.fit.creep_kpa).toBe(foam('ethafoam-220').creep_kpa);
@@ -43,11 +44,19 @@ test('nothing is estimated before anything is asked, and what is missing is name
   expect(studio.design.fit.creep_kpa).toBe(studio.defaults.fit.creep_kpa);
 });
 
+test('of a tray, and of what is rigid, nobody asks for drops', async () => {
+  await change((design) => withTray(design, 0.6));
+  expect(studio.drops.untold).toBeNull();
+  studio.change((design) => ({...studio.defaults, items: design.items, space: {...studio.defaults.space, preset: 'lego-brick'}}), '');
+  expect(studio.drops.untold).toBeNull();
+});
+
 test('each side is told, the worst first, and again after every change', async () => {
   await change(asked);
   const {drops} = studio;
   expect(drops.current).toBe(true);
   expect(drops.last!.drop_mm).toBe(970);
+  expect(drops.untold).toBeNull();
   expect(drops.last!.what![0]).toMatch(/^from 970 mm, height from ISTA 2A; not a test of it, in ld33/);
   expect(drops.last!.worst.map(({side}) => side).sort()).toEqual([0, 1, 2, 3, 4, 5]);
   const shocks = drops.last!.worst.map(({side}) => drops.last!.items[0]!.faces[side]!);

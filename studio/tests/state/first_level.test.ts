@@ -2,8 +2,8 @@ import {beforeAll, expect, test, vi} from 'vitest';
 import {withCase} from '../../src/design/edit';
 import type {Proposal} from '../../src/engine/plan';
 import type {FirstLevel} from '../../src/state/first_level.svelte';
-import {columnsOf, costOf, pictureOf, shockOf, workOf, worries} from '../../src/state/proposals';
-import {findCases, mostWall} from '../../src/state/known_cases';
+import {columnsOf, costOf, isFine, onWeight, pictureOf, shockOf, titleOf, workOf, worries} from '../../src/state/proposals';
+import {calledCase, findCases, kindOfCase, mostWall} from '../../src/state/known_cases';
 import type {Measuring} from '../../src/state/measuring.svelte';
 import type {Studio} from '../../src/state/studio.svelte';
 import {withMass} from '../../src/state/wishes';
@@ -89,9 +89,28 @@ test('figures say what is known and what is not', () => {
   expect(of({worst_g: null, meets: 'unknown', design: withMass(proposal!.design, 0, null)}).text).toBe(t.shock.noMass);
   expect(shockOf(proposal!, 'store', t).text).toBe(t.shock.store);
   expect([workOf(24, 60, t), workOf(360, 30, t)]).toEqual(['about 24 min', 'about 3 h']);
-  expect([costOf({...proposal!, cost: 3.5, currency: 'EUR'}, t), costOf({...proposal!, cost: null, billed_kg: 4}, t)]).toEqual(['3.50 EUR', 'no price known; billed as 4 kg']);
+  expect([costOf({...proposal!, cost: 3.5, currency: 'EUR'}, t), costOf({...proposal!, cost: null, billed_kg: 4}, t)]).toEqual(['3.50 EUR', 'no price known; charged by carriers as 4 kg or more']);
   const finding = (code: string, severity: 'danger' | 'note') => ({code, severity, message: code});
   expect(worries({...proposal!, meets: 'no', findings: [finding('shock', 'danger'), finding('open', 'danger'), finding('open', 'danger'), finding('parts', 'note')]})).toEqual([finding('open', 'danger')]);
+});
+
+test('nothing is called cheapest where a price is not known', () => {
+  const priced = proposals.map((each) => ({...each, cost: 3}));
+  expect(titleOf(['smallest', 'cheapest'], priced, t)).toBe('Smallest and Cheapest');
+  expect(titleOf(['smallest', 'cheapest'], [...priced, {...proposals[0]!, cost: null}], t)).toBe('Smallest and Cheapest to send');
+  expect(onWeight(priced[0]!, ['cheapest'], t)).toEqual([]);
+  const unpriced = {...priced[0]!, cost: null};
+  expect(onWeight(unpriced, ['cheapest'], t)).toEqual([t.leastBilled, t.billedWhat]);
+  expect(onWeight(unpriced, ['smallest'], t)).toEqual([t.billedWhat]);
+});
+
+test('a proposal of whose drops nothing good is known is not said to be fine', () => {
+  const of = (to: Partial<Proposal>, carrier: 'parcel' | 'store' = 'parcel') => isFine({...proposals[0]!, findings: [], worst_g: 98, asked_g: 115, meets: 'yes', ...to}, carrier, t);
+  expect(of({})).toBe(true);
+  expect(of({findings: [{code: 'thin_wall', severity: 'warning', message: ''}]})).toBe(false);
+  expect(of({worst_g: 140, meets: 'no'})).toBe(false);
+  expect(of({worst_g: null, asked_g: null, meets: 'unknown'})).toBe(false);
+  expect(of({worst_g: null, asked_g: null, meets: 'unknown'}, 'store')).toBe(true);
 });
 
 test('of a preview the drawing stays, without the maps below', () => {
@@ -104,6 +123,10 @@ test('a case is found by its name, with or without the maker’s, and says for h
   const ranking = (await first.holding())!;
   const found = (typed: string) => findCases(ranking.fitting, typed, t.have.kinds).map(({name}) => name);
   expect(found('Peli 1450')).toEqual(['1450']);
+  const {casesSeen} = await import('../../src/state/cases_seen.svelte');
+  const called = (name: string) => calledCase(casesSeen.find(name)!);
+  expect([called('1450'), kindOfCase(casesSeen.find('1450')!, t.have.kinds)]).toEqual(['Peli 1450', 'hard case']);
+  for (const {case: name} of proposals) expect(name === null || casesSeen.find(name), name ?? '').toBeTruthy();
   expect(found('1450')).toEqual(['1450']);
   expect(found('peli 9999')).toEqual([]);
   expect(found('carton').length).toBeGreaterThan(2);
