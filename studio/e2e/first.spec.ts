@@ -47,6 +47,35 @@ test('a camera in a hard case', async ({studio: page}) => {
   await expect(page.getByRole('radio', {name: /^Hard cases/})).toBeChecked();
 });
 
+test('a number that cannot be is refused by a sentence, and the one before it comes back', async ({studio: page}) => {
+  const alert = page.getByRole('alert');
+  const refused = async (name: string | RegExp, values: readonly string[], before: string, why: RegExp) => {
+    const field = page.getByRole('spinbutton', {name}).first();
+    for (const value of values) {
+      await field.click({clickCount: 3});
+      await page.keyboard.type(value);
+      await expect(alert, `${value}`).toHaveText(why);
+      await field.blur();
+      await expect(field, `${value}`).toHaveValue(before);
+    }
+    await field.fill(before || '1');
+    await expect(alert, 'answered').toHaveCount(0);
+  };
+  await page.getByRole('button', {name: 'I have only a ruler'}).click();
+  await refused('1. Box: Length', ['20000', '-5', '0', '1e9'], '150', /Length: must be from 0.1 to 10000 mm, not/);
+  await refused('1. Box: Edges rounded by', ['31', '-1'], '0', /must be from 0 to 30 mm/);
+  await refused('Measured to within', ['21', '-1'], '1', /must be from 0 to 20 mm/);
+  await page.getByRole('button', {name: 'Go on'}).click();
+  await expect(page.getByText('150 × 100 × 60 mm')).toBeVisible();
+  await refused('It weighs', ['-5', '1e9'], '', /must be from 0 to 1000000 kg/);
+  await refused(/^How many/, ['0', '1e9'], '1', /must be from 1 to \d+, not/);
+  await refused(/^How many/, ['2.7'], '1', /must be a whole number, not 2.7/);
+  await page.getByRole('button', {name: 'Show proposals'}).click();
+  const seconds = page.getByRole('spinbutton', {name: /^Seconds of work/}).first();
+  await expect(seconds).toBeVisible(SLOW);
+  await refused(/^Seconds of work/, ['-5', '1e9'], await seconds.inputValue(), /must be from 0 to 86400 seconds/);
+});
+
 test.describe('on a phone, from a disk', () => {
   test.use({address: ONE_FILE, viewport: {width: 390, height: 844}, hasTouch: true});
 

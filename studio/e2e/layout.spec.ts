@@ -87,6 +87,30 @@ test('selects are as wide as their words', async ({studio: page}) => {
   }
 });
 
+/** Fields for numbers that show hardly a digit, with how wide they are, px. */
+const narrowFields = (page: Page) =>
+  page.evaluate(() =>
+    [...document.querySelectorAll<HTMLInputElement>('input[type=number]')]
+      .map((field) => ({name: field.getAttribute('aria-label'), px: field.getBoundingClientRect().width}))
+      .filter(({px}) => px > 0 && px < 40)
+      .map(({name, px}) => `${name}: ${Math.round(px)}`),
+  );
+
+for (const [name, size] of Object.entries({'1280 px wide': {width: 1280, height: 800}, 'on a phone': PHONE}))
+  test(`every number can be read ${name}`, async ({studio: page}) => {
+    await page.setViewportSize(size);
+    await open(page, sample('camera'));
+    await page.getByRole('checkbox', {name: 'Fill a case'}).check();
+    await page.locator('details').evaluateAll((all) => all.forEach((each) => ((each as HTMLDetailsElement).open = true)));
+    for (const language of ['en', 'ja']) {
+      await page.locator('header select').last().selectOption(language);
+      for (const work of WORKS) {
+        await page.locator(`input[type=radio][value=${work}]`).check();
+        expect(await narrowFields(page), `${language} ${work}`).toEqual([]);
+      }
+    }
+  });
+
 test('where colours are forced, what is chosen is seen', async ({studio: page}) => {
   await page.emulateMedia({forcedColors: 'active'});
   await open(page, sample('torus'));

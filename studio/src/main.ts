@@ -21,6 +21,7 @@ async function start() {
   const startCore = () => coreIn(startWorker());
   const engine = await createEngine({startCore, onRestart: (reason) => studio?.restarted(reason)});
   studio = await Studio.start(engine, () => typing.designChanged());
+  typing.onrefusal = studio.refusesNumber;
   page.replaceChildren();
   // The page first: what comes back to it may be large.
   mount(App, {target: page, props: {studio}});

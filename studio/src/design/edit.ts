@@ -1,4 +1,5 @@
 import type {Design, KnownCase, Preset, Triple, Unit, Work} from './design';
+import {withFoamData} from './protection';
 
 // Every change that a person can make, as a function from a design to the next one. Ranges are the library's
 // business: it refuses what cannot be, with its own sentence.
@@ -7,21 +8,31 @@ export function withAxis(value: Triple, axis: number, to: number): Triple {
   return value.map((old, i) => (i === axis ? to : old)) as Triple;
 }
 
-/** Counts of other blocks would mean another size: the space fits itself again. What is rigid brings its walls, and those of
- *  `before` go with it. */
+/** Counts of other blocks would mean another size: the space fits itself again. `before`: what it takes the place of, whose
+ *  walls go with it; what was added to its clearance stays added, and what is known of the foam stays where both are the same
+ *  material. */
 export function withPreset(design: Design, preset: Preset, before?: Preset): Design {
   const {wall_mm} = design.space;
   const brought = before && before.wall_mm !== null && wall_mm === before.wall_mm;
-  return {
+  const next: Design = {
     ...design,
     space: {...design.space, preset: preset.name, block_mm: [...preset.block_mm], blocks: 'auto', wall_mm: preset.wall_mm ?? (brought ? null : wall_mm)},
-    cut: {...design.cut, clearance_mm: preset.clearance_mm},
-    // A foam of known data stays what it is in other blocks.
-    fit: {...design.fit, creep_kpa: design.protection.foam?.creep_kpa ?? preset.creep_kpa},
+    cut: before ? withMoreClearance(design, preset.clearance_mm - before.clearance_mm).cut : {...design.cut, clearance_mm: preset.clearance_mm},
     case: {...design.case, division: preset.division},
-    workshop: {...design.workshop, density_kg_m3: preset.density_kg_m3},
     parting: {level: 'auto'},
   };
+  return withFoamData(next, !before || isSameFoam(preset, before) ? design.protection.foam : null, preset);
+}
+
+/** Of a density that is not known, nobody can say so. */
+function isSameFoam({density_kg_m3}: Preset, before: Preset): boolean {
+  return density_kg_m3 !== null && density_kg_m3 === before.density_kg_m3;
+}
+
+/** The blocks that a way of working takes: the foam that is known stays, where these are of any foam at all. */
+export function withPresetOfWay(design: Design, preset: Preset, before?: Preset): Design {
+  const next = withPreset(design, preset, before);
+  return preset.rigid ? next : withFoamData(next, design.protection.foam, preset);
 }
 
 /** `shown`: the counts on the screen, which a fitted space has chosen by itself. */
@@ -113,6 +124,13 @@ export function withClearance(design: Design, clearance_mm: number | number[]): 
 /** x, y, z of the lower foam, then of the upper. */
 export function clearances({cut}: Pick<Design, 'cut'>): number[] {
   return typeof cut.clearance_mm === 'number' ? Array<number>(6).fill(cut.clearance_mm) : cut.clearance_mm;
+}
+
+/** More on every side, less where `mm` is below 0, though never less than `least`. */
+export function withMoreClearance(design: Design, mm: number, least = -Infinity): Design {
+  // Without the dust of adding, so that there and back is the same.
+  const all = clearances(design).map((old) => Math.max(least, Number((old + mm).toFixed(6))));
+  return withClearance(design, typeof design.cut.clearance_mm === 'number' ? all[0]! : all);
 }
 
 export function withClearanceOf(design: Design, side: number, mm: number): Design {

@@ -1,5 +1,5 @@
 import type {Design} from '../design/design';
-import {clearances, forNewObject, withClearance, withRotation} from '../design/edit';
+import {forNewObject, withMoreClearance, withRotation} from '../design/edit';
 import {sideDown} from '../design/rotation';
 import {errorIn, FIRST_SHAPE, isShape, shapeText, type Shape} from '../design/shape';
 import {isFailure} from '../engine/failure';
@@ -79,16 +79,11 @@ export class Measuring {
   #open(design: Design): Promise<unknown> {
     const {error_mm} = this.shape;
     const more = error_mm - this.#added;
-    const cleared = more === 0 ? design : withClearance(design, withMore(design, more));
+    const cleared = more === 0 ? design : withMoreClearance(design, more, 0);
     const file = new Blob([shapeText(this.shape)], {type: 'text/plain'});
     this.#opening = this.#studio.openObject(this.#name, file, {design: cleared}).then((failed) => {
       if (!failed) this.#added = error_mm;
     });
     return this.#opening;
   }
-}
-
-function withMore(design: Design, mm: number): number | number[] {
-  const all = clearances(design).map((old) => Math.max(0, old + mm));
-  return typeof design.cut.clearance_mm === 'number' ? all[0]! : all;
 }

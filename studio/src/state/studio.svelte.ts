@@ -26,7 +26,7 @@ import type {Works} from './works.svelte';
 import {ZonesOnScreen} from './zones_on_screen.svelte';
 
 /** Refusals that no later change of a control answers: they stay until they are read. */
-const LASTING: readonly string[] = ['object', 'project', 'make'];
+const LASTING: readonly string[] = ['object', 'project', 'make', 'number'];
 
 /** The work on the page: objects, one design, and what the library makes of them. */
 export class Studio {
@@ -251,6 +251,12 @@ export class Studio {
   refuse(control: string, text: Pair) {
     this.problem = {control, text};
   }
+
+  /** A field takes a number by itself, or says why not. */
+  refusesNumber = (why: Pair | null) => {
+    if (why) this.refuse('number', why);
+    else if (this.problem?.control === 'number') this.problem = null;
+  };
 
   /** The library had to start anew. */
   restarted(reason: Failure) {

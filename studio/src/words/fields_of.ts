@@ -16,6 +16,14 @@ export const fieldsOf = words({
     quoted: (field: string) => [`“${field}”`, `「${field}」`],
     chosen: (field: string, way: string) => [`${field}: ${way}`, `${field}：${way}`],
     automatic: ['automatic', '自動'],
+    range: (field: string, value: number, [least, most]: readonly (number | undefined)[], unit: string) => [
+      `${field}: must be from ${least} to ${most}${unit && ` ${unit}`}, not ${value}`,
+      `${field}：${value} は使えません。使える範囲は ${least} から ${most}${unit && ` ${unit}`} までです。`,
+    ],
+    whole: (field: string, value: number) => [
+      `${field}: must be a whole number, not ${value}`,
+      `${field}：${value} は使えません。整数で入力してください。`,
+    ],
     search: ['Find a field', '項目を探す'],
     searchHint: ['Find: rib, liner, kerf …', '検索：リブ、内張り …'],
     found: (n: number) => [n === 1 ? '1 field' : `${n} fields`, `${n} 件`],

@@ -1,16 +1,19 @@
 import {beforeAll, expect, test} from 'vitest';
 import type {Design} from '../../src/design/design';
-import {firstDesign, withFit, withPreset, withTray, withWalls, withWorkshop} from '../../src/design/edit';
+import {firstDesign, withClearance, withFit, withPreset, withPresetOfWay, withTray, withWalls, withWorkshop} from '../../src/design/edit';
 import {usualGroup, withValue} from '../../src/design/options';
+import {withFoamData} from '../../src/design/protection';
 import {isOther, usualValue, withUsual, type Beginning} from '../../src/design/usual';
 import {startCore} from '../support/snug';
 
 let beginning: Beginning;
 let first: Design;
+let foam: NonNullable<Design['protection']['foam']>;
 beforeAll(async () => {
   const core = await startCore();
   const [rows, defaults, presets] = await Promise.all([core.options(), core.defaultDesign(), core.presets()]);
   beginning = {rows, defaults, presets};
+  foam = (await core.dropChoices()).foams[0]!.design;
   first = firstDesign(defaults);
 });
 
@@ -51,6 +54,33 @@ test('what is rigid brings its walls, which go with it; others stay', () => {
   expect(withPreset(bricks, presetOf('slit-10'), presetOf('lego-brick')).space.wall_mm).toBe(null);
   expect(withPreset(withWalls(print, 30), presetOf('slit-10'), presetOf('print')).space.wall_mm).toBe(30);
   expect(withPreset(withWalls(first, 30), presetOf('slit-10'), presetOf('paper')).space.wall_mm).toBe(30);
+});
+
+test('another foam has none of what is known of the last; the same in other blocks has all of it', () => {
+  const known = {...foam, name: 'ethafoam-200lc', density_kg_m3: 35, creep_kpa: 7};
+  const inBlocks = (from: string) => withFoamData(withPreset(first, presetOf(from)), known, presetOf(from));
+  const next = (from: string, to: string) => withPreset(inBlocks(from), presetOf(to), presetOf(from));
+  for (const [from, to] of [['slit-10', 'slit-15'], ['sheet-10', 'mill']] as const)
+    expect(next(from, to)).toMatchObject({protection: {foam: known}, fit: {creep_kpa: 7}, workshop: {density_kg_m3: 35}});
+  for (const [from, to] of [['sheet-10', 'slit-15'], ['paper', 'slit-15'], ['paper', 'print']] as const) {
+    const other = next(from, to);
+    expect([other.protection.foam, other.fit.creep_kpa, other.workshop.density_kg_m3], to).toEqual([null, presetOf(to).creep_kpa, presetOf(to).density_kg_m3]);
+  }
+  expect(withPreset(inBlocks('paper'), presetOf('slit-15')).protection.foam).toEqual(known);
+  // A way of working brings its blocks, of whatever foam it is; what is printed is none.
+  expect(withPresetOfWay(inBlocks('paper'), presetOf('sheet-10'), presetOf('paper')).protection.foam).toEqual(known);
+  expect(withPresetOfWay(inBlocks('paper'), presetOf('print'), presetOf('paper')).protection.foam).toBe(null);
+});
+
+test('what was added to the clearance stays added, there and back', () => {
+  for (const mm of [0, 0.3, 1.7, [0, 0.1, 0.2, 1, -0.4, 2]]) {
+    const slit = withPreset(withClearance(first, mm), presetOf('slit-10'), presetOf('paper'));
+    const print = withPreset(slit, presetOf('print'), presetOf('slit-10'));
+    const more = presetOf('print').clearance_mm - presetOf('paper').clearance_mm;
+    [print.cut.clearance_mm].flat().forEach((now, i) => expect(now).toBeCloseTo([mm].flat()[i]! + more));
+    expect(withPreset(print, presetOf('paper'), presetOf('print')).cut.clearance_mm).toEqual(mm);
+  }
+  expect(withPreset(withClearance(first, 3), presetOf('print')).cut.clearance_mm).toBe(presetOf('print').clearance_mm);
 });
 
 test('a group that is there is other; within it, what was changed', () => {
