@@ -129,7 +129,7 @@ export function clearances({cut}: Pick<Design, 'cut'>): number[] {
 /** More on every side, less where `mm` is below 0, though never less than `least`. */
 export function withMoreClearance(design: Design, mm: number, least = -Infinity): Design {
   // Without the dust of adding, so that there and back is the same.
-  const all = clearances(design).map((old) => Math.max(least, Number((old + mm).toFixed(6))));
+  const all = clearances(design).map((old) => Math.max(least, Math.round((old + mm) * 1e6) / 1e6));
   return withClearance(design, typeof design.cut.clearance_mm === 'number' ? all[0]! : all);
 }
 
@@ -195,6 +195,7 @@ export function mmPerFileUnit(design: Design, fileSize: Triple, statesUnit = fal
 export function completed(design: Design, defaults: Design): Design {
   const parts = Object.entries(defaults).map(([name, part]) => {
     const own = design[name as keyof Design];
+    if (Array.isArray(part) && part.length === 0) return [name, own ?? part];
     const [one] = Array.isArray(part) ? (part as unknown[]) : [];
     return [name, one ? ((own as object[] | undefined) ?? [one]).map((each) => ({...one, ...each})) : {...part, ...own}];
   });
@@ -218,6 +219,7 @@ export function forNewObject(design: Design, defaults: Design, presets: readonly
     object: defaults.object,
     placement: defaults.placement,
     items: defaults.items,
+    edits: defaults.edits,
     parting: {level: 'auto'},
     space: {...design.space, blocks: 'auto', wall_mm: preset?.wall_mm ?? defaults.space.wall_mm, open: defaults.space.open},
     cut: {...design.cut, clearance_mm: preset?.clearance_mm ?? defaults.cut.clearance_mm},

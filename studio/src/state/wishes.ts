@@ -70,6 +70,7 @@ export function planned(design: Design, wishes: Wishes, defaults: Design, preset
     cut: {...design.cut, clearance_mm: plannedClearance(design, wishes, defaults, presets, error_mm)},
     fit: {...design.fit, settle: defaults.fit.settle},
     parting: {level: 'auto'},
+    edits: defaults.edits,
     case: wishes.cases === 'named' ? design.case : {...defaults.case, play_mm, division},
     protection: {...protection, foam: wishes.foam === 'data' ? protection.foam : null, height_mm: null, rule: null},
     workshop: {...design.workshop, for: null},

@@ -35,6 +35,9 @@ describe('edits', async () => {
     expect(now.cut).toEqual({...design.cut, clearance_mm: 3});
     expect(now.fit).toEqual(design.fit);
     expect(completed(now, design)).toEqual(now);
+    expect(completed(design, design)).toEqual(design);
+    const edits = [{piece: 'lower', j: 1, k: 2, blocks: 1}];
+    expect(completed({...design, edits}, design).edits).toEqual(edits);
   });
 
   it('a clearance and a wall may differ from side to side', () => {
