@@ -10,6 +10,7 @@ import {Works} from './state/works.svelte';
 import {typing} from './ui/typing.svelte';
 import {files} from './words/files';
 import {language} from './words/language.svelte';
+import type {Pair} from './words/words';
 
 const page = document.getElementById('app') as HTMLElement;
 
@@ -21,11 +22,19 @@ async function start() {
   const startCore = () => coreIn(startWorker());
   const engine = await createEngine({startCore, onRestart: (reason) => studio?.restarted(reason)});
   studio = await Studio.start(engine, () => typing.designChanged());
-  typing.onrefusal = studio.refusesNumber;
+  typing.onrefusal = refusing(studio);
   page.replaceChildren();
   // The page first: what comes back to it may be large.
   mount(App, {target: page, props: {studio}});
   await bringBack(studio);
+}
+
+/** Says why a field does not take a number, until it takes one. */
+function refusing(studio: Studio) {
+  return (why: Pair | null) => {
+    if (why) studio.refuse('number', why);
+    else if (studio.problem?.control === 'number') studio.problem = null;
+  };
 }
 
 async function bringBack(studio: Studio) {

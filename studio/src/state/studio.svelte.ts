@@ -252,12 +252,6 @@ export class Studio {
     this.problem = {control, text};
   }
 
-  /** A field takes a number by itself, or says why not. */
-  refusesNumber = (why: Pair | null) => {
-    if (why) this.refuse('number', why);
-    else if (this.problem?.control === 'number') this.problem = null;
-  };
-
   /** The library had to start anew. */
   restarted(reason: Failure) {
     this.notice = reason.error;
