@@ -4,6 +4,7 @@ import {isFailure} from '../engine/failure';
 import type {Proposal} from '../engine/plan';
 import {language} from '../words/language.svelte';
 import type {Pair} from '../words/words';
+import {notedStage} from './last_stage';
 import {level} from './level';
 import {preferences} from './preferences.svelte';
 import type {Studio} from './studio.svelte';
@@ -11,6 +12,9 @@ import {planned, planWishes, rememberedWishes, rememberWishes, type Wishes} from
 
 /** What stands in place of the steps: an object is made from measurements, a few questions, whole proposals. */
 export type Stage = 'measure' | 'ask' | 'show';
+
+/** Everything is open to whoever wants it so. */
+const asksNothing = () => level === 'all' || preferences.showsAll;
 
 /** The first level: a few questions, and proposals to choose from. */
 export class FirstLevel {
@@ -25,15 +29,24 @@ export class FirstLevel {
   /** Of work for a piece, by the way of working, where a person knows better. */
   seconds: Record<string, number> = $state({});
 
+  /** Before the page was loaded anew, its object was being made from measurements. */
+  measuredBefore = false;
+
   constructor(studio: Studio) {
     this.#studio = studio;
+    const last = notedStage();
+    if (!last || asksNothing()) return;
+    this.wishes = last.wishes;
+    this.measuredBefore = last.stage === 'measure';
+    // Proposals are asked for again.
+    this.stage = last.stage && 'ask';
   }
 
   /** Something was opened that nobody has chosen anything for. */
   begin(): void {
     this.proposals = null;
     this.wishes = rememberedWishes();
-    this.stage = level === 'all' || preferences.showsAll ? null : 'ask';
+    this.stage = asksNothing() ? null : 'ask';
   }
 
   ask = (): void => {

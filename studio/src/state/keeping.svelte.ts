@@ -7,6 +7,7 @@ import {thumbnail, together, type Picture} from '../picture/thumbnail';
 import {files} from '../words/files';
 import {asMoment, type StoredMoment, type StoredObject} from './autosave';
 import {stepped} from './last_change';
+import {forgetStage} from './last_stage';
 import type {Studio} from './studio.svelte';
 import type {Works} from './works.svelte';
 
@@ -111,6 +112,7 @@ export class Keeping {
   async clear(): Promise<void> {
     this.#on = false;
     document.body.inert = true; // what came in now would be lost with the page
+    forgetStage();
     await this.#studio.works?.discardOwn();
     location.reload();
   }

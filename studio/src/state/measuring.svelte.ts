@@ -42,14 +42,14 @@ export class Measuring {
     return this.#open(withRotation(forNewObject(moment.design, defaults, presets), standing));
   }
 
-  /** False where the file has what cannot be edited here. */
-  async edit(): Promise<boolean> {
+  /** False where the file has what cannot be edited here. `anew`: as start() began it. */
+  async edit(anew = false): Promise<boolean> {
     const [file] = this.#studio.files;
     if (!file) return false;
     const text = await file.content.text();
     const read = await this.#studio.engine.parseShape(text);
     if (isFailure(read)) return false;
-    this.anew = false;
+    this.anew = anew;
     this.shape = {solids: read.solids, error_mm: errorIn(text)};
     this.#added = this.shape.error_mm;
     this.#name = file.name;
