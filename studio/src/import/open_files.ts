@@ -35,9 +35,18 @@ export async function openFiles(studio: Studio, files: readonly File[], {joins =
   }
   const company = beside.map((file) => ({name: file.name, content: file}));
   if (!(await openObjects(studio, objects, company, project, joins))) return false;
-  if (leftOut.length > 0) alsoSay(studio, texts.leftOut(leftOut.map(({name}) => name)));
+  const unused = [...leftOut, ...beside.filter((file) => isForeign(studio, file))];
+  if (unused.length > 0) alsoSay(studio, texts.leftOut(unused.map(({name}) => name)));
   if (unread.length > 0) alsoSay(studio, texts.noProject(unread.map(({name}) => name)));
   return fresh && !project;
+}
+
+/** What objects come with for the eye alone, and which nobody misses. */
+const LOOKS = /\.(mtl|png|jpe?g|webp|ktx2?|tga|bmp|tiff?)$/i;
+
+/** No object that is open was read with it. */
+function isForeign({objects}: Studio, {name}: File): boolean {
+  return !LOOKS.test(name) && !name.startsWith('.') && !objects.some(({beside}) => beside.includes(name));
 }
 
 /** The projects of packs that come back as they were handed over, and the files without those packs that have no object. */
