@@ -76,6 +76,65 @@ test('a number that cannot be is refused by a sentence, and the one before it co
   await refused(/^Seconds of work/, ['-5', '1e9'], await seconds.inputValue(), /must be from 0 to 86400 seconds/);
 });
 
+test('a page that is loaded anew is where it was', async ({studio: page}) => {
+  const questions = page.getByRole('heading', {name: 'A few questions'});
+  await page.getByRole('button', {name: 'I have only a ruler'}).click();
+  const length = page.getByRole('spinbutton', {name: '1. Box: Length'});
+  await length.fill('140');
+  await page.getByRole('spinbutton', {name: 'Measured to within'}).fill('3');
+  await kept(page, '"clearance_mm":3');
+  await page.reload();
+  await expect(length).toHaveValue('140');
+  await page.getByRole('button', {name: 'Go on'}).click();
+  await expect(questions).toBeVisible();
+  const foam = page.getByRole('combobox', {name: 'Foam', exact: true});
+  await foam.selectOption('blocks slit-15');
+  await kept(page, 'slit-15');
+  await page.reload();
+  await expect(foam).toHaveValue('blocks slit-15');
+  await page.getByRole('button', {name: 'Show proposals'}).click();
+  await expect(page.getByRole('article').first()).toBeVisible(SLOW);
+  await page.reload();
+  await expect(questions).toBeVisible();
+  await page.getByRole('button', {name: 'Skip, I know what I want'}).click();
+  await page.reload();
+  await expect(page.getByRole('navigation', {name: 'Steps'})).toBeVisible();
+  // Begun anew, nothing of it is left.
+  await page.getByRole('button', {name: 'Ask again'}).click();
+  await page.getByRole('button', {name: 'Start over'}).click();
+  await page.getByRole('dialog').getByRole('button').first().click();
+  await expect(page.getByRole('heading', {name: 'What are you packing?'})).toBeVisible();
+});
+
+test('without a unit, Show proposals asks for it, and what was not opened has its name told', async ({studio: page}) => {
+  const file = (name: string, text: string) => ({name, mimeType: 'text/plain', buffer: Buffer.from(text)});
+  const part = 'OFF\n4 4 0\n0 0 0\n0.06 0 0\n0 0.045 0\n0 0 0.03\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n';
+  await page.locator('#open-object').setInputFiles([file('part.off', part), file('other.off', part), file('notes.txt', 'two parts')]);
+  const asked = page.getByRole('dialog', {name: 'Which unit does this file use?'});
+  await expect(asked).toBeVisible();
+  await expect(page.getByRole('alert')).toContainText('notes.txt');
+  expect(await asked.evaluate((dialog) => dialog.querySelector('.choices')!.contains(document.activeElement))).toBe(false);
+  for (let i = 0; i < 2; i++) {
+    await asked.getByRole('button', {name: 'Close'}).click();
+    await expect(asked).toHaveCount(0);
+    await page.getByRole('button', {name: 'Show proposals'}).click({timeout: 5000});
+    await expect(asked).toBeVisible();
+  }
+  await asked.getByRole('button', {name: 'Close'}).click();
+  await page.getByRole('button', {name: 'Skip, I know what I want'}).click({timeout: 5000});
+  await page.getByRole('button', {name: /^Next/}).click({timeout: 5000});
+  await page.getByRole('alert').getByRole('button', {name: 'Close'}).click();
+  await page.getByText('There are no foams yet').locator('..').getByRole('button').click({timeout: 5000});
+  await expect(asked).toBeVisible();
+});
+
+test('Choose a file is reached and pressed by keyboard', async ({studio: page}) => {
+  const chooser = page.waitForEvent('filechooser', {timeout: 20_000});
+  await tabTo(page, new RegExp(`^${en.empty.choose}$`));
+  await page.keyboard.press('Enter');
+  await chooser;
+});
+
 test.describe('on a phone, from a disk', () => {
   test.use({address: ONE_FILE, viewport: {width: 390, height: 844}, hasTouch: true});
 
