@@ -129,7 +129,7 @@ export function clearances({cut}: Pick<Design, 'cut'>): number[] {
 /** More on every side, less where `mm` is below 0, though never less than `least`. */
 export function withMoreClearance(design: Design, mm: number, least = -Infinity): Design {
   // Without the dust of adding, so that there and back is the same.
-  const all = clearances(design).map((old) => Math.max(least, Number((old + mm).toFixed(6))));
+  const all = clearances(design).map((old) => Math.max(least, Math.round((old + mm) * 1e6) / 1e6));
   return withClearance(design, typeof design.cut.clearance_mm === 'number' ? all[0]! : all);
 }
 
