@@ -11,6 +11,7 @@ import {Works} from './state/works.svelte';
 import {typing} from './ui/typing.svelte';
 import {files} from './words/files';
 import {language} from './words/language.svelte';
+import type {Pair} from './words/words';
 
 const page = document.getElementById('app') as HTMLElement;
 
@@ -28,6 +29,14 @@ async function start() {
   // The page first: what comes back to it may be large.
   mount(App, {target: page, props: {studio}});
   await bringBack(studio);
+}
+
+/** Says why a field does not take a number, until it takes one. */
+function refusing(studio: Studio) {
+  return (why: Pair | null) => {
+    if (why) studio.refuse('number', why);
+    else if (studio.problem?.control === 'number') studio.problem = null;
+  };
 }
 
 async function bringBack(studio: Studio) {
