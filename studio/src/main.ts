@@ -5,7 +5,6 @@ import {openServed} from './import/open_served';
 import App from './panels/App.svelte';
 import './panels/app.css';
 import {startWorker} from './start_worker';
-import {refuseNumber} from './state/number_refusal';
 import {Studio} from './state/studio.svelte';
 import {Works} from './state/works.svelte';
 import {typing} from './ui/typing.svelte';
@@ -23,8 +22,7 @@ async function start() {
   const startCore = () => coreIn(startWorker());
   const engine = await createEngine({startCore, onRestart: (reason) => studio?.restarted(reason)});
   studio = await Studio.start(engine, () => typing.designChanged());
-  const ready = studio;
-  typing.onrefusal = (why) => refuseNumber(ready, why);
+  typing.onrefusal = refusing(studio);
   page.replaceChildren();
   // The page first: what comes back to it may be large.
   mount(App, {target: page, props: {studio}});
