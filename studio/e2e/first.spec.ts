@@ -27,6 +27,8 @@ test('a camera in a hard case', async ({studio: page}) => {
   await expect(proposals.first()).toBeVisible(SLOW);
   expect(await violations(page)).toEqual([]);
   const margin = page.getByRole('article', {name: /Most margin/});
+  await expect(margin).toContainText('hard case ·');
+  await expect(page.getByRole('heading', {name: /Cheapest to send/})).toBeVisible();
   await expect(margin).toContainText(/(Meets at most|Does not meet it: up to) \d+ G/);
   // Hours are counts times seconds, of which somebody may know better.
   await margin.getByRole('spinbutton').fill('3600');
@@ -75,6 +77,12 @@ test('a bust in slit sponge, by keyboard alone and in Japanese', async ({studio:
   await page.keyboard.press('Enter');
   await expect(page.getByRole('article').first()).toBeVisible(SLOW);
   await expect(page.getByRole('article').first()).toContainText('スリットスポンジ 15 mm');
+  // Drawings and warnings are made in one language.
+  const again = page.getByRole('button', {name: /日本語で作り直す|in English/});
+  await expect(again).toHaveCount(0);
+  await page.locator('header select').last().selectOption('en');
+  await expect(again).toBeVisible();
+  await page.locator('header select').last().selectOption('ja');
   await page.getByRole('heading', {name: '案', exact: true}).focus();
   await tabTo(page, /^この案にする/);
   await page.keyboard.press('Enter');

@@ -41,6 +41,9 @@ test('one step at a time: few stops of the Tab key in each, Next to the last, an
   await expect(step(page, 'Check')).toHaveAccessibleName(/Check.*warnings/);
   await status(page).getByRole('link').click();
   await expect(page.getByRole('region', {name: 'Check'})).toContainText('Thin below');
+  // What the library says of flags is of fields here.
+  await expect(page.getByRole('region', {name: 'Check'})).toContainText('“Wall” 25 would do');
+  await expect(page.getByRole('region', {name: 'Check'})).not.toContainText('--');
 });
 
 test('a field behind More is found by a word, stays in view once it differs, and goes back by itself', async ({studio: page}) => {

@@ -83,6 +83,8 @@ export const first = words({
     },
     proposals: ['Proposals', '案'],
     proposalsLead: ['Take one: everything in it can still be changed.', '一つ選んでください。選んだあとでもすべて変更できます。'],
+    otherLanguage: ['Drawings and warnings are still in the language in which these were made.', '図と注意は、作ったときの言語のままです。'],
+    speakThis: ['Make them again in English', '日本語で作り直す'],
     working: ['Trying foams and cases …', '緩衝材とケースを試しています …'],
     failed: ['No proposal could be made.', '案を作れませんでした。'],
     kinds: {
