@@ -92,7 +92,7 @@ const narrowFields = (page: Page) =>
   page.evaluate(() =>
     [...document.querySelectorAll<HTMLInputElement>('input[type=number]')]
       .map((field) => ({name: field.getAttribute('aria-label'), px: field.getBoundingClientRect().width}))
-      .filter(({px}) => px > 0 && px < 40)
+      .filter(({px}) => px > 0 && px < 48)
       .map(({name, px}) => `${name}: ${Math.round(px)}`),
   );
 
