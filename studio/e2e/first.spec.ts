@@ -83,7 +83,8 @@ test('a page that is loaded anew is where it was', async ({studio: page}) => {
   await page.getByRole('button', {name: 'I have only a ruler'}).click();
   const length = page.getByRole('spinbutton', {name: '1. Box: Length'});
   await length.fill('140');
-  await kept(page, '"objects"');
+  await page.getByRole('spinbutton', {name: 'Measured to within'}).fill('3');
+  await kept(page, '"clearance_mm":3');
   await page.reload();
   await expect(length).toHaveValue('140');
   await page.getByRole('button', {name: 'Go on'}).click();
@@ -124,13 +125,14 @@ test('without a unit, Show proposals asks for it, and what was not opened has it
   await asked.getByRole('button', {name: 'Close'}).click();
   await page.getByRole('button', {name: 'Skip, I know what I want'}).click({timeout: 5000});
   await page.getByRole('button', {name: /^Next/}).click({timeout: 5000});
+  await page.getByRole('alert').getByRole('button', {name: 'Close'}).click();
   await page.getByText('There are no foams yet').locator('..').getByRole('button').click({timeout: 5000});
   await expect(asked).toBeVisible();
 });
 
 test('Choose a file is reached and pressed by keyboard', async ({studio: page}) => {
+  const chooser = page.waitForEvent('filechooser', {timeout: 20_000});
   await tabTo(page, new RegExp(`^${en.empty.choose}$`));
-  const chooser = page.waitForEvent('filechooser');
   await page.keyboard.press('Enter');
   await chooser;
 });

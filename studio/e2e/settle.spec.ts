@@ -84,7 +84,7 @@ test('where less foam would do more on the floor that is said, done and undone',
   await set(page, 'spinbutton', 'Object weighs', 3);
   const take = page.getByRole('button', {name: 'Cut this relief'});
   await expect(take).toBeVisible({timeout: 60_000});
-  await expect(check(page)).toContainText(/Less foam under it would (do|help) on its floor.*: “[^”]+” [\d.]+x[\d.]+ lets it stand on \d islands/i);
+  await expect(check(page)).toContainText(/Less foam under it would (do|help) on its floor.*: “[^”]+” [\d.]+ × [\d.]+ lets it stand on \d islands/i);
   await expect(check(page)).toContainText('Note: Less foam below would do more');
   expect(await violations(page)).toEqual([]);
   await take.click();

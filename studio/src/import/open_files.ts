@@ -43,7 +43,7 @@ export async function openFiles(studio: Studio, files: readonly File[], {joins =
 }
 
 /** What objects come with for the eye alone, and which nobody misses. */
-const LOOKS = /\.(mtl|bin|png|jpe?g|webp|ktx2?|tga|bmp|tiff?)$/i;
+const LOOKS = /\.(mtl|png|jpe?g|webp|ktx2?|tga|bmp|tiff?)$/i;
 
 /** No object that is open was read with it. */
 function isForeign({objects}: Studio, {name}: File): boolean {

@@ -76,8 +76,7 @@ export class FirstLevel {
     if (!isFailure(answer)) {
       [this.proposals, this.spoken] = [answer, spoken];
       void this.holding();
-    }
-    else if (answer.kind !== 'cancelled') this.failure = answer.error;
+    } else if (answer.kind !== 'cancelled') this.failure = answer.error;
     else if (this.stage === 'show') this.stage = 'ask';
   }
 
