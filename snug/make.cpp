@@ -203,8 +203,8 @@ std::vector<BlockMap> pockets_of(const std::vector<Item>& items, const std::vect
 
 /// What each layer loses to its items and to hands, and what is left.
 Result<void> cut_layers(std::span<const Object> objects, Packing& packing, const Design& design,
-                        const ItemCuts& items, const std::vector<HalfCuts>& layers,
-                        std::vector<int> parting) {
+                        const ItemCuts& items, const std::vector<HalfCuts>& layers, std::vector<int> parting,
+                        const Progress& progress) {
     if (packing.items.size() > 1 && wants_protection(design))
         packing.pockets = pockets_of(packing.items, items.cuts, parting, design.space.open.has_value());
     int under = 0;
@@ -230,7 +230,7 @@ Result<void> cut_layers(std::span<const Object> objects, Packing& packing, const
         auto edited = apply_edits(design.edits,
                                   {objects, packing.items, packing.space, packing.available, parting,
                                    design.space.open.has_value()},
-                                  packing.layers);
+                                  packing.layers, progress);
         if (!edited) return tl::unexpected(edited.error());
         packing.edits = std::move(*edited);
     }
@@ -264,7 +264,8 @@ Result<Packing> pack(std::span<const Object> objects, const Design& design, cons
     if (!packing) return packing;
     if (find_all_outside(design, *packing)) return packing;
 
-    const auto items = cut_each(objects, design, *packing, kept, part_of(progress, 0.4, 1));
+    const double edits_begin = design.edits.empty() ? 1 : 0.6;  // which may look at each object again
+    const auto items = cut_each(objects, design, *packing, kept, part_of(progress, 0.4, edits_begin));
     if (!items) return tl::unexpected(items.error());
     // What zones keep free went down with settled items, in a case of any shape.
     if (design.fit.settle && find_all_outside(design, *packing)) return packing;
@@ -273,7 +274,9 @@ Result<Packing> pack(std::span<const Object> objects, const Design& design, cons
     const std::vector<HalfCuts> layers = united_in_layers(packing->items, items->cuts, layers_of(design));
     auto parting = parting_levels(*packing, layers, design);
     if (!parting) return tl::unexpected(parting.error());
-    if (auto done = cut_layers(objects, *packing, design, *items, layers, std::move(*parting)); !done)
+    if (auto done = cut_layers(objects, *packing, design, *items, layers, std::move(*parting),
+                               part_of(progress, edits_begin, 1));
+        !done)
         return tl::unexpected(done.error());
     if (design.fit.pads) {
         auto pads =

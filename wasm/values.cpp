@@ -161,6 +161,7 @@ val to_val(const Preset& preset) {
     result.set("title", preset.title);
     result.set("block_mm", to_val(preset.block_mm));
     result.set("clearance_mm", preset.clearance_mm);
+    result.set("least_clearance_mm", least_clearance_mm(preset.block_mm));
     result.set("density_kg_m3", or_null(preset.density_kg_m3));
     result.set("creep_kpa", or_null(preset.creep_kpa));
     result.set("rigid", preset.rigid);

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <span>
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -16,6 +18,7 @@
 #include "tests/support/random.h"
 #include "tests/support/random_design.h"
 #include "tests/support/solid_checks.h"
+#include "tests/support/zoned_kit.h"
 
 // What a hand changes, against a brute force that looks at every block.
 
@@ -127,6 +130,92 @@ TEST(HandEdits, TakeOutAndPutBackWhatTheySayAndNeverEnterTheItem) {
     EXPECT_GT(refused, cases);
     EXPECT_GT(put_back, cases / 4);
     EXPECT_GT(in_clearance, cases / 10);
+}
+
+/// Any column of any piece, also of such as there are not.
+HandEdits random_edits(Random& random, const DesignSpace& space, int layers) {
+    HandEdits edits;
+    for (int i = random.integer(1, 80); i > 0; --i) {
+        const int piece = random.integer(0, layers);
+        HandEdit edit{piece == 0        ? "lower"
+                      : piece == layers ? "upper"
+                                        : "middle-" + std::to_string(piece),
+                      random.integer(0, space.blocks.y), random.integer(0, space.blocks.z),
+                      random.integer(1, 3)};
+        if (random.chance(0.6)) edit.blocks = -edit.blocks;
+        edit.under = piece > 0 && piece < layers && random.chance(0.5);
+        edits.push_back(edit);
+    }
+    return edits;
+}
+
+/// Foam that edits put there stands in no item by itself and in none of its zones, and only where blocks are.
+void expect_new_foam_is_free(const Packing& before, const Packing& after, std::span<const Object> objects) {
+    for (const Item& item : after.items) {
+        const test::Blocks bare =
+            brute_force_cut(test::placed_triangles(objects[item.object].mesh, item.placement), after.space,
+                            Vec3d{0, 0, 0}, item.cut.cut_on_touch);
+        std::vector<test::Blocks> barred{bare};
+        for (const ItemZone& zone : item.zones)
+            if (zone.asked.keep_off_mm > 0)
+                barred.push_back(brute_force_cut(test::placed_triangles(zone.surface->mesh, item.placement),
+                                                 after.space, zone.asked.keep_off_mm, item.cut.cut_on_touch));
+        for (std::size_t piece = 0; piece < after.foams->pieces.size(); ++piece)
+            for (int j = 0; j < after.space.blocks.y; ++j)
+                for (int k = 0; k < after.space.blocks.z; ++k) {
+                    const auto &was = before.foams->pieces[piece](j, k),
+                               &is = after.foams->pieces[piece](j, k);
+                    for (int block = is.first; block < is.end; ++block) {
+                        ASSERT_TRUE(after.available(j, k).contains(block));
+                        for (const test::Blocks& blocks : barred)
+                            ASSERT_FALSE(!was.contains(block) && blocks.cut(block, j, k))
+                                << "piece " << piece << ": " << block << " " << j << " " << k;
+                    }
+                }
+    }
+}
+
+void expect_apart(const Foams& foams) {
+    for (std::size_t piece = 1; piece < foams.pieces.size(); ++piece)
+        for (std::size_t i = 0; i < foams.pieces[piece].size(); ++i) {
+            const auto &lower = foams.pieces[piece - 1][i], &upper = foams.pieces[piece][i];
+            ASSERT_TRUE(lower.none() || upper.none() || lower.end <= upper.first) << piece << " " << i;
+        }
+}
+
+TEST(HandEdits, OfKitsWithZonesLayersCasesAndClearancesOfEachSideStayFree) {
+    int applied = 0, put_back = 0, in_cases = 0, layered = 0;
+    const int kits = test::cases(60, 24);
+    for (int seed = 0; seed < kits; ++seed) {
+        SCOPED_TRACE(seed);
+        Random random(static_cast<std::uint32_t>(seed) + 61000);
+        test::ZonedKit kit = test::random_kit_with_zones(random);
+        if (random.chance(0.4)) {
+            kit.design.case_options.inside_mm = Vec3d{260, 420, 425};
+            kit.design.case_options.corner_radius_mm = random.between(0, 60);
+            kit.design.case_options.base_mm =
+                CrossSection{random.between(380, 420), random.between(380, 425)};
+        }
+        auto design = checked(kit.design);
+        ASSERT_TRUE(design) << text(design.error().message);
+        const auto before = pack(kit.objects, *design);
+        if (!before || !before->foams) continue;
+        design->edits = random_edits(random, before->space, before->foams->layers());
+        const auto after = pack(kit.objects, *design);
+        ASSERT_TRUE(after && after->foams);
+        ASSERT_NO_FATAL_FAILURE(expect_new_foam_is_free(*before, *after, kit.objects));
+        ASSERT_NO_FATAL_FAILURE(expect_apart(*after->foams));
+        in_cases += after->fitted_case.has_value();
+        layered += after->foams->layers() > 1;
+        for (const EditOutcome& outcome : after->edits) {
+            applied += outcome.blocks > 0;
+            put_back += outcome.blocks < 0;
+        }
+    }
+    EXPECT_GT(applied, 2 * kits);
+    EXPECT_GT(put_back, kits / 4);
+    EXPECT_GT(in_cases, kits / 10);
+    EXPECT_GT(layered, kits / 10);
 }
 
 TEST(HandEdits, WhatIsLeftOfTheClearanceIsLeft) {

@@ -31,6 +31,8 @@ export interface Preset {
   title: string;
   block_mm: Triple;
   clearance_mm: number;
+  /** The most that its blocks can be squeezed, below 0. */
+  least_clearance_mm: number;
   density_kg_m3: number | null;
   creep_kpa: number | null;
   rigid: boolean;

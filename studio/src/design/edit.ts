@@ -17,7 +17,7 @@ export function withPreset(design: Design, preset: Preset, before?: Preset): Des
   const next: Design = {
     ...design,
     space: {...design.space, preset: preset.name, block_mm: [...preset.block_mm], blocks: 'auto', wall_mm: preset.wall_mm ?? (brought ? null : wall_mm)},
-    cut: before ? withMoreClearance(design, preset.clearance_mm - before.clearance_mm).cut : {...design.cut, clearance_mm: preset.clearance_mm},
+    cut: before ? withMoreClearance(design, preset.clearance_mm - before.clearance_mm, preset.least_clearance_mm).cut : {...design.cut, clearance_mm: preset.clearance_mm},
     case: {...design.case, division: preset.division},
     parting: {level: 'auto'},
   };

@@ -124,6 +124,7 @@ const CHANGES: [string, (design: Design) => Design][] = [
     'a mould in one piece without dowels',
     (design) => edit.withWorkshop(working('mould')(design), {print: {...design.workshop.print, bed_mm: [600, 600, 400], dowels: false}}),
   ],
+  ['edits by hand, also of columns that are not there', (design) => ({...fitted(design), edits: [{piece: 'lower', j: 1, k: 2, blocks: 2}, {piece: 'upper', j: 6, k: 9, blocks: -1}, {piece: 'lower', j: 99, k: 0, blocks: 1}]})],
   ['a mass alone', (design) => edit.withWorkshop(design, {mass_kg: 2})],
 ];
 

@@ -83,6 +83,12 @@ test('what was added to the clearance stays added, there and back', () => {
   expect(withPreset(withClearance(first, 3), presetOf('print')).cut.clearance_mm).toBe(presetOf('print').clearance_mm);
 });
 
+test('a squeeze that the next blocks cannot have is as much as they can', () => {
+  const squeezed = withClearance(withPreset(first, presetOf('slit-15')), -4);
+  const print = withPreset(squeezed, presetOf('print'), presetOf('slit-15'));
+  expect(print.cut.clearance_mm).toBe(presetOf('print').least_clearance_mm);
+});
+
 test('a group that is there is other; within it, what was changed', () => {
   const notches = usualGroup(beginning.rows, 'fit.notches') as unknown as Design['fit']['notches'];
   const held = withFit(first, {notches});
