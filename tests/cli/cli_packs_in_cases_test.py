@@ -48,10 +48,18 @@ class PacksInCases(unittest.TestCase):
             f"--rotate={numbers.uniform(0, 360):.2f},{numbers.choice([0, 90, 37.5])},0",
             *numbers.choice([[], ["--notches=40x30"]]),
             *numbers.choice([[], ["--least-rib=25"]]),
+            "--edit=" + ",".join(self.edit(numbers) for _ in range(numbers.randint(1, 30))),
         ]
+
+    @staticmethod
+    def edit(numbers):
+        """Of a column that there may not be, and of blocks that may be the object's."""
+        piece = numbers.choice(["lower", "upper"])
+        return f"{piece}:{numbers.randint(0, 20)}:{numbers.randint(0, 25)}:{numbers.choice([-2, -1, 1, 2, 3])}"
 
     def packs(self, way, *own, lean=40):
         """Reports and folders of a few random designs, each with the blocks that both halves keep."""
+        edited = 0
         for seed in range(SEED, SEED + 3):
             numbers = random.Random(f"{way} {seed}")
             name = numbers.choice(["torus", "vase", "camera", "figurine"])
@@ -71,7 +79,9 @@ class PacksInCases(unittest.TestCase):
                 x, y, z = report["design_space"]["block_mm"]
                 for half, file in (("lower", "lower.stl"), ("lid", "upper.stl")):
                     self.assertAlmostEqual(signed_volume(read_stl(out / file)) / (kept[half] * x * y * z), 1, 4)
+                edited += report["edits"]["taken_blocks"] + report["edits"]["put_back_blocks"]
                 yield out, kept, x * y * z
+        self.assertGreater(edited, 0)
 
     def test_sheets(self):
         for out, kept, _ in self.packs("sheets"):
